@@ -234,8 +234,8 @@ std::vector<Verdict> confronted(std::vector<Verdict> bounds, const Analysis& kno
 /// So many classes are explored to see how far what fails can go.
 constexpr std::size_t most_of_failing = 200'000;
 
-/// Explores until all runs are seen, or the limits met, what is in the state that is `meant`; if `thorough`,
-/// whatever is not known exactly by now.
+/// Explores, until all runs are seen or the limits are met, the requirements in the state `meant`. If
+/// `thorough`: all that are not known exactly by now.
 void explore_further(const Provers& provers, const Problem& problem, const Options& options, bool thorough,
                      State meant, const std::vector<Verdict>& bounds, Analysis& known) {
   std::vector<std::size_t> open;
@@ -344,7 +344,7 @@ Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoi
   return analysis;
 }
 
-/// What nobody reads is never measured, however few of the runs were seen.
+/// A condition that no thread reads is never measured, however few of the runs were seen.
 void say_unread(const Problem& problem, Analysis& analysis) {
   for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
     Verdict& verdict = analysis.verdicts[r];

@@ -1,7 +1,7 @@
 # For gdb: `source` this file, or the .gdb file beside a skill's generated code, which does it.
 #
-# A body is a coroutine. At each `co_await` it leaves its stack frame, the runtime goes on with others, and it is
-# resumed later, in a new frame. gdb's `next` would follow the old frame into the runtime; pal-next follows the body.
+# A body is a coroutine. At each `co_await` it leaves its stack frame, and the runtime goes on with others. Later it
+# is resumed in a new frame. gdb's `next` would follow the old frame into the runtime; pal-next follows the body.
 import gdb
 
 # `step` goes into activities and devices, not into what lies between.

@@ -272,8 +272,8 @@ class BodyPlanner {
     return after(graph_[id].mate);
   }
 
-  // A Merge, an Until or a Join that the flow comes to is where a body stops; a graph that is well formed has
-  // none elsewhere.
+  // A body stops at a Merge, an Until or a Join that the flow comes to. A graph that is well formed has none
+  // elsewhere.
   pan::NodeId plan_statement(pan::NodeId, const pan::Merge&, PlannedStatement&) { return {}; }
   pan::NodeId plan_statement(pan::NodeId, const pan::Until&, PlannedStatement&) { return {}; }
   pan::NodeId plan_statement(pan::NodeId, const pan::Join&, PlannedStatement&) { return {}; }

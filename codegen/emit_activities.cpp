@@ -41,7 +41,7 @@ void write_interface(Writer& out, const Plan& plan, const PlannedModule& module)
   out.line("/// A run of the skill begins: what was left from the last one is to be forgotten.");
   out.line("virtual void start(const Parameters&) {}").line();
   out.line(
-      "/// Somebody broke a promise, and the run asks for a contingency. True: what is computed from now on "
+      "/// A promise was broken, and the run asks for a contingency. True: what is computed from now on "
       "answers");
   out.line("/// it.");
   out.line("virtual bool promise_broken(const runtime::BrokenPromise&) { return false; }");

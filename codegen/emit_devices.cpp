@@ -29,9 +29,11 @@ class PromiseWriter {
   explicit PromiseWriter(Writer& out) : out_(out) {}
 
   void operator()(const pan::EventDevice& device) const {
-    constant(device.sporadic ? "least_separation" : "period", device.period,
-             (device.sporadic ? "at least so far apart comes " : "so often comes ") + device.message);
-    constant("jitter", device.jitter, "and is at most so late");
+    constant(
+        device.sporadic ? "least_separation" : "period", device.period,
+        (device.sporadic ? "least time from one message to the next: " : "from one message to the next: ") +
+            device.message);
+    constant("jitter", device.jitter, "the most by which it is late");
     if (device.phase) constant("phase", *device.phase, "the first one, from open() on");
     if (device.answer_within)
       constant("answer_within", *device.answer_within, "the skill then sends " + device.answer);

@@ -141,7 +141,7 @@ void write_chooser(Writer& out, const Plan& plan, const PlannedModule& module,
     out.line("case thread_of::" + plan.threads[*plan.threads[thread].parent].constant + ":").indent();
     out.line("return thread_of::" + plan.threads[thread].constant + ";").outdent();
   }
-  out.line("default:").indent().line("return -1;  // nobody else executes " + module.pal_name).outdent();
+  out.line("default:").indent().line("return -1;  // no other thread executes " + module.pal_name).outdent();
   out.close("}");
   out.close();
 }

@@ -197,7 +197,7 @@ void explain(const Plan& plan, std::ostream& out) {
   write_processors(plan, out);
   const std::vector<Row> executed = executed_rows(plan);
   if (!executed.empty()) section("modules without a thread of their own, by Execute", executed, "", out);
-  section("servers", server_rows(plan), "none: nobody answers a request", out);
+  section("servers", server_rows(plan), "none: no module answers a request", out);
   section("couriers: requests under way while their sender goes on", courier_rows(plan),
           "none: each answer is waited for right after its request", out);
   section("channels, each a slot for one message", channel_rows(plan), "none", out);

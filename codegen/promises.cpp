@@ -9,10 +9,10 @@ namespace {
 
 using Measure = PlannedRequirement::Measure;
 
-/// Who can delay whom: modules with all that they execute, named by the outermost of them, and devices. A
-/// party relies on those with whom it exchanges messages, and on those that set the conditions that it reads.
-/// It also relies on those that its processors serve before it. That is more than an analysis that looks
-/// closer would say, never less.
+/// Which parties can delay which: modules with all that they execute, named by the outermost of them, and
+/// devices. A party relies on those with whom it exchanges messages, and on those that set the conditions
+/// that it reads. It also relies on those that its processors serve before it. That is more than an analysis
+/// that looks closer would say, never less.
 class Reliance {
  public:
   Reliance(const pan::Network& network, const Plan& plan) : plan_(plan) {
@@ -59,7 +59,7 @@ class Reliance {
   /// Fills threads and devices of `requirement`, which is about `parties`.
   void of(const std::vector<std::size_t>& parties, PlannedRequirement& requirement) const {
     std::vector<bool> reached(size_);
-    std::vector<std::size_t> served(by_processor_.size());  // so many threads of a processor are reached
+    std::vector<std::size_t> served(by_processor_.size());  // how many threads of a processor are reached
     std::vector<std::size_t> open;
     const auto reach = [&](std::size_t party) {
       if (party >= size_ || reached[party]) return;
@@ -307,7 +307,7 @@ class RequirementPlanner {
     about_processors(busy.processor, about);
   }
 
-  /// What an event device demands of whoever takes its events.
+  /// What an event device demands of the module that takes its events.
   void demanded_answer(const pan::DeviceTiming& timing) {
     const auto* event = std::get_if<pan::EventDevice>(&timing.behaviour);
     if (event == nullptr || !event->answer_within) return;

@@ -1,8 +1,9 @@
 // The words of PAL. Keywords are read in any case; names keep theirs. A hyphen inside a word belongs to it.
 lexer grammar PalLexer;
 
-// Told apart before the parser runs (pal/syntax/tokens.cpp), so that a forgotten END is noticed where it is missing: END
-// by the word that follows it, and the first of two kind words that a colon follows (`Skill Module: SM1`).
+// Told apart before the parser runs (pal/syntax/token_list.cpp), so that a forgotten END is noticed where it is
+// missing. END is told apart by the word that follows it. HEADER is the first of two kind words that a colon
+// follows (`Skill Module: SM1`).
 tokens { END_CASE, END_CONCURRENT, END_WTM, HEADER }
 
 // Reserved: these begin, divide or end a statement, and name nothing.

@@ -26,8 +26,8 @@ using Sensors = std::map<std::string, Sensor>;
 /// Checks without skills: names, connections, reachability, sub-operations, loops.
 void check_shape(const Program& program, Diagnostics& diagnostics);
 
-/// Checks with the skills: that they exist, parameters, codes that nobody handles, ways that are never taken.
-/// `locations`: those that are taught; nothing: unknown. The program has no errors of shape.
+/// Checks with the skills: that they exist, parameters, codes that no icon handles, ways that are never
+/// taken. `locations`: those that are taught; nothing: unknown. The program has no errors of shape.
 void check_skills(const Program& program, const Skills& skills,
                   const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics);
 

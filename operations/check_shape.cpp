@@ -178,7 +178,7 @@ void check_endless(const Operation& operation, Diagnostics& diagnostics) {
     if (ends) continue;
     diagnostics.report(Code::PAL1011, operation.icons[here].where,
                        fmt::format("from '{}' on there is no EXIT", operation.icons[here].id),
-                       "this is allowed: somebody must stop the operation, or a code that nobody handles");
+                       "this is allowed: a stop must end the operation, or a code that no icon handles");
     return;
   }
 }

@@ -136,7 +136,7 @@ void check_codes(const Program& program, const Skills& skills, Diagnostics& diag
         for (const auto& [code, normal] : completions_of(program, operation, icon, skills, codes.exits))
           if (!route(operation, icon, code, normal))
             diagnostics.report(Code::PAL1006, icon.where,
-                               fmt::format("nobody handles code {} of '{}'{}", code, icon.id,
+                               fmt::format("no icon handles code {} of '{}'{}", code, icon.id,
                                            completion_text(skills, icon, code)),
                                "the operation ends there; connect 'error', or put a CASE behind it");
       }

@@ -14,9 +14,16 @@ namespace pal::operations {
 bool has_completions(IconKind kind);
 
 /// The output by which the token leaves a skill or a hierarchical icon that ended with `code`. `normal`: the
-/// skill's completion is a normal one; for a hierarchical icon, the code is 0. The first that fits: the way
-/// of a CASE behind `next` (behind MERGEs and delays, too) that names the code; `error`, unless the code is
-/// normal; the default of the CASE; `next`, if the code is normal; `error`. Nothing: nobody handles the code.
+/// skill's completion is a normal one; for a hierarchical icon, the code is 0. It is the first of these that
+/// fits:
+///
+/// 1. the way of a CASE behind `next` (behind MERGEs and delays, too) that names the code;
+/// 2. `error`, unless the code is normal;
+/// 3. the default of the CASE;
+/// 4. `next`, if the code is normal;
+/// 5. `error`.
+///
+/// Nothing: no icon handles the code.
 std::optional<Connection> route(const Operation& operation, const Icon& icon, int code, bool normal);
 
 /// The output of a CASE for a code; nothing if it has neither a way nor a default for it.

@@ -55,7 +55,7 @@ ExecutionState Executor::step() {
 
 ExecutionState Executor::run(std::size_t steps) {
   if (state_ == ExecutionState::ended || state_ == ExecutionState::failed || steps == 0) return state_;
-  // Whoever asked for a stop before the first skill wants none to run; a later stop is dealt with in act().
+  // After a stop before the first skill none may run; a later stop is dealt with in act().
   if (state_ == ExecutionState::stopped) {
     stop_.store(false, std::memory_order_relaxed);
     runner_.allow();
@@ -84,7 +84,7 @@ ExecutionState Executor::run(std::size_t steps) {
         act();
         idle_ = steps_ == before ? idle_ + 1 : 0;
         if (idle_ > most_idle && state_ == ExecutionState::running)
-          halt(ExecutionState::failed, "the token goes round and round and no skill runs");
+          halt(ExecutionState::failed, "the token goes round in a loop in which no skill runs");
       }
     }
   }
@@ -240,10 +240,10 @@ void Executor::leave_with(const SkillResult& result) {
   const auto way = route(operation(), icon(), last_code_, result.kind == SkillResult::Kind::normal);
   if (way) return go(*way);
   halt(ExecutionState::failed,
-       fmt::format("'{}' ended with code {}, which nobody handles: {}", token(), last_code_, result.reason));
+       fmt::format("'{}' ended with code {}, which no icon handles: {}", token(), last_code_, result.reason));
 }
 
-/// A delay or a wait that is not over; it begins anew when somebody resumes.
+/// A delay or a wait that is not over; it begins again after a resume.
 void Executor::cut_off(Step& step) {
   const bool paused =
       !stop_.load(std::memory_order_relaxed) && pause_.exchange(false, std::memory_order_relaxed);
@@ -343,7 +343,7 @@ void Executor::exit_operation() {
   if (last_code_ == 0) count_here();
   if (const auto way = route(operation(), icon(), last_code_, last_code_ == 0)) return go(*way);
   halt(ExecutionState::failed,
-       fmt::format("'{}' ended with code {}, which nobody handles", token(), last_code_));
+       fmt::format("'{}' ended with code {}, which no icon handles", token(), last_code_));
 }
 
 void Executor::halt(ExecutionState state, std::string reason) {

@@ -94,9 +94,12 @@ class ExecutionError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// ready: nothing has run. paused: between two skills. stopped: a skill was cut off; if somebody resumes, it
-/// runs again from its beginning. ended: by an EXIT. failed: nobody handled a code, or the cell could not be
-/// readied. In each of these states the robot is at rest.
+/// In all states but `running` the robot is at rest:
+/// - ready: nothing has run;
+/// - paused: between two skills;
+/// - stopped: a skill was cut off, and runs again from its beginning if the operation is resumed;
+/// - ended: by an EXIT;
+/// - failed: no icon handled a code, or the cell could not be readied.
 enum class ExecutionState { ready, running, paused, stopped, ended, failed };
 const char* name(ExecutionState state);
 
@@ -113,7 +116,7 @@ class Executor {
   ExecutionState run();
   /// Runs one skill, delay, wait or test, then halts before the next.
   ExecutionState step();
-  /// As run(), but at most so many steps.
+  /// As run(), but at most `steps` steps.
   ExecutionState run(std::size_t steps);
 
   /// Halts after the current skill. From any thread, or a signal handler.
@@ -139,7 +142,7 @@ class Executor {
   ExecutionState state() const { return state_; }
   /// Where the token is: before this icon, or in it while it runs; after the end, at the EXIT.
   std::string token() const;
-  /// Why it halted: a breakpoint, a code that nobody handles, …
+  /// Why it halted: a breakpoint, a code that no icon handles, …
   const std::string& reason() const { return reason_; }
   int last_code() const { return last_code_; }
   std::size_t steps() const { return steps_; }

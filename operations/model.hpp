@@ -51,7 +51,7 @@ struct Icon {
   std::string id;
   IconKind kind = IconKind::merge;
   Connection next;       // of all but CASE, RESTART and EXIT
-  Connection error;      // of skill, wait, test and sub_operation: for codes that nobody else handles
+  Connection error;      // of skill, wait, test and sub_operation: for codes that no CASE handles
   Connection otherwise;  // of a CASE: its default
   std::vector<Way> ways;
   std::string skill;

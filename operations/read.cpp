@@ -18,7 +18,7 @@ using Kind = JsonValue::Kind;
 
 constexpr double longest_delay = 86'400;  // s
 
-/// The fields of an object, each asked for once; what nobody has asked for is reported.
+/// The fields of an object, each asked for once; a field that was not asked for is reported.
 class Fields {
  public:
   Fields(const JsonValue& object, Diagnostics& diagnostics)
@@ -250,7 +250,8 @@ std::optional<Icon> read_icon(const JsonValue& value, Diagnostics& diagnostics) 
   }
   if (icon.id.empty() || icon.id.find('/') != std::string::npos) {
     if (!icon.id.empty())
-      fields.report(icon.where, "an id has no '/'", "the '/' parts an icon from those of a sub-operation");
+      fields.report(icon.where, "an id has no '/'",
+                    "'/' stands between the ids of a sub-operation and its icon");
     return std::nullopt;
   }
   icon.kind = *known;

@@ -165,7 +165,7 @@ class Teller {
       const auto way = route(operation_, icon, code, normal);
       scene.branches.push_back(
           fmt::format("Code {}{} {}", code, meaning(icon, code),
-                      way ? destination(*way, code) : "Nobody handles it, and the operation fails here."));
+                      way ? destination(*way, code) : "No icon handles it, and the operation fails here."));
     }
   }
 

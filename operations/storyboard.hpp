@@ -1,4 +1,4 @@
-// An operation told as a story, and drawn, for people who do not read files (thesis, sections 2.3.6 and 7.2).
+// An operation as a story with drawings, for people who do not read files (thesis, sections 2.3.6 and 7.2).
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace pal::operations {
 
-/// One operation of the program as Graphviz DOT, from left to right: boxes for skills, shadowed boxes for
-/// hierarchical icons, hexagons for tests, diamonds for CASE; codes on the lines. With a run: how often each
+/// One operation of the program as Graphviz DOT, from left to right. Skills are boxes, hierarchical icons
+/// shadowed boxes, tests hexagons, and CASEs diamonds. Codes stand on the lines. With a run: how often each
 /// icon had a step; those that had none are pale.
 std::string to_dot(const Program& program, std::size_t operation, const Happened* run = nullptr);
 
-/// Scenes in the order in which the token first comes to them: what each skill needs, does and leaves, from
-/// its template, and where the story goes on, by code; with a run, what happened when. The program has no
-/// errors of shape.
+/// Scenes in the order in which the token first comes to them. A scene says what each skill needs, does and
+/// leaves, from its template, and where the story goes on, by code. With a run it also says what happened
+/// when. The program has no errors of shape.
 std::string storyboard_markdown(const Program& program, const Skills& skills, const Happened* run = nullptr);
 
 /// The same as a page that needs nothing else, with the pictures in it. Throws std::runtime_error if

@@ -30,7 +30,7 @@ struct Ways {
   bool complete = true;  // false: there are more than `most`
 };
 
-/// Ways of the first operation, without those that end because nobody handles a code. The program has no
+/// Ways of the first operation, without those that end because no icon handles a code. The program has no
 /// errors.
 Ways ways_through(const Program& program, const Skills& skills, const SkillTimes& times,
                   std::size_t most = 64);

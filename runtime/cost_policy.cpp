@@ -2,8 +2,8 @@
 
 namespace pal::runtime {
 
-// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014): the same
-// numbers on every machine, which the distributions of the standard library do not promise.
+// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014). It gives the
+// same numbers on every machine. The distributions of the standard library do not promise this.
 std::uint64_t CostDraw::next() {
   state_ += 0x9e3779b97f4a7c15U;
   std::uint64_t z = state_;

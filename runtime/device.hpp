@@ -76,8 +76,8 @@ class DeviceHost {
   /// Ends the skill with its error completion; `reason` goes into the result and the trace.
   virtual void fault(std::string reason) = 0;
 
-  /// Calls `action` as soon as possible. This is the only function that a thread of the device's own may
-  /// call, until the device is closed; the action then uses the other functions.
+  /// Calls `action` as soon as possible. A thread of the device's own may call this function and no other,
+  /// until the device is closed. The action then uses the other functions.
   virtual void post(std::function<void()> action) { at(now(), std::move(action)); }
 };
 
@@ -119,7 +119,7 @@ class World {
   virtual ~World() = default;
 
   /// Advances the world to instant `when` (never back in time). Called before anything happens at `when`.
-  /// Whatever the world does by itself up to then happens in this call: it may deliver messages by the
+  /// Whatever the world does by itself up to then happens in this call. It may deliver messages by the
   /// DeviceHosts, whose clock is at `when` already.
   virtual void advance_to(Time when) = 0;
 
@@ -135,7 +135,7 @@ class World {
   virtual Time beat() { return Time::max(); }
 
   /// In real time: whether one thread moves the world without the kernel's lock. Such a world and the run
-  /// reach each other by DeviceHost::post and by wake() alone; its devices never wait for each other's
+  /// reach each other by DeviceHost::post and by wake() alone. Its devices never wait for each other's
   /// threads. wait_until() then waits for the wall clock.
   virtual bool apart() const { return false; }
   /// Something is to be done in the world before the instant that wait_until() waits for: it returns soon.

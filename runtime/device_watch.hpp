@@ -19,14 +19,14 @@ class DeviceWatch {
   DeviceWatch() = default;
   explicit DeviceWatch(const DeviceTimes& times) : times_(times) {}
 
-  /// Somebody waits for its events for the first time.
+  /// A thread waits for its events for the first time.
   void opened(Time now);
   /// A request has come to it.
   void asked(Time now);
   /// It has forgotten a request that was withdrawn; `busy`: with another one.
   void forgotten(Time now, bool busy);
 
-  /// It has sent what nobody asked for.
+  /// It has sent a message that was not requested.
   Seen event(Time now);
   /// It has answered the request that came at `asked`.
   Seen answered(Time now, Time asked);

@@ -35,7 +35,7 @@ class Devices {
   void act(int device, const std::function<void()>& action);
   /// Each, whatever comes of the others.
   void close();
-  /// Whose code is being called, as another thread sees it; empty: nobody's.
+  /// The device whose code is being called, as another thread sees it; empty: none.
   std::string at_work() const;
 
  private:

@@ -26,10 +26,13 @@ class Dispatcher {
 
   /// Runs the skill from time 0 to its end: in virtual time, or in real time if the options say so. Code that
   /// does not return in real time ends the process (RealTime::hang_timeout). Parameters that are not given
-  /// have their defaults. These end the skill before it begins, with its error completion and the reason: a
-  /// parameter that is not allowed; a device that is missing or has other ports than the skill needs; a
-  /// dispatcher, a skill or a device that is running already, in this thread (a device begins a run in its
-  /// receive) or in another one. Never throws because of a skill, a device or the world.
+  /// have their defaults. Never throws because of a skill, a device or the world.
+  ///
+  /// These end the skill before it begins, with its error completion and the reason:
+  /// - a parameter that is not allowed;
+  /// - a device that is missing, or has other ports than the skill needs;
+  /// - a dispatcher, a skill or a device that is running already, in another thread or in this one (a device
+  ///   may begin a run in its receive).
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
 
   /// The same with parameters in braces: run(skill, {{"reach", 40}}).

@@ -107,7 +107,7 @@ class Journal {
   EventWatcher* watcher_ = nullptr;
   Outcome outcome_;
   bool over_ = false;
-  bool shown_ = false;  // somebody wants to know what happens, and the skill is not over
+  bool shown_ = false;  // events are wanted, and the skill is not over
 };
 
 }  // namespace pal::runtime

@@ -21,7 +21,7 @@
 
 namespace pal::runtime {
 
-/// Not thread-safe: no two of its functions may run at once, whoever calls them.
+/// Not thread-safe: no two of its functions may run at once.
 class Kernel {
  public:
   /// All outlive the kernel. `connections`: one for each device of the skill's wiring, in its order.
@@ -93,7 +93,7 @@ class Kernel {
 
  private:
   Skill& skill_;
-  WorkObserver* work_;  // null: nobody measures
+  WorkObserver* work_;  // null: none
   std::deque<Thread> threads_;
 };
 

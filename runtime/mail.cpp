@@ -200,7 +200,7 @@ void Mail::stop_sending(Slot& slot, Thread& thread) {
   if (std::exchange(thread.control.sending, nullptr) != nullptr) std::erase(slot.sending, &thread);
 }
 
-/// Nobody wants the message any more.
+/// The message is not wanted any more.
 void Mail::discard(SendOperation& send) {
   Thread& thread = send.thread();
   Slot& slot = at(send.channel());

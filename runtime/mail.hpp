@@ -112,7 +112,7 @@ class Mail {
 
   /// What is known about a device.
   struct Party {
-    bool sends_events = false;  // what it was not asked for: from when somebody first waits for it
+    bool sends_events = false;  // without a request: from when a thread first waits for it
     std::vector<int> inbox;     // the channels that lead to it
   };
 

@@ -32,7 +32,7 @@ class Extremes {
 ///
 /// Two things are measured, by two clocks. For hand-written code: processor time of this computer, whatever
 /// time the skill runs in. For devices: time of the run. A device's answer counts from when the device was
-/// given the request, or from its last answer if that came later; of answers at one instant the first counts.
+/// given the request, or from its last answer if that came later. Of answers at one instant the first counts.
 /// A message without a request counts from the last such message.
 class Measurement final : public MessageObserver, public WorkObserver {
  public:

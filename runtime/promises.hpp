@@ -58,14 +58,14 @@ class Promises final : public EventWatcher {
     std::int32_t broken = -1;  // in broken_
     Time measured{};
   };
-  /// Who has broken it, and where.
+  /// The party that has broken it, and where.
   struct Breach {
     std::size_t row = 0;
     Time measured{};
     std::int32_t actor = -1;
     std::int32_t statement = -1;
     std::int32_t channel = -1;
-    bool least = false;  // the promise is that it takes so long at least
+    bool least = false;  // the promise is a least time
     bool noted = false;  // another measure of a breach that was noted
   };
 

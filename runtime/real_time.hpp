@@ -19,9 +19,9 @@ struct RealTime {
   /// Locks all memory of the process from the beginning of the run to its end. A process that has locked its
   /// memory itself says false: the end of the run would unlock it.
   bool lock_memory = true;
-  /// A thread that waits looks out for its next statement for so long before it sleeps, because waking up may
-  /// take longer than an answer. It does so only if each processor has a CPU of its own, and while nothing
-  /// else of the skill has work on its processor. 0: it sleeps at once.
+  /// A thread that waits polls for its next statement for this time before it sleeps, because waking up may
+  /// take longer than an answer. It does so only if each processor has a CPU of its own, and only while no
+  /// other level of its processor has work. 0: it sleeps at once.
   Time look_out = std::chrono::microseconds(100);
   /// Code that exceeds its declared worst time by this much of its processor is taken as never returning. The
   /// devices are closed, and the process ends, because C++ can end a thread in no other way.

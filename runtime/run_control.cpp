@@ -6,7 +6,7 @@
 namespace pal::runtime {
 namespace {
 
-// A signal handler cannot wake whoever waits.
+// A signal handler cannot wake a thread that waits.
 constexpr std::chrono::milliseconds look_each(20);
 
 }  // namespace

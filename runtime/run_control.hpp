@@ -40,7 +40,8 @@ class RunControl {
   void pause();
   /// Lets a held run go on.
   void resume();
-  /// Lets the run go on for so many effects of statements (at least one), then holds it again.
+  /// Lets the run go on until `statements` statements (at least one) have had their effect, then holds it
+  /// again.
   void step(std::size_t statements = 1);
   /// Holds the run when a statement of `where`, a file or a module, in `line` is about to have its effect.
   void break_at(std::string where, int line);

@@ -121,7 +121,7 @@ void Scheduler::dispatch(Processor& processor) {
   if (!processor.arrived.empty()) announce(processor);
 }
 
-/// The trace learns who is ready and has no processor, in the order of the threads.
+/// The trace learns which threads are ready without a processor, in the order of the threads.
 void Scheduler::announce(Processor& processor) {
   std::vector<Thread*>& arrived = processor.arrived;
   if (arrived.size() > 1)

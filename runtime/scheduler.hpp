@@ -1,4 +1,5 @@
-// The virtual processors: who runs where (docs/reference/execution-model.md, Threads and processors).
+// The virtual processors: which thread runs where (docs/reference/execution-model.md, Threads and
+// processors).
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ struct Processor {
   std::uint64_t end = 0;         // names the event at which the work will be done
   std::vector<Thread*> ready;    // in their order: the last one goes first
   std::vector<Thread*> arrived;  // became ready since the last dispatch
-  bool changed = false;          // somebody came or went
+  bool changed = false;          // a thread came or went
 };
 
 class Scheduler {
@@ -33,10 +34,10 @@ class Scheduler {
   /// The thread blocks or ends: its processor is free for others.
   void leave(Thread& thread);
 
-  /// Gives the processors to those who should have them now.
+  /// Gives the processors to the threads that should have them now.
   void dispatch();
 
-  /// Who is on the processor; null: nobody.
+  /// The thread that has the processor; null: none.
   const Thread* running(int processor) const {
     return processors_[static_cast<std::size_t>(processor)].running;
   }

@@ -1,4 +1,4 @@
-// A skill as the dispatcher sees it, and as a person sees it who chooses one.
+// A skill as the dispatcher sees it, and a person who chooses one.
 #pragma once
 
 #include <cstddef>
@@ -79,8 +79,8 @@ class Skill {
   /// The coroutine of thread `index` of the wiring, not yet begun.
   virtual Task body(std::size_t index, Thread& thread) = 0;
 
-  /// Makes a coroutine of each module that is run by Execute for each thread that runs it, and drops them
-  /// together, so that the frames are there when they are needed.
+  /// Fills the frame pool for modules that are run by Execute, before they are needed. It makes a coroutine
+  /// for each such module and each thread that runs it. Then it drops all of them together.
   virtual void reserve_executed(Thread& thread) = 0;
 
   /// A promise was broken for the first time in this run, and the run's policy is `contingency`. True: the

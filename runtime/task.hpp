@@ -17,7 +17,7 @@ void body_threw(Thread& thread) noexcept;
 }  // namespace detail
 
 /// Owns a coroutine that follows one body of PAL, statement by statement. The coroutine is a function or a
-/// member function whose last parameter is the Thread that it runs in; its frame comes from the thread's
+/// member function. Its last parameter is the Thread that it runs in, and its frame comes from the thread's
 /// pool. A body that Execute names is awaited: `co_await cm1.body(thread)` runs it in place of the caller.
 class [[nodiscard]] Task {
  public:

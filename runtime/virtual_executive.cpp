@@ -96,7 +96,7 @@ bool VirtualExecutive::go_to(Time when, const Kernel& kernel) {
   return !journal_.over() && now() == when;
 }
 
-// Somebody asks for more than an end: holds the run for as long as it is to be held.
+// More than an end was asked for. Holds the run for as long as it is to be held.
 void VirtualExecutive::obey(RunControl& control, Kernel& kernel) {
   const bool any = !queue_.empty();
   const Time next =
@@ -162,7 +162,7 @@ void VirtualExecutive::step(Kernel& kernel) {
       happen(event, kernel);
     }
   }
-  // Coroutines go on one after the other; then the processors are given to those who should have them.
+  // Coroutines go on one after the other; then the processors are given to the threads that should have them.
   kernel.settle();
   if (!journal_.over()) scheduler_.dispatch();
 }

@@ -1,4 +1,4 @@
-// Who may connect: the checks before any command is obeyed.
+// Which clients may connect: the checks before any command is obeyed.
 #pragma once
 
 #include <string>

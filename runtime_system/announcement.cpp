@@ -24,7 +24,7 @@ std::string last_error() {
   return std::generic_category().message(errno);
 }
 
-/// A folder that somebody else owns could have its files exchanged.
+/// The files of a folder that another user owns could be exchanged.
 void make_folder(const std::string& folder) {
   if (folder.empty()) return;
   if (::mkdir(folder.c_str(), 0700) == 0) return;

@@ -16,7 +16,7 @@ struct Announcement {
 std::string default_announcement();
 
 /// Makes the file, and its folder if that is not there, so that others cannot read it. What was there before
-/// is replaced. Throws std::runtime_error: it cannot be made, or the folder belongs to somebody else.
+/// is replaced. Throws std::runtime_error: it cannot be made, or the folder belongs to another user.
 void announce(const std::string& path, const Announcement& announcement);
 
 /// Throws std::runtime_error: it is not there, is no announcement, or others can read it.

@@ -8,55 +8,14 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <variant>
 
-#include "operations/load.hpp"
-#include "pal/support/file_system.hpp"
+#include "runtime_system/program_check.hpp"
 
 namespace pal::runtime_system {
-namespace {
 
 using operations::ExecutionState;
 using operations::Executor;
-
-Refusal wrong(std::string message) {
-  return {Refusal::Why::wrong, std::move(message)};
-}
-
-/// The first error, for a client that has no room for carets; nothing if there is none.
-std::optional<std::string> first_error(const Diagnostics& diagnostics, const SourceManager& sources) {
-  if (!diagnostics.has_errors()) return std::nullopt;
-  for (const Diagnostic& finding : diagnostics.sorted()) {
-    if (finding.severity != Severity::error) continue;
-    std::string place;
-    if (sources.size() > 0 && finding.where.file.valid()) {
-      const auto at = sources.line_column(finding.where.file, finding.where.begin);
-      place = fmt::format("{}:{}:{}: ", sources.name(finding.where.file), at.line, at.column);
-    }
-    return fmt::format("{}{}{}", place, finding.message, finding.hint.empty() ? "" : "; " + finding.hint);
-  }
-  return "it has errors";
-}
-
-/// One skill as an operation, so that it is checked by the same rules.
-operations::Program program_of(const RunSkill& command) {
-  operations::Icon start, skill, end;
-  start.id = "start";
-  start.kind = operations::IconKind::start;
-  start.next.icon = "skill";
-  skill.id = "skill";
-  skill.kind = operations::IconKind::skill;
-  skill.skill = command.skill;
-  skill.parameters = command.parameters;
-  skill.next.icon = skill.error.icon = "end";
-  end.id = "end";
-  end.kind = operations::IconKind::exit;
-  operations::Operation operation;
-  operation.name = command.skill;
-  operation.icons = {std::move(start), std::move(skill), std::move(end)};
-  return {{std::move(operation)}};
-}
-
-}  // namespace
 
 const char* name(Activity activity) {
   static constexpr std::array names{"idle", "skill", "operation"};
@@ -77,6 +36,8 @@ struct Desk::Parts final : operations::StepObserver {
       : runner(the_runner), skills(std::move(the_skills)), sink(the_sink), options(std::move(the_options)) {
     status.cell = options.cell;
   }
+
+  ProgramRules rules() const { return {skills, options.sensors, options.locations}; }
 
   // With the lock held.
   void publish(decltype(Event::what) what) {
@@ -155,9 +116,7 @@ struct Desk::Parts final : operations::StepObserver {
   std::optional<Refusal> obey(ClientId client, RunSkill& command, Answerer& answer) {
     if (auto refusal = need_controls(client)) return refusal;
     if (auto refusal = need_rest()) return refusal;
-    Diagnostics diagnostics;
-    operations::check_skills(program_of(command), skills, options.locations, diagnostics);
-    if (const auto problem = first_error(diagnostics, {})) return wrong(*problem);
+    if (const auto problem = mistake_in(command, rules())) return Refusal{Refusal::Why::wrong, *problem};
     give_controls(client);
     begin(Activity::skill);
     skill_job = SkillJob{std::move(command), std::exchange(answer, nullptr)};
@@ -166,19 +125,12 @@ struct Desk::Parts final : operations::StepObserver {
   std::optional<Refusal> obey(ClientId client, LoadOperation& command, Answerer&) {
     if (auto refusal = need_controls(client)) return refusal;
     if (auto refusal = need_rest()) return refusal;
-    const MemoryFileSystem files(std::move(command.files));
-    SourceManager sources;
-    Diagnostics diagnostics;
-    auto program = operations::load(files, sources, command.main, diagnostics);
-    if (program && !diagnostics.has_errors()) operations::check_shape(*program, diagnostics);
-    if (program && !diagnostics.has_errors())
-      operations::check_skills(*program, skills, options.locations, diagnostics);
-    if (program && !diagnostics.has_errors())
-      operations::check_sensors(*program, options.sensors, diagnostics);
-    if (const auto problem = first_error(diagnostics, sources)) return wrong(*problem);
-    if (!program) return wrong("there is no operation in it");
+    std::variant<operations::Program, std::string> loaded = load(std::move(command), rules());
+    if (const auto* mistake = std::get_if<std::string>(&loaded))
+      return Refusal{Refusal::Why::wrong, *mistake};
     give_controls(client);
-    executor = std::make_unique<Executor>(std::move(*program), runner, this, &skills);
+    executor =
+        std::make_unique<Executor>(std::move(std::get<operations::Program>(loaded)), runner, this, &skills);
     look_at_executor();
     publish(OperationLoaded{status.operation});
     return std::nullopt;
@@ -257,7 +209,7 @@ struct Desk::Parts final : operations::StepObserver {
       try {
         change();
       } catch (const operations::ExecutionError& problem) {
-        reply = wrong(problem.what());
+        reply = Refusal{Refusal::Why::wrong, problem.what()};
       }
       answer(reply);
     }
@@ -380,10 +332,10 @@ void Desk::ask(ClientId client, Command command, Answerer answer) {
     try {
       refusal = std::visit([&](auto& each) { return parts_->obey(client, each, answer); }, command);
     } catch (const operations::ExecutionError& problem) {
-      refusal = wrong(problem.what());
+      refusal = Refusal{Refusal::Why::wrong, problem.what()};
     }
   }
-  // Whoever has taken the answerer answers later.
+  // What has taken the answerer answers later.
   if (refusal) {
     answer(*refusal);
   } else if (answer) {

@@ -30,7 +30,7 @@ struct Status {
   std::string token, reason;
   int last_code = 0;
   std::size_t steps = 0;
-  std::string holder;  // of the controls; empty: nobody
+  std::string holder;  // of the controls; empty: none
   bool yours = false;
   std::uint64_t last_event = 0;
   Duration time{};  // of the cell, when something last happened
@@ -62,7 +62,7 @@ class Desk final {
   ClientId enter(std::string name);
   /// The client has gone; what it ran pauses or goes on, as configured, and the controls are free.
   void leave(ClientId client);
-  /// Who asks for what needs the controls takes them, if nobody has them. Everybody may pause and stop. The
+  /// A command that needs the controls takes them, if they are free. Every client may pause and stop. The
   /// answer comes at once, of RunSkill when the skill has ended.
   void ask(ClientId client, Command command, Answerer answer);
   Status status(ClientId client) const;

@@ -10,7 +10,7 @@
 
 namespace pal::runtime_system {
 
-/// Who has the controls now; empty: nobody.
+/// The client that has the controls now; empty: none.
 struct ControlsChanged {
   std::string holder;
 };
@@ -49,8 +49,8 @@ class EventSink {
  public:
   virtual ~EventSink() = default;
   virtual void happened(const Event& event) = 0;
-  /// Called by the cell's thread before each icon, with nothing held: may wait until what has happened is on
-  /// its way, when an operation in which no time passes is faster than the sink.
+  /// Called by the cell's thread before each icon, with no lock held. It may wait until what has happened is
+  /// on its way. An operation in which no time passes can be faster than the sink.
   virtual void make_room() {}
 };
 

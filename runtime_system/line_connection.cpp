@@ -49,7 +49,7 @@ class LineConnection final : public Connection {
       self->leave();
     });
   }
-  /// Nobody has the far end of the terminal open.
+  /// No program has the far end of the terminal open.
   void wait_for_another() {
     session_.reset();
     begin_session();
@@ -60,7 +60,7 @@ class LineConnection final : public Connection {
   }
   void write(const std::string& text) override {
     asio::async_write(stream_, asio::buffer(text), [self = here()](error_code problem, std::size_t) {
-      // What nobody reads at a terminal is lost.
+      // What is not read at a terminal is lost.
       self->written(!problem || (stays && problem != asio::error::operation_aborted));
     });
   }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t longest_line = 1000;
 constexpr std::size_t largest_operation = std::size_t{1} << 20;
-// A workstation reads so many characters after a '!'.
+// How many characters a workstation reads after a '!'.
 constexpr std::size_t message_size = 50;
 
 using Words = std::vector<std::string>;

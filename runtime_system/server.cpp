@@ -46,7 +46,7 @@ tcp::acceptor listen_at(asio::io_context& io, const std::string& address, std::u
   return acceptor;
 }
 
-/// To who comes by lines when there is no room: 50 characters after the '!', as every refusal.
+/// To a client by lines for which there is no room: 50 characters after the '!', as every refusal.
 constexpr std::string_view no_room = "!the server has as many clients as it takes       \r\n";
 
 /// What another thread leaves for the server's.
@@ -116,11 +116,11 @@ struct Server::Parts {
     web.async_accept([this](const error_code& problem, tcp::socket socket) {
       if (problem == asio::error::operation_aborted) return;
       error_code ignored;
-      // Answers are short, and somebody waits for them.
+      // Answers are short, and a client waits for them.
       if (!problem) socket.set_option(tcp::no_delay(true), ignored);
       forget_gone();
       const std::size_t most = options.most_clients;
-      // Who comes too late is told so; not everybody who comes by the hundred.
+      // A client that is too many is told so, but not each of hundreds.
       if (!problem && clients.size() < 2 * most)
         enter(web_socket_connection(*connection_context, options.access, std::move(socket),
                                     clients.size() >= most));

@@ -36,7 +36,8 @@ struct ServerOptions {
 /// thread.
 class Server final : public EventSink, public TelemetrySink {
  public:
-  /// Opens all ports; nobody is answered before start(). Throws std::runtime_error with the system's reason.
+  /// Opens all ports; no client is answered before start(). Throws std::runtime_error with the system's
+  /// reason.
   explicit Server(ServerOptions options);
   /// As stop().
   ~Server() override;

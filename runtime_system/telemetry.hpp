@@ -25,7 +25,7 @@ struct Telemetry {
 class TelemetrySink {
  public:
   virtual ~TelemetrySink() = default;
-  /// Whether somebody observes; otherwise the instruments need not be read.
+  /// Whether a client observes; otherwise the instruments need not be read.
   virtual bool wanted() const noexcept = 0;
   virtual void show(const Telemetry& telemetry) = 0;
   virtual void show(Duration time, const Profile& profile) = 0;

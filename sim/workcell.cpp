@@ -14,7 +14,7 @@
 namespace pal::sim {
 namespace {
 
-// After a fault the drives let go for so long: what the arm pressed on pushes it away.
+// How long the drives let go after a fault: what the arm pressed on pushes it away.
 constexpr runtime::Time yield_time = std::chrono::milliseconds(300);
 
 using FaultListener = std::function<void(const ArmFault&)>;

@@ -129,8 +129,8 @@ class Workcell final : public runtime::World {
   /// Both pads press on the same loose part.
   bool holds_part() const;
 
-  /// How far a ray goes from `origin` along `direction` (both in frame 0; m) until it meets something that is
-  /// not the arm, m; nothing if it meets nothing. `direction` need not have length 1.
+  /// How far a ray goes from `origin` along `direction` until it meets something that is not the arm. All are
+  /// in frame 0, in m. Nothing if it meets nothing. `direction` need not have length 1.
   std::optional<double> cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
 
   /// For pictures; private to the library.

@@ -1,5 +1,5 @@
-// Charts of runs as SVG (docs/reference/charts.md): readable in black and white, text as text, the same input
-// gives the same bytes.
+// Charts of runs as SVG (docs/reference/charts.md). They are readable in black and white, and text is text.
+// The same input gives the same bytes.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct OverlayOptions {
   /// What to point out in each of the two runs; the caption and the window are those of `proved`.
   ChartOptions proved;
   ChartOptions measured;
-  /// Instants of the two runs that are drawn at one place, as time 0; if not given, the beginnings of the two
+  /// Instants of the two runs that are drawn at one place, as time 0. If not given: the beginnings of the two
   /// highlighted intervals, or of the runs.
   std::optional<std::int64_t> proved_zero_ns;
   std::optional<std::int64_t> measured_zero_ns;

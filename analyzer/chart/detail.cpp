@@ -11,8 +11,8 @@ namespace {
 constexpr Length wanted_bar = 122;
 // Below this, a second drawing would show nothing that the first does not.
 constexpr Length legible_bar = 100;
-// In short actions: how long a bar may be and still be drawn whole, how much is drawn of each end of one that
-// is longer, and how much of a run is worth a stretch of its own.
+// In units of a short action. A bar of up to `most_units` is drawn whole. Of a longer one `end_units` are
+// drawn of each end. A stretch has at least `least_units`.
 constexpr std::int64_t most_units = 10;
 constexpr std::int64_t end_units = 2;
 constexpr std::int64_t least_units = 8;

@@ -14,9 +14,10 @@ Window overview_window(const std::vector<Layer>& layers);
 
 /// The stretches in and around the highlighted intervals in which something runs, in one scale large enough
 /// for numbered bars on `width`. Empty if the whole window in that width already shows every action that
-/// large, or if nothing is highlighted. Of long actions only the ends. If not everything can be shown, the
-/// order of preference is: the end of the interval, its beginning, the places where the explanation passes
-/// from one part to the next (each in part if need be), then where most happens.
+/// large, or if nothing is highlighted. Of long actions only the ends are shown. If not everything can be
+/// shown, the order of preference is: the end of the interval, its beginning, the places where one part of
+/// the explanation ends and the next begins. Each of these may be shown in part. Then come the stretches in
+/// which most happens.
 std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Window& window, Length width,
                                    Length fold);
 

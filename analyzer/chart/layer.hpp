@@ -17,8 +17,8 @@ enum class Role : std::uint8_t {
   front,     // the measured run, solid, in the lower half of each lane
 };
 
-/// Instants of the layer's run are drawn at instant + shift_ns. rows[i] is the row of lane i, waves[i] that
-/// of waveform i; -1: not drawn.
+/// Instants of the layer's run are drawn at instant + shift_ns. rows[i] is the row of lane i. waves[i] is
+/// that of waveform i. -1: not drawn.
 struct Layer {
   const Timeline* timeline = nullptr;
   const ChartOptions* options = nullptr;

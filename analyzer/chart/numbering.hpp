@@ -25,8 +25,8 @@ class Numbering {
   };
 
   Numbering() = default;
-  /// Numbers the statements, from 1, that the scale shows and that do not fit into one of their bars: by lane
-  /// from top to bottom, then as in the text.
+  /// Numbers the statements that the scale shows and that do not fit into one of their bars. The numbers
+  /// begin at 1. They go by lane from top to bottom, then as in the text.
   Numbering(const std::vector<Layer>& layers, const TimeScale& scale);
 
   /// 0: the statement has no number.

@@ -46,7 +46,7 @@ struct Deadline {
   std::string label;
 };
 
-/// A frame, an answer or an event of a device that nobody took: crossed out.
+/// A frame, an answer or an event of a device that no thread took: crossed out.
 struct Loss {
   std::string lane;  // the device
   std::int64_t from_ns = 0;

@@ -196,7 +196,7 @@ void Panel::draw_tear(Length place, const std::string& title) {
   out_.path(data, "tear", title);
 }
 
-// How much is left out stands across the fold, where nobody takes it for a time of the axis.
+// The time left out is written across the fold, so that it is not mistaken for a time of the axis.
 void Panel::draw_fold(const TimeScale::Piece& piece) {
   const std::int64_t length = piece.time.to_ns - piece.time.from_ns;
   const std::string title =

@@ -82,7 +82,7 @@ class Panel {
   std::vector<Length> gap_label_places(const Layer& layer, Length left, Length right) const;
   void keep_off_edges(const Layer& layer);
 
-  // panel_losses.cpp: what nobody took
+  // panel_losses.cpp: what no thread took
   void draw_losses(const Layer& layer);
 
   // panel_arrows.cpp: messages and marks

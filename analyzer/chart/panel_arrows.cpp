@@ -70,8 +70,8 @@ void Panel::keep_off_arrows(const Layer& layer) {
   }
 }
 
-// Points of an arrow beside which its label may stand, best first: where it passes between two lanes, as near
-// to its middle as can be, then anywhere.
+// Points of an arrow beside which its label may stand, best first. The best ones are between two lanes, as
+// near to the arrow's middle as possible. Then comes any point.
 std::vector<Point> Panel::label_places(Point from, Point to) const {
   std::vector<Point> places;
   const auto at = [&](Length y) {
@@ -133,7 +133,7 @@ void Panel::label_mark(const std::string& text, Length place) {
   }
 }
 
-// In its lane; what nobody broke alone stands above the lanes.
+// In its lane. A promise that no single lane broke is drawn above the lanes.
 void Panel::draw_promise(const Layer& layer, const Mark& mark, Length place) {
   Length y = lanes_top_;
   std::string who;

@@ -1,6 +1,6 @@
-// A run as a message sequence chart: a line down the page for each module, and what they say to one another
-// from top to bottom. Needs no times; the order alone is drawn (after ITU-T Z.120, which robot engineers know
-// from their manuals).
+// A run as a message sequence chart. Each module has a line down the page, and the messages follow from top
+// to bottom. Needs no times; the order alone is drawn (after ITU-T Z.120, which robot engineers know from
+// their manuals).
 #pragma once
 
 #include <cstddef>

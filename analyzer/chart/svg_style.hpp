@@ -1,6 +1,6 @@
 // The style sheet of every chart. Colours are those of Okabe and Ito (2008), which colour-blind people can
-// tell apart; in black and white they differ in lightness, and what matters differs in hatching or outline
-// too. Lengths are tenths of a pixel.
+// tell apart. In black and white they differ in lightness. What matters differs in hatching or outline too.
+// Lengths are tenths of a pixel.
 #pragma once
 
 namespace pal::chart {

@@ -40,11 +40,11 @@ class Writer {
     const NodeTimes& times(int node) const { return nodes[static_cast<std::size_t>(node)]; }
   };
 
-  void say(Nanoseconds amount, const std::string& actor, std::string what, int statement = -1) {
+  void say(Nanoseconds amount, const std::string& actor, std::string what, StatementId statement = {}) {
     if (amount == 0) return;
     Addend made{amount, actor, std::move(what), "", 0, {}};
-    if (statement >= 0) {
-      const Statement& of = view_.problem.statements[static_cast<std::size_t>(statement)];
+    if (statement.valid()) {
+      const Statement& of = view_.problem.statements[statement];
       made.file = of.file;
       made.line = of.line;
     }
@@ -55,18 +55,18 @@ class Writer {
   const std::string& actor(int node) const { return thread_name(view_.forest.thread_of(node)); }
 
   std::string text(int step) const {
-    const int statement = context_.step_at(step).statement;
-    return statement < 0 ? "a test" : view_.problem.statements[static_cast<std::size_t>(statement)].text;
+    const StatementId statement = context_.step_at(step).statement;
+    return !statement.valid() ? "a test" : view_.problem.statements[statement].text;
   }
 
   /// Where a node begins, in the text.
-  int statement_of(int node) const {
+  StatementId statement_of(int node) const {
     const Segment& of = context_.segment(node);
     for (const Segment::Passed& passed : of.steps) {
-      const int statement = context_.step_at(passed.step).statement;
-      if (statement >= 0) return statement;
+      const StatementId statement = context_.step_at(passed.step).statement;
+      if (statement.valid()) return statement;
     }
-    return -1;
+    return StatementId{};
   }
 
   void add(const Sum::Addend& each) {
@@ -118,7 +118,7 @@ class Writer {
 
   /// `name` waits for an arrival, or for what was sent.
   void wait_for(const Clock& clock, const Due& due, const std::string& name, int device) {
-    const int statement = context_.step_at(due.step).statement;
+    const StatementId statement = context_.step_at(due.step).statement;
     if (due.by == By::arrival) {
       until_arrival(clock, due.node, due.step);
       return say(due.after, name, "waits at " + text(due.step), statement);
@@ -137,7 +137,7 @@ class Writer {
   std::string place(const Term& term) const {
     return term.step < 0 ? "the end of the segment" : text(term.step) + " has its effect";
   }
-  int statement(const Term& term) const {
+  StatementId statement(const Term& term) const {
     return term.step < 0 ? statement_of(term.node) : context_.step_at(term.step).statement;
   }
 
@@ -195,7 +195,7 @@ class Writer {
     // A send waits for its slot.
     const bool sends = step >= 0 && context_.step_at(step).kind == Step::Kind::send;
     say(done - released, actor(node), sends ? "is blocked at " + text(step) : "is blocked in its last send",
-        step < 0 ? -1 : context_.step_at(step).statement);
+        step < 0 ? StatementId{} : context_.step_at(step).statement);
   }
 
   /// If `done` is when a chain of segments in one window is done: to that instant.

@@ -7,8 +7,8 @@
 namespace pal::analyzer::compositional {
 
 /// The addends of a bound; they add up to the nanosecond. They are the actions, interference, waits and
-/// messages on the way to its latest instants, each with its place in the text, less the earliest instants
-/// that it subtracts. Empty if there are too many to read.
+/// messages on the way to its latest instants. Each has its place in the text. The earliest instants that the
+/// bound subtracts are negative addends. Empty if there are too many to read.
 std::vector<Addend> breakdown_of(const View& view, const Sum& bound);
 
 }  // namespace pal::analyzer::compositional

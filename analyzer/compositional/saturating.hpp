@@ -12,7 +12,7 @@ inline Nanoseconds plus(Nanoseconds a, Nanoseconds b) {
   return a >= never - b ? never : a + b;
 }
 
-/// Work of so many jobs. Saturates at `never`.
+/// Work of `jobs` jobs. Saturates at `never`.
 inline Nanoseconds work_of(Nanoseconds jobs, Nanoseconds cost) {
   Nanoseconds work = 0;
   return __builtin_mul_overflow(jobs, cost, &work) || work > never ? never : work;

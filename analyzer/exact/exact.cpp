@@ -88,14 +88,13 @@ class Analyzer {
     bool first = true;
     bool bounded = true;
     Duration most(0);
-    for (const int processor : requirement.processors) {
+    for (const ProcessorId processor : requirement.processors) {
       Verdict each = blank(requirement);
       timed(requirement, watch_of(problem_, requirement, processor), each);
       statistics += each.statistics;
       bounded = bounded && each.bound;
       if (each.bound) most = std::max(most, *each.bound);
-      each.explanation = "processor " + problem_.processors[static_cast<std::size_t>(processor)].name + ": " +
-                         each.explanation;
+      each.explanation = "processor " + problem_.processors[processor].name + ": " + each.explanation;
       if (first || worse(each, verdict)) verdict = std::move(each);
       first = false;
     }
@@ -120,7 +119,7 @@ class Analyzer {
              Nanoseconds cap, Verdict& verdict) {
     if (graph.failure()) return judge_failure(requirement, machine, graph, verdict);
     const bool any = graph.peak().value >= 0;
-    if (any) verdict.witness = witness_of(machine, graph, graph.peak(), false, options_.stop);
+    if (any) verdict.witness = witness_of(machine, graph, graph.peak(), options_.stop);
     const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     GrowthSearch grown;
     if (!shown) grown = growth_of(machine, graph, complete, cap);
@@ -130,7 +129,7 @@ class Analyzer {
       show_growth(requirement, machine, graph, std::move(grown.witness), verdict);
     const Peak& certain = graph.findings().certain;
     if (!verdict.witness && certain.value >= 0)
-      verdict.witness = witness_of(machine, graph, certain, false, options_.stop);
+      verdict.witness = witness_of(machine, graph, certain, options_.stop);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
     const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
     verdict.gave_up = !complete;
@@ -164,7 +163,7 @@ class Analyzer {
 
   void judge_failure(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
                      Verdict& verdict) {
-    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()), false, options_.stop);
+    verdict.witness = witness_of(machine, graph, unmeasured(*graph.failure()), options_.stop);
     if (verdict.witness && verdict.witness->failed) {
       verdict.state = Is::fails;
       verdict.exact = true;
@@ -195,9 +194,9 @@ class Analyzer {
     const std::optional<Peak>& beyond = graph.findings().beyond;
     if (!shows() && graph.stuck() >= 0)
       found = stuck_witness(machine, graph, graph.stuck(), requirement.limit + 1);
-    if (!shows() && beyond) found = witness_of(machine, graph, *beyond, false, options_.stop);
+    if (!shows() && beyond) found = witness_of(machine, graph, *beyond, options_.stop);
     if (!shows() && ends_with_skill(machine) && graph.growing())
-      found = witness_of(machine, graph, *graph.growing(), false, options_.stop);
+      found = witness_of(machine, graph, *graph.growing(), options_.stop);
     if (shows()) verdict.witness = std::move(found);
   }
 
@@ -261,8 +260,8 @@ class Analyzer {
     verdict.addends.clear();
   }
 
-  const std::string& processor_name(int processor) const {
-    return problem_.processors[static_cast<std::size_t>(processor)].name;
+  const std::string& processor_name(ProcessorId processor) const {
+    return problem_.processors[processor].name;
   }
 
   static std::string turn_text(const Fraction& load) {

@@ -31,7 +31,7 @@ struct Options {
 /// A run that goes round these statements for ever at one instant (in Problem::statements, in the order of
 /// the text). Then nothing is claimed about times.
 struct ZenoRun {
-  std::vector<int> statements;
+  std::vector<StatementId> statements;
 };
 
 struct Analysis {

@@ -28,7 +28,7 @@ Problem slowest(Problem problem) {
 /// Of a value that counts: a run in which it is greater than the limit.
 std::optional<Witness> shown_in(const Machine& machine, const ZoneGraph& graph, const Limits& limits) {
   const Findings& findings = graph.findings();
-  if (findings.beyond) return witness_of(machine, graph, *findings.beyond, false, limits.stop);
+  if (findings.beyond) return witness_of(machine, graph, *findings.beyond, limits.stop);
   if (graph.stuck() >= 0) return stuck_witness(machine, graph, graph.stuck(), machine.watch().limit + 1);
   if (graph.round() >= 0) return grown_witness(machine, graph, graph.round(), limits.stop);
   return std::nullopt;

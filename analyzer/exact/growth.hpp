@@ -19,14 +19,14 @@ enum class Growth {
 
 struct GrowthSearch {
   Growth growth = Growth::open;
-  /// If it counts: a run in which the value is greater than the limit, and is measured in the end or grows on
+  /// If it counts: a run in which the value is greater than the limit. It is measured in the end, or grows on
   /// a cycle for ever. None if no replay confirmed it.
   std::optional<Witness> witness;
   Statistics statistics;
 };
 
 /// For what `watch` watches, beyond `cap`. If classes are merged with larger ones, a cycle of classes need
-/// not be a cycle of runs. If they are merged only with their equals it is one: each point of such a class
+/// not be a cycle of runs. If they are merged only with their equals, it is one. Each point of such a class
 /// has a predecessor on the cycle, and whole points are finitely many.
 GrowthSearch growth(const Problem& problem, const Watch& watch, Nanoseconds cap, const Limits& limits);
 

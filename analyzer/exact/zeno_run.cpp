@@ -51,22 +51,22 @@ std::vector<int> way_round(const ZoneGraph& graph) {
   return way;
 }
 
-std::vector<int> cycle_statements(const Problem& problem, const ZoneGraph& graph,
-                                  const std::vector<int>& way) {
-  std::set<int> found;
+std::vector<StatementId> cycle_statements(const Problem& problem, const ZoneGraph& graph,
+                                          const std::vector<int>& way) {
+  std::set<StatementId> found;
   for (int e : way) {
     const Edge& edge = graph.edges()[static_cast<std::size_t>(e)];
     if (edge.timer >= static_cast<int>(problem.threads.size())) continue;
     const ZoneClass& from = graph.classes()[static_cast<std::size_t>(edge.from)];
     const State& state = graph.places()[static_cast<std::size_t>(from.state)].state;
     const int step = state.threads[static_cast<std::size_t>(edge.timer)].step;
-    const int statement = problem.steps[static_cast<std::size_t>(step)].statement;
-    if (statement >= 0) found.insert(statement);
+    const StatementId statement = problem.steps[static_cast<std::size_t>(step)].statement;
+    if (statement.valid()) found.insert(statement);
   }
-  std::vector<int> ordered(found.begin(), found.end());
-  std::stable_sort(ordered.begin(), ordered.end(), [&problem](int a, int b) {
-    const Statement& one = problem.statements[static_cast<std::size_t>(a)];
-    const Statement& other = problem.statements[static_cast<std::size_t>(b)];
+  std::vector<StatementId> ordered(found.begin(), found.end());
+  std::stable_sort(ordered.begin(), ordered.end(), [&problem](StatementId a, StatementId b) {
+    const Statement& one = problem.statements[a];
+    const Statement& other = problem.statements[b];
     return std::tie(one.file, one.line) < std::tie(other.file, other.line);
   });
   return ordered;

@@ -178,9 +178,9 @@ const std::vector<Grid::Move>& Grid::moves(int place) {
   std::vector<Move> made;
   for (std::size_t k = 0; k < here.timers.size(); ++k) {
     if (here.frozen[k]) continue;
-    const int processor = sliced_.processor_of(here.state, here.timers[k]);
+    const ProcessorId processor = sliced_.processor_of(here.state, here.timers[k]);
     bool unfixed = false;
-    if (processor >= 0) {
+    if (processor.valid()) {
       const Range cost = sliced_.cost(here.state, here.timers[k]);
       for (std::size_t f = 0; f < here.timers.size(); ++f) {
         if (!here.frozen[f]) continue;

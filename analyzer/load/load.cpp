@@ -34,7 +34,7 @@ class Loads {
   Loads(const Machine& machine, const ZoneGraph& graph, const Limits& limits)
       : machine_(machine), graph_(graph), limits_(limits), recurrences_(recurrences(graph)) {}
 
-  LoadBound of(int processor) {
+  LoadBound of(ProcessorId processor) {
     LoadBound bound = idle();
     for (std::size_t r = 0; r < recurrences_.size(); ++r) bound = either(std::move(bound), in(r, processor));
     return bound;
@@ -43,7 +43,7 @@ class Loads {
   const std::vector<Recurrence>& everywhere() const { return recurrences_; }
 
   /// In one recurrence, by a grid of a size in proportion to what the skill has.
-  LoadBound on_grid(std::size_t r, int processor) {
+  LoadBound on_grid(std::size_t r, ProcessorId processor) {
     Explored* explored = explored_of(r, processor);
     if (explored == nullptr) return idle();
     Limits brief = limits_;
@@ -53,7 +53,7 @@ class Loads {
 
  private:
   /// Null: nothing runs there again and again.
-  Explored* explored_of(std::size_t r, int processor) {
+  Explored* explored_of(std::size_t r, ProcessorId processor) {
     Slice slice = slice_of(machine_, graph_, recurrences_[r], processor);
     if (std::find(slice.threads.begin(), slice.threads.end(), true) == slice.threads.end()) return nullptr;
     Explored& explored = explored_[{r, slice.threads}];
@@ -108,7 +108,7 @@ class Loads {
 
   /// In one recurrence: a small grid, shares of the time with a run that is looked for, then a grid of any
   /// size.
-  LoadBound in(std::size_t r, int processor) {
+  LoadBound in(std::size_t r, ProcessorId processor) {
     Explored* explored = explored_of(r, processor);
     if (explored == nullptr) return idle();
     Limits brief = limits_;
@@ -119,7 +119,7 @@ class Loads {
     return both(std::move(bound), by_grid(*explored, r, processor, limits_));
   }
 
-  LoadBound by_grid(Explored& explored, std::size_t r, int processor, const Limits& limits) {
+  LoadBound by_grid(Explored& explored, std::size_t r, ProcessorId processor, const Limits& limits) {
     if (!explored.complete && explored.tried < limits.classes) {
       explored.tried = limits.classes;
       explored.grid = std::make_unique<Grid>(machine_, explored.slice);
@@ -135,7 +135,7 @@ class Loads {
     for (const GridEdge& edge : grid.edges()) {
       const GridNode& from = grid.nodes()[static_cast<std::size_t>(edge.from)];
       const State& state = grid.places()[static_cast<std::size_t>(from.place)].state;
-      const bool busy = state.running[static_cast<std::size_t>(processor)] >= 0;
+      const bool busy = state.running[processor] >= 0;
       edges.push_back({edge.from, edge.to, busy ? edge.time : 0, edge.time});
     }
     const auto nodes = static_cast<int>(grid.nodes().size());
@@ -150,7 +150,7 @@ class Loads {
     return compared(std::move(bound));
   }
 
-  LoadBound by_shares(std::size_t r, int processor, LoadBound bound) const {
+  LoadBound by_shares(std::size_t r, ProcessorId processor, LoadBound bound) const {
     const auto most = share_bound(work_graph(machine_, graph_, recurrences_[r], processor), {}, limits_.stop);
     if (most && greater(bound.most, *most)) bound.most = *most;
     bound.proved = bound.proved || most;
@@ -184,26 +184,27 @@ bool ends_always(const Problem& problem, const ZoneGraph& graph) {
 }
 
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
-                                   const std::vector<int>& processors, const Limits& limits) {
+                                   const std::vector<ProcessorId>& processors, const Limits& limits) {
   Loads loads(machine, graph, limits);
   std::vector<LoadBound> bounds;
-  for (int processor : processors) bounds.push_back(loads.of(processor));
+  for (ProcessorId processor : processors) bounds.push_back(loads.of(processor));
   return bounds;
 }
 
-LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
-                          const Fraction& limit, const Limits& limits) {
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph,
+                          const std::vector<ProcessorId>& processors, const Fraction& limit,
+                          const Limits& limits) {
   Loads loads(machine, graph, limits);
   const std::vector<Recurrence>& everywhere = loads.everywhere();
   const auto above = [&limit](const Fraction& load) { return greater(load, limit); };
-  std::vector<std::pair<std::size_t, int>> open;
+  std::vector<std::pair<std::size_t, ProcessorId>> open;
   LoadDecision decision;
   decision.load = {0, 1};
   const auto proved = [&decision](const Fraction& most) {
     if (greater(most, decision.load)) decision.load = most;
   };
   for (std::size_t r = 0; r < everywhere.size(); ++r) {
-    for (int processor : processors) {
+    for (ProcessorId processor : processors) {
       const WorkGraph work = work_graph(machine, graph, everywhere[r], processor);
       if (const auto most = share_bound(work, limit, limits.stop)) {
         proved(*most);

@@ -31,7 +31,7 @@ bool ends_always(const Problem& problem, const ZoneGraph& graph);
 /// One bound a processor. `graph`: all classes of `machine`, which watches nothing, with its edges, explored
 /// to the end.
 std::vector<LoadBound> load_bounds(const Machine& machine, const ZoneGraph& graph,
-                                   const std::vector<int>& processors, const Limits& limits);
+                                   const std::vector<ProcessorId>& processors, const Limits& limits);
 
 /// Whether each of `processors` keeps a limit: by shares of the time, by runs, and by a grid that is not much
 /// larger than `graph`. Cheaper than bounds, and sometimes undecided where these would decide. `graph` as for
@@ -41,7 +41,8 @@ struct LoadDecision {
   Fraction load;                   // holds: no run exceeds it; fails: a run attains it
   std::optional<Witness> witness;  // fails: that run
 };
-LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph, const std::vector<int>& processors,
-                          const Fraction& limit, const Limits& limits);
+LoadDecision decide_loads(const Machine& machine, const ZoneGraph& graph,
+                          const std::vector<ProcessorId>& processors, const Fraction& limit,
+                          const Limits& limits);
 
 }  // namespace pal::analyzer

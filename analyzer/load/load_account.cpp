@@ -9,7 +9,7 @@
 namespace pal::analyzer {
 namespace {
 
-/// A turn takes so many times the time of the load at most.
+/// A turn takes at most this many times the time of the load.
 constexpr Nanoseconds most_times = 1'000;
 
 struct Share {
@@ -19,8 +19,8 @@ struct Share {
 };
 
 /// Work on the processor since `from`, by thread and statement, longest first.
-std::vector<Share> shares(const Problem& problem, int processor, const std::vector<trace::Slice>& slices,
-                          Nanoseconds from) {
+std::vector<Share> shares(const Problem& problem, ProcessorId processor,
+                          const std::vector<trace::Slice>& slices, Nanoseconds from) {
   std::map<std::pair<int, int>, Nanoseconds> by;
   for (const trace::Slice& slice : slices) {
     const bool here = slice.state == trace::State::running && slice.to_ns > from &&
@@ -50,7 +50,7 @@ Addend addend(const trace::Trace& run, const Share& share, Nanoseconds turn) {
 
 }  // namespace
 
-std::vector<Addend> load_account(const Problem& problem, int processor, const LoadBound& load) {
+std::vector<Addend> load_account(const Problem& problem, ProcessorId processor, const LoadBound& load) {
   std::vector<Addend> all;
   if (!load.exact || !load.witness || load.most.work == 0 || load.witness->trace.events.empty()) return all;
   const trace::Trace& run = load.witness->trace;

@@ -133,7 +133,8 @@ std::uint64_t position(const Slice& slice, const State& state) {
   return hash;
 }
 
-Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, int processor) {
+Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence,
+               ProcessorId processor) {
   const Problem& problem = machine.problem();
   const std::size_t threads = problem.threads.size();
   const std::size_t devices = problem.devices.size();

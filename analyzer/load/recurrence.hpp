@@ -35,7 +35,8 @@ struct Slice {
 };
 
 /// The slice that `processor` belongs to; without threads if nothing runs there again and again.
-Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, int processor);
+Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence,
+               ProcessorId processor);
 
 /// A number for the steps and status of the slice's threads.
 std::uint64_t position(const Slice& slice, const State& state);

@@ -1,7 +1,5 @@
 #include "analyzer/load/share_bound.hpp"
 
-#include <z3++.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -9,6 +7,7 @@
 #include <numeric>
 
 #include "analyzer/load/cycle_ratio.hpp"
+#include "analyzer/runs/solver_context.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -45,7 +44,8 @@ struct Shares {
 /// The linear program: the least bound for the cycles known.
 class Program {
  public:
-  explicit Program(const WorkGraph& graph) : solver_(context_), bound_(context_.real_const("bound")) {
+  explicit Program(const WorkGraph& graph)
+      : context_(solver_context()), solver_(context_), bound_(context_.real_const("bound")) {
     z3::params parameters(context_);
     // Z3 would keep a Ctrl-C to itself.
     parameters.set("ctrl_c", false);
@@ -93,7 +93,7 @@ class Program {
     return in_parts(values);
   }
 
-  /// The last solution took so long that no other should be asked for.
+  /// The last solution took too long: no other should be asked for.
   bool slow() const { return slow_; }
 
  private:
@@ -129,7 +129,7 @@ class Program {
     return made;
   }
 
-  z3::context context_;
+  z3::context& context_;
   z3::optimize solver_;
   z3::expr bound_;
   std::vector<z3::expr> shares_;

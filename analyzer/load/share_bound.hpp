@@ -9,11 +9,11 @@
 
 namespace pal::analyzer {
 
-/// A fraction of time that no unending run in the recurrence exceeds: the least that shares prove, or one
-/// part in 10^12 more if the numbers grow too long. `limit`: the search ends with nothing once the least is
-/// known to be above it. Nothing also if it takes too long. The shares come from linear programming, cycle by
-/// cycle (J. E. Kelley, The cutting-plane method for solving convex programs, 1960). That they prove the
-/// bound is checked in whole numbers.
+/// A fraction of time that no unending run in the recurrence exceeds. It is the least one that shares prove.
+/// If the numbers grow too long, it is one part in 10^12 more. `limit`: the search ends with nothing once the
+/// least is known to be above it. Nothing also if it takes too long. The shares come from linear programming,
+/// cycle by cycle (J. E. Kelley, The cutting-plane method for solving convex programs, 1960). That they prove
+/// the bound is checked in whole numbers.
 std::optional<Fraction> share_bound(const WorkGraph& graph, const std::optional<Fraction>& limit,
                                     const std::function<bool()>& stop);
 

@@ -53,7 +53,7 @@ struct Life {
 class Turn {
  public:
   Turn(const Machine& machine, const std::vector<ScriptedFiring>& script, Stretch stretch, Nanoseconds period,
-       int processor)
+       ProcessorId processor)
       : machine_(machine),
         script_(script),
         stretch_(stretch),
@@ -111,7 +111,7 @@ class Turn {
     if (life.start > stretch_.begin) {
       limit(index(life.start), index(k), 0, life.range, fired);
     } else {
-      // Begun before: from the beginning of the stretch on it has so much less.
+      // Begun before: from the beginning of the stretch on it has that much less left.
       limit(0, index(k), script_[stretch_.begin].at - script_[life.start].at, life.range, fired);
     }
   }
@@ -145,7 +145,7 @@ class Turn {
   const std::vector<ScriptedFiring>& script_;
   Stretch stretch_;
   Nanoseconds period_;
-  int processor_;
+  ProcessorId processor_;
   Differences times_;
   std::vector<Life> lives_;
   std::vector<End> ends_;  // of what was active as the stretch began
@@ -187,7 +187,7 @@ struct Situation {
 
 /// Plays the stretch twice. If it ends both times in one situation, the second turn can be repeated for ever.
 std::optional<UnendingRun> played_twice(const Machine& machine, std::vector<ScriptedFiring> script,
-                                        Stretch stretch, Nanoseconds period, int processor) {
+                                        Stretch stretch, Nanoseconds period, ProcessorId processor) {
   const std::size_t length = stretch.end - stretch.begin;
   for (std::size_t k = 1; k <= length; ++k) {
     ScriptedFiring firing = script[stretch.begin + k];
@@ -200,7 +200,7 @@ std::optional<UnendingRun> played_twice(const Machine& machine, std::vector<Scri
   Nanoseconds busy = 0;
   std::optional<Situation> turned;
   for (std::size_t k = 1; k < script.size(); ++k) {
-    if (k > stretch.end && concrete_run.state().running[static_cast<std::size_t>(processor)] >= 0)
+    if (k > stretch.end && concrete_run.state().running[processor] >= 0)
       busy += script[k].at - concrete_run.now();
     if (!fire(concrete_run, script[k])) return std::nullopt;
     if (k == stretch.end) turned = Situation(concrete_run);
@@ -214,7 +214,7 @@ std::optional<UnendingRun> played_twice(const Machine& machine, std::vector<Scri
 }  // namespace
 
 std::optional<UnendingRun> repeat(const Machine& machine, std::vector<ScriptedFiring> script, Stretch stretch,
-                                  Nanoseconds period, int processor) {
+                                  Nanoseconds period, ProcessorId processor) {
   if (period <= 0 || stretch.end <= stretch.begin) return std::nullopt;
   script.resize(stretch.end + 1);
   if (script[stretch.end].at - script[stretch.begin].at == period) {

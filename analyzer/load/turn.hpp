@@ -29,6 +29,6 @@ struct UnendingRun {
 /// there are no such times; nor if actions in the stretch are interrupted and the script's own times do not
 /// repeat by themselves.
 std::optional<UnendingRun> repeat(const Machine& machine, std::vector<ScriptedFiring> script, Stretch stretch,
-                                  Nanoseconds period, int processor);
+                                  Nanoseconds period, ProcessorId processor);
 
 }  // namespace pal::analyzer

@@ -14,7 +14,7 @@ constexpr std::uint64_t most_runs = 24;
 constexpr std::size_t most_events = 1'500;
 /// From where nothing leads on.
 constexpr std::size_t most_detours = 64;
-/// A state that was met before: so many of the last times are tried.
+/// A state that was met before: how many of the last times are tried.
 constexpr std::size_t most_returns = 24;
 constexpr int most_tries = 3;  // a run and period
 constexpr int most_tries_of_all = 120;
@@ -22,7 +22,7 @@ constexpr int most_tries_of_all = 120;
 /// One run that stays in the recurrence once it is there.
 class Wanderer {
  public:
-  Wanderer(const Machine& machine, const std::unordered_set<State, StateHash>& inside, int processor,
+  Wanderer(const Machine& machine, const std::unordered_set<State, StateHash>& inside, ProcessorId processor,
            std::uint64_t seed)
       : machine_(machine), inside_(inside), processor_(processor), manner_(seed % 4), engine_(seed) {}
 
@@ -130,7 +130,7 @@ class Wanderer {
 
   const Machine& machine_;
   const std::unordered_set<State, StateHash>& inside_;
-  int processor_;
+  ProcessorId processor_;
   std::uint64_t manner_;
   std::mt19937_64 engine_;
   std::optional<ConcreteRun> concrete_run_;
@@ -154,8 +154,8 @@ std::vector<Nanoseconds> periods(const Problem& problem) {
   return all;
 }
 
-/// The time in which devices that keep a period do so as often as between the two visits; without any,
-/// `usual`. 0: they cannot all come back together.
+/// The time that the periodic devices need for as many periods as between the two visits. Without such
+/// devices: `usual`. 0: they cannot all come back together.
 Nanoseconds period_of(const std::vector<Nanoseconds>& periods, const Wanderer::Visit& from,
                       const Wanderer::Visit& to, Nanoseconds usual) {
   std::optional<Nanoseconds> period;
@@ -206,7 +206,7 @@ std::vector<Candidate> candidates(const Machine& machine, const Wanderer& run) {
 }  // namespace
 
 std::optional<UnendingRun> search_unending(const Machine& machine, const ZoneGraph& graph,
-                                           const Recurrence& recurrence, int processor,
+                                           const Recurrence& recurrence, ProcessorId processor,
                                            const std::function<bool(const Fraction&)>& enough,
                                            const std::function<bool()>& stop) {
   std::unordered_set<State, StateHash> inside;

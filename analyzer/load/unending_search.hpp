@@ -14,7 +14,7 @@ namespace pal::analyzer {
 /// ends with the first run whose load is `enough`, or after enough tries; then the result is the greatest
 /// load found, if any. If none is found, that proves nothing.
 std::optional<UnendingRun> search_unending(const Machine& machine, const ZoneGraph& graph,
-                                           const Recurrence& recurrence, int processor,
+                                           const Recurrence& recurrence, ProcessorId processor,
                                            const std::function<bool(const Fraction&)>& enough,
                                            const std::function<bool()>& stop);
 

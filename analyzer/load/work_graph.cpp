@@ -21,7 +21,7 @@ struct Meaning {
 
 class Builder {
  public:
-  Builder(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, int processor)
+  Builder(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence, ProcessorId processor)
       : machine_(machine), graph_(graph), recurrence_(recurrence), processor_(processor) {}
 
   WorkGraph build() {
@@ -157,7 +157,7 @@ class Builder {
   const Machine& machine_;
   const ZoneGraph& graph_;
   const Recurrence& recurrence_;
-  int processor_;
+  ProcessorId processor_;
   std::unordered_map<int, int> node_;  // by class
   std::map<Meaning, int> share_;
   std::vector<Nanoseconds> longest_;  // by share: of all that passes() says of it
@@ -167,7 +167,7 @@ class Builder {
 }  // namespace
 
 WorkGraph work_graph(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence,
-                     int processor) {
+                     ProcessorId processor) {
   return Builder(machine, graph, recurrence, processor).build();
 }
 

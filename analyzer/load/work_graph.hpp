@@ -2,10 +2,10 @@
 // over cycles.
 //
 // Each timer that something waits for is given a share of the time. Of each nanosecond in which it runs, that
-// share counts for it. If the shares of timers that run at the same time add up to at most R, then what all
-// of them count in a run is at most R of its time. So if, round each cycle, the work is at most what is
-// counted for the timers that start there, the work is at most R of the time of any unending run: R bounds
-// the load.
+// share counts for it. Let the shares of timers that run at the same time add up to at most R. Then what all
+// of them count in a run is at most R of its time. Now let the work round each cycle be at most what is
+// counted for the timers that start there. Then the work is at most R of the time of any unending run: R
+// bounds the load.
 //
 // What is counted at a start must have passed when the timer ends. For a timer that fires this is its best
 // time. A timer that is stopped gives back the most that it may have had left. An action of the processor may
@@ -51,6 +51,6 @@ struct WorkGraph {
 /// Of `processor` in `recurrence`. A timer has one share for each statement or wait that it measures. Timers
 /// that can take no time have none.
 WorkGraph work_graph(const Machine& machine, const ZoneGraph& graph, const Recurrence& recurrence,
-                     int processor);
+                     ProcessorId processor);
 
 }  // namespace pal::analyzer

@@ -25,8 +25,9 @@ void Firing::stop_timer(int timer) {
 void Firing::emit(Kind kind, int thread, int subject, int value) {
   if (!record_) return;
   const int step = state_of(thread).step;
-  const int statement = step < 0 ? -1 : problem_.steps[static_cast<std::size_t>(step)].statement;
-  outcome_.events.push_back({0, kind, thread, statement, subject, value});
+  const StatementId statement =
+      step < 0 ? StatementId{} : problem_.steps[static_cast<std::size_t>(step)].statement;
+  outcome_.events.push_back({0, kind, thread, statement.value, subject, value});
 }
 
 void Firing::emit_device(Kind kind, int device, int subject, int value) {

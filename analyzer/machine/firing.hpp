@@ -20,6 +20,8 @@ class Firing {
 
  private:
   using Kind = trace::Kind;
+  /// Threads of one priority on one processor.
+  using Queue = std::pair<ProcessorId, int>;
 
   /// Consequences that are still to happen at this instant, in any order (firing_due.cpp).
   struct Due {
@@ -46,11 +48,11 @@ class Firing {
   bool keeps_processor(const Due& due) const;
   bool may_be_stopped(const Due& due) const;
   bool meets_other_answers(const Due& due) const;
-  std::optional<std::pair<int, int>> only_queue(const Due& due) const;
+  std::optional<Queue> only_queue(const Due& due) const;
   std::vector<std::size_t> rivals_of_due() const;
 
   // Threads and processors (firing_threads.cpp).
-  void first_queues(int thread, int step, std::set<int>& seen, std::set<std::pair<int, int>>& queues) const;
+  void first_queues(int thread, int step, std::set<int>& seen, std::set<Queue>& queues) const;
   std::vector<std::size_t> rivals_of_first(const std::vector<int>& modules) const;
   void reach(int thread, int step);
   void reach_wait(int thread);
@@ -65,7 +67,7 @@ class Firing {
   void cancel(int thread);
   void stop(int thread);
   void dispatch();
-  void dispatch(int processor);
+  void dispatch(ProcessorId processor);
   void enqueue(int thread, bool front);
   void dequeue(int thread);
 
@@ -201,7 +203,7 @@ class Firing {
   const Channel& channel_of(int channel) const {
     return problem_.channels[static_cast<std::size_t>(channel)];
   }
-  ThreadNumber& running(int processor) { return state_.running[static_cast<std::size_t>(processor)]; }
+  ThreadNumber& running(ProcessorId processor) { return state_.running[processor]; }
 
   void start_timer(int timer, Range range);
   void stop_timer(int timer);

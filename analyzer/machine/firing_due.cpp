@@ -75,7 +75,7 @@ bool Firing::orderless(const Due& due) const {
 /// Whether somebody who waits for the answer waits for another that is due, or comes to the queue of one who
 /// does.
 bool Firing::meets_other_answers(const Due& due) const {
-  std::set<std::pair<int, int>> queues;
+  std::set<Queue> queues;
   const std::vector<int> waiting = waiting_for(channel_of(due.who).answer);
   for (const int thread : waiting) queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
   if (queues.empty()) return false;
@@ -110,7 +110,7 @@ bool Firing::may_be_stopped(const Due& due) const {
 }
 
 /// The queue that a thread comes to, if that is all that happens.
-std::optional<std::pair<int, int>> Firing::only_queue(const Due& due) const {
+std::optional<Firing::Queue> Firing::only_queue(const Due& due) const {
   if (due.what != Due::What::queue && due.what != Due::What::go_on) return std::nullopt;
   if (changes_phase(due)) return std::nullopt;
   if (due.what == Due::What::go_on) {

@@ -30,7 +30,7 @@ bool Firing::ends_loosely(const Step& step, std::size_t branch) const {
   return step.channels.empty() || channel_of(step.channels[branch]).loose;
 }
 
-/// One of the ways on from a wait on which nobody who is kept has a say; or ThreadState::gives_up.
+/// One of the ways on from a wait that no kept thread decides; or ThreadState::gives_up.
 int Firing::loose_branch(const Step& step, bool gives_up) {
   std::vector<int> ways;
   if (step.channels.empty()) return left_out_ends;
@@ -102,7 +102,7 @@ void Firing::effect_loose_wait(int thread, std::size_t branch) {
     return reach(thread, state_of(thread).step);
   }
   state_of(thread).choice = ThreadState::no_choice;
-  // Of whoever is left out nobody has a sample.
+  // No thread has a sample of a sender that is left out.
   if (!step.channels.empty()) has_taken(thread, step.channels[branch], tag::none);
   measure(thread);
   go_on_and_admit(thread, step.next[branch], {});

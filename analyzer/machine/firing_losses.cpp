@@ -1,4 +1,4 @@
-// Frames, events and answers of a device that nobody takes.
+// Frames, events and answers of a device that no thread takes.
 #include <bit>
 
 #include "analyzer/machine/firing.hpp"
@@ -7,8 +7,8 @@ namespace pal::analyzer {
 
 namespace {
 
-/// Of the last occurrences so many are remembered: enough for every row that one of them can still be in, and
-/// twice that because a message may be withdrawn after others have come.
+/// How many of the last occurrences are remembered. They cover every row that one of them can still be in.
+/// The number is doubled, because a message may be withdrawn after others have come.
 unsigned remembered(int in) {
   return 2 * static_cast<unsigned>(in) - 1;
 }
@@ -48,8 +48,8 @@ void Firing::occurrence(int device, bool lost) {
   count_losses();
 }
 
-/// What was put is withdrawn. If so many came after it that what was before it is forgotten, they were all
-/// lost, its slot being full; unless they came into other slots.
+/// What was put is withdrawn. So many may have come after it that what was before it is forgotten. Then they
+/// were all lost, because its slot was full. The exception: they came into other slots.
 void Firing::lost_after_all(int channel) {
   const std::uint8_t since = slot(channel).carries;
   const int device = channel_of(channel).sender_device;

@@ -39,15 +39,16 @@ bool Firing::stays_at_home(int sender) const {
 
 /// The message sets out for the processors on which somebody waits for it. `sender`: -1: a device.
 void Firing::fill(int channel, int sender) {
-  const int processor = sender < 0 ? -1 : thread_of(sender).processor;
+  const ProcessorId processor = sender < 0 ? ProcessorId{} : thread_of(sender).processor;
   SlotState& to = slot(channel);
   to.fill = SlotState::Fill::full;
   to.from = processor;
   to.near = to.far = SlotState::Way::there;
-  if (processor < 0 || channel_of(channel).receiver_device >= 0) return;
+  if (!processor.valid() || channel_of(channel).receiver_device >= 0) return;
   bool near = false;
   bool far = false;
-  for (int receiver : channel_of(channel).receiver_processors) (receiver == processor ? near : far) = true;
+  for (ProcessorId receiver : channel_of(channel).receiver_processors)
+    (receiver == processor ? near : far) = true;
   // A way of no length may be over before anything else happens, as if there were no latency. To threads on
   // other processors alone, on which nothing else happens, that is as if it were over afterwards.
   const bool alike = !near && stays_at_home(sender);
@@ -125,7 +126,7 @@ void Firing::clear(int channel) {
   if (of.far == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel) + 1);
   of.fill = SlotState::Fill::empty;
   of.near = of.far = SlotState::Way::none;
-  of.from = -1;
+  of.from = ProcessorId{};
   of.carries = tag::none;
   of.answers = false;
 }

@@ -79,11 +79,12 @@ void Firing::has_completed(int thread, int code) {
 }
 
 bool Firing::watched_busy() const {
-  return watch_.kind == Watch::Kind::busy && state_.running[static_cast<std::size_t>(watch_.processor)] >= 0;
+  return watch_.kind == Watch::Kind::busy && state_.running[watch_.processor] >= 0;
 }
 
-/// A processor that ends one action and begins another in one event has not paused. If it begins another in a
-/// later one at the same instant the pause may be counted or not: the timer of the pause may come before.
+/// A processor that ends one action and begins another in one event has not paused. It may begin another one
+/// in a later event of the same instant. Then the pause may be counted or not, because the timer of the pause
+/// may come before.
 void Firing::track_busy(bool was_busy) {
   if (watch_.kind != Watch::Kind::busy) return;
   const bool busy = !state_.ended && watched_busy();
@@ -118,8 +119,8 @@ void Firing::has_set(int thread, int condition) {
 
 /// A message without an event leaves the thread with the one that it has, one with an older sample likewise.
 void Firing::has_taken(int thread, int channel, std::uint8_t carries) {
-  const int kept = channel_of(channel).kept;
-  if (watch_.kind == Watch::Kind::sample && kept >= 0) state_.kept[static_cast<std::size_t>(kept)] = carries;
+  const KeptId kept = channel_of(channel).kept;
+  if (watch_.kind == Watch::Kind::sample && kept.valid()) state_.kept[kept] = carries;
   std::uint8_t& own = state_of(thread).carries;
   if (watch_.kind == Watch::Kind::response && carries != tag::none) own = carries;
   if (watch_.kind == Watch::Kind::sample && tag::newer(carries, own)) own = carries;
@@ -129,16 +130,15 @@ void Firing::has_taken(int thread, int channel, std::uint8_t carries) {
 void Firing::uses_kept(int thread) {
   if (watch_.kind != Watch::Kind::sample) return;
   std::uint8_t& own = state_of(thread).carries;
-  for (const int kept : step_of(thread).uses) {
-    const std::uint8_t carries = state_.kept[static_cast<std::size_t>(kept)];
+  for (const KeptId kept : step_of(thread).uses) {
+    const std::uint8_t carries = state_.kept[kept];
     if (tag::newer(carries, own)) own = carries;
   }
 }
 
 void Firing::has_written(int thread) {
   if (watch_.kind != Watch::Kind::sample) return;
-  for (const int kept : step_of(thread).writes)
-    state_.kept[static_cast<std::size_t>(kept)] = state_of(thread).carries;
+  for (const KeptId kept : step_of(thread).writes) state_.kept[kept] = state_of(thread).carries;
 }
 
 std::uint8_t Firing::sent_along(int thread) const {
@@ -186,7 +186,7 @@ std::uint8_t Firing::new_event() {
   return static_cast<std::uint8_t>(state_.pending.size() - 1);
 }
 
-/// It is answered, or withdrawn: nobody waits for its response any more.
+/// It is answered, or withdrawn: its response is no longer awaited.
 void Firing::forget_event(std::uint8_t event) {
   outcome_.over_gone = outcome_.over_gone || state_.pending[event] == Pending::over;
   state_.pending.erase(state_.pending.begin() + event);

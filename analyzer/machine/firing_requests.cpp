@@ -35,7 +35,7 @@ int Firing::answered_next(int answer) const {
   return at < asked.count && !in_slot(request, at) ? at : -1;
 }
 
-/// Whether nobody wants the next message of the channel.
+/// Whether no thread wants the next message of the channel.
 bool Firing::discards(int answer) const {
   const int at = answered_next(answer);
   if (at < 0) return false;
@@ -94,8 +94,8 @@ bool Firing::answers_to(int channel, int owner) const {
 }
 
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
-/// If that is one message it goes to somebody else before it is withdrawn, or it does not. admit() is still
-/// to be called for the channels that are free now.
+/// If both are one message, it goes to another thread before it is withdrawn, or it does not. admit() is
+/// still to be called for the channels that are free now.
 std::vector<int> Firing::abandon(int thread) {
   const ThreadState& state = state_of(thread);
   // A block that is stopped before it has begun is at no step yet; one with a choice is at a wait.

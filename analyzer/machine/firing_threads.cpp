@@ -42,8 +42,7 @@ void Firing::begin() {
 
 /// The queues that a thread, or its blocks, may come to as it begins at `step`: none if it waits. Blocks that
 /// are over at once lead on to what is behind them.
-void Firing::first_queues(int thread, int step, std::set<int>& seen,
-                          std::set<std::pair<int, int>>& queues) const {
+void Firing::first_queues(int thread, int step, std::set<int>& seen, std::set<Queue>& queues) const {
   if (!seen.insert(step).second) return;
   const Step& first = problem_.steps[static_cast<std::size_t>(step)];
   if (first.kind == Step::Kind::end) return;
@@ -59,12 +58,12 @@ void Firing::first_queues(int thread, int step, std::set<int>& seen,
 /// Which of `modules` may become ready before the first of them, if that matters to somebody: positions, the
 /// first's too.
 std::vector<std::size_t> Firing::rivals_of_first(const std::vector<int>& modules) const {
-  std::vector<std::set<std::pair<int, int>>> queues(modules.size());
+  std::vector<std::set<Queue>> queues(modules.size());
   for (std::size_t i = 0; i < modules.size(); ++i) {
     std::set<int> seen;
     first_queues(modules[i], thread_of(modules[i]).entry, seen, queues[i]);
   }
-  std::set<std::pair<int, int>> shared = queues.front();
+  std::set<Queue> shared = queues.front();
   std::vector<std::size_t> rivals{0};
   for (bool grown = true; grown;) {
     grown = false;
@@ -193,9 +192,9 @@ void Firing::end(int thread) {
   if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, false);
 }
 
-/// A block has ended, or was stopped. When all that can end have, the others are cancelled. When all are over
-/// the parent goes on: at once, or, if others may go on because the last one was stopped, before or after
-/// them.
+/// A block has ended, or was stopped. When all that can end have, the others are cancelled. When all are
+/// over, the parent goes on at once. If the last one was stopped, other threads may go on as well, and the
+/// parent goes on before or after them.
 void Firing::child_ended(int parent, bool stopped) {
   ThreadState& state = state_of(parent);
   if (state.status != Status::joining) return;
@@ -283,13 +282,13 @@ void Firing::stop(int thread) {
 }
 
 void Firing::dispatch() {
-  for (std::size_t p = 0; p < problem_.processors.size(); ++p) dispatch(static_cast<int>(p));
+  for (const ProcessorId p : problem_.processors.ids()) dispatch(p);
   for (int thread : queued_) {
     if (state_of(thread).status == Status::ready && !state_of(thread).begun) emit(Kind::ready, thread);
   }
 }
 
-void Firing::dispatch(int processor) {
+void Firing::dispatch(ProcessorId processor) {
   int first = -1;
   for (ThreadNumber queued : state_.queue) {
     if (thread_of(queued).processor == processor) {
@@ -298,7 +297,7 @@ void Firing::dispatch(int processor) {
     }
   }
   int current = running(processor);
-  if (current >= 0 && first >= 0 && problem_.processors[static_cast<std::size_t>(processor)].preemptive &&
+  if (current >= 0 && first >= 0 && problem_.processors[processor].preemptive &&
       thread_of(first).priority > thread_of(current).priority) {
     if (state_of(current).begun) {
       outcome_.changes.push_back({TimerChange::Kind::freeze, machine_.thread_timer(current), {}});

@@ -34,10 +34,10 @@ int Machine::timer_count() const {
   return pause_timer() + 1;
 }
 
-int Machine::processor_of(const State& state, int timer) const {
-  if (timer >= static_cast<int>(problem_.threads.size())) return -1;
+ProcessorId Machine::processor_of(const State& state, int timer) const {
+  if (timer >= static_cast<int>(problem_.threads.size())) return ProcessorId{};
   const auto thread = static_cast<std::size_t>(timer);
-  return state.threads[thread].status == Status::running ? problem_.threads[thread].processor : -1;
+  return state.threads[thread].status == Status::running ? problem_.threads[thread].processor : ProcessorId{};
 }
 
 Range Machine::cost(const State& state, int timer) const {

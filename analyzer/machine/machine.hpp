@@ -81,9 +81,11 @@ class Machine {
   const Problem& problem() const { return problem_; }
   const Watch& watch() const { return watch_; }
 
-  /// Timers: one a thread (its action, or the limit of its wait), two a channel (message on its way to
-  /// threads on the sender's processor; to others), two a device (its next event or frame; its service, or
-  /// lateness), and one that ends a busy period behind a pause of no length.
+  /// Timers:
+  /// - one for each thread: its action, or the limit of its wait;
+  /// - two for each channel: a message on its way to threads on the sender's processor, and to others;
+  /// - two for each device: its next event or frame, and its service or lateness;
+  /// - one that ends a busy period behind a pause of no length.
   int timer_count() const;
   int thread_timer(int thread) const { return thread; }
   int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + 2 * channel; }
@@ -93,7 +95,7 @@ class Machine {
   int service_timer(int device) const { return next_timer(device) + 1; }
   int pause_timer() const { return next_timer(static_cast<int>(problem_.devices.size())); }
   /// Processor whose work the timer measures in `state`; -1: none.
-  int processor_of(const State& state, int timer) const;
+  ProcessorId processor_of(const State& state, int timer) const;
   /// Processor time of the action that a thread's timer measures in `state`.
   Range cost(const State& state, int timer) const;
   /// "SM1.2", "Zforce from LS1 to SM1 between processors", "force-torque service", …: no two have one name.

@@ -66,7 +66,7 @@ void Firing::settle_ordered() {
   if (watch_.kind == Watch::Kind::sample) {
     for (std::size_t c = 0; c < state_.known.size(); ++c)
       keep(state_.known[c], (watch_.condition_counts >> c & 1U) != 0);
-    for (std::size_t k = 0; k < state_.kept.size(); ++k) keep(state_.kept[k], watch_.kept_counts[k]);
+    for (const KeptId k : state_.kept.ids()) keep(state_.kept[k], watch_.kept_counts[k]);
     for (std::size_t c = 0; c < state_.slots.size(); ++c) {
       keep(state_.slots[c].carries, watch_.message_counts[c]);
       const int answer = channel_of(static_cast<int>(c)).answer;

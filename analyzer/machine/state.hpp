@@ -8,10 +8,13 @@
 #include <functional>
 #include <vector>
 
+#include "analyzer/problem/ids.hpp"
+#include "pal/support/table.hpp"
+
 namespace pal::analyzer {
 
-/// What a thread, message or condition carries of the thing that is being measured: the number of an observer
-/// or of an event (response), or one of these.
+/// What a thread, message or condition carries of the thing that is being measured. It is the number of an
+/// observer or of an event (response), or one of these.
 namespace tag {
 constexpr std::uint8_t none = 255;
 constexpr std::uint8_t over = 253;  // older than the cap
@@ -54,7 +57,7 @@ struct ThreadState {
   friend bool operator==(const ThreadState&, const ThreadState&) = default;
 };
 
-/// The requests of a channel of which the answer has not been taken yet, in the order in which they were put.
+/// The requests of a channel whose answers have not been taken yet, in the order in which they were put.
 /// Those before the last one are out of their slot; only the first can be answered already.
 struct Asked {
   static constexpr std::uint8_t most = 15;
@@ -80,7 +83,7 @@ struct SlotState {
   Fill fill = Fill::empty;
   Way near = Way::none;  // to threads on the sender's processor
   Way far = Way::none;   // to those on others
-  int from = -1;         // the sender's processor; -1: a device, or nobody
+  ProcessorId from{};    // the sender's processor; none: a device, or nobody
   std::uint8_t carries = tag::none;
   Asked asked;                               // requests
   bool answers = false;                      // answers: what is in the slot answers a request
@@ -107,14 +110,14 @@ enum class Pending : std::uint8_t { observed, lost, over, outside };
 
 struct State {
   std::vector<ThreadState> threads;
-  std::vector<ThreadNumber> running;  // by processor; -1: idle
-  std::vector<ThreadNumber> queue;    // ready threads, by processor, priority, place in the queue
+  Table<ProcessorId, ThreadNumber> running;  // -1: idle
+  std::vector<ThreadNumber> queue;           // ready threads, by processor, priority, place in the queue
   std::vector<SlotState> slots;
   std::vector<DeviceState> devices;
   std::uint64_t conditions = 0;
   std::uint8_t condition_carries = tag::none;
   std::vector<std::uint8_t> known;     // samples: by condition
-  std::vector<std::uint8_t> kept;      // samples: by what modules keep of messages
+  Table<KeptId, std::uint8_t> kept;    // samples: by what modules keep of messages
   std::uint8_t reference = tag::none;  // the instant from which the next value is measured
   std::uint64_t lost = 0;              // losses: the last occurrences by bit, the latest first; 1: lost
   bool counting = false;               // losses: the device has served something; samples in a phase: also
@@ -144,7 +147,7 @@ struct StateHash {
     for (const ThreadNumber q : state.queue) mix(static_cast<std::uint64_t>(q + 1000));
     for (const SlotState& s : state.slots) {
       mix(static_cast<std::uint64_t>(s.fill) << 56U | static_cast<std::uint64_t>(s.near) << 54U |
-          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from + 1) << 40U |
+          static_cast<std::uint64_t>(s.far) << 52U | static_cast<std::uint64_t>(s.from.value + 1) << 40U |
           static_cast<std::uint64_t>(s.carries) << 32U | static_cast<std::uint64_t>(s.asked.count) << 16U |
           static_cast<std::uint64_t>(s.answers ? 1 : 0) << 8U | s.serving_carries);
       for (std::size_t i = 0; i < s.asked.count; ++i) mix(static_cast<std::uint64_t>(s.asked.by[i] + 2));

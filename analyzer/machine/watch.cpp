@@ -93,8 +93,8 @@ class Samples {
     bool changed = false;
     if (step.kind == Step::Kind::wait) {
       for (const int channel : step.channels) {
-        const int kept = problem_.channels[static_cast<std::size_t>(channel)].kept;
-        const bool left = kept >= 0 && watch_.kept_counts[static_cast<std::size_t>(kept)];
+        const KeptId kept = problem_.channels[static_cast<std::size_t>(channel)].kept;
+        const bool left = kept.valid() && watch_.kept_counts[kept];
         if (!used && !left) continue;
         if (watch_.message_counts[static_cast<std::size_t>(channel)]) continue;
         watch_.message_counts[static_cast<std::size_t>(channel)] = changed = true;
@@ -109,9 +109,9 @@ class Samples {
       changed = true;
     }
     // What is used counts where the thread knows it, at this step and behind it.
-    for (const int kept : step.uses) {
-      if ((!used && !passes_on(step)) || watch_.kept_counts[static_cast<std::size_t>(kept)]) continue;
-      watch_.kept_counts[static_cast<std::size_t>(kept)] = changed = true;
+    for (const KeptId kept : step.uses) {
+      if ((!used && !passes_on(step)) || watch_.kept_counts[kept]) continue;
+      watch_.kept_counts[kept] = changed = true;
     }
     const bool counts = (used && !renews(step)) || passes_on(step);
     if (counts == watch_.counts[s]) return changed;
@@ -126,9 +126,8 @@ class Samples {
   }
 
   bool passes_on(const Step& step) const {
-    const bool writes = std::any_of(step.writes.begin(), step.writes.end(), [this](int kept) {
-      return watch_.kept_counts[static_cast<std::size_t>(kept)];
-    });
+    const bool writes = std::any_of(step.writes.begin(), step.writes.end(),
+                                    [this](KeptId kept) { return watch_.kept_counts[kept]; });
     if (writes) return true;
     if (step.kind == Step::Kind::send) {
       return watch_.message_counts[static_cast<std::size_t>(step.channels.front())];
@@ -152,7 +151,7 @@ bool tests(const Step& step, int condition) {
   return false;
 }
 
-Watch watch_of(const Problem& problem, const Requirement& requirement, int processor) {
+Watch watch_of(const Problem& problem, const Requirement& requirement, ProcessorId processor) {
   using Measure = Requirement::Measure;
   Watch watch;
   watch.limit = requirement.limit;
@@ -203,7 +202,7 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, int proce
       break;
     case Measure::busy:
       watch.kind = Watch::Kind::busy;
-      watch.processor = processor < 0 ? requirement.processors.front() : processor;
+      watch.processor = !processor.valid() ? requirement.processors.front() : processor;
       break;
   }
   watch.live = before(problem, watch.at);

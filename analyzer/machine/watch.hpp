@@ -10,9 +10,9 @@ namespace pal::analyzer {
 
 /// A requirement's measure as the machine follows it. Nothing is watched by default.
 ///
-/// Instants that may still count are carried along: by threads (age, sample), by conditions and messages, and
-/// as the one instant from which the next value is measured (the reference of a reaction, interval, duration
-/// or busy period).
+/// Instants that may still count are carried along by threads (age, sample), by conditions and messages. One
+/// more is the instant from which the next value is measured: the reference of a reaction, interval, duration
+/// or busy period.
 struct Watch {
   enum class Kind { nothing, age, response, sample, interval, loss, duration, busy };
   Kind kind = Kind::nothing;
@@ -21,9 +21,9 @@ struct Watch {
   std::vector<bool> events;   // response: by channel
   std::vector<bool> samples;  // sample: by channel
   int device = -1;            // loss
-  int in = 1;                 // loss: so many in a row
+  int in = 1;                 // loss: the length of the row
   int code = 0;               // duration
-  int processor = -1;         // busy
+  ProcessorId processor;      // busy
   bool least = false;         // interval: the least is asked for
   Nanoseconds limit = 0;
   std::vector<bool> at;  // by step
@@ -34,19 +34,19 @@ struct Watch {
     return kind == Kind::response || kind == Kind::busy || reaction || (kind == Kind::interval && !least);
   }
 
-  // By step: where a value that the thread has read can still count; where a read that can count may follow;
-  // where a statement of `at` may follow. Values that cannot count any more are forgotten, which keeps the
-  // exploration small.
+  // By step. `counts`: a value that the thread has read can still count. `read_ahead`: a read that can count
+  // may follow. `live`: a statement of `at` may follow. Values that cannot count any more are forgotten,
+  // which keeps the exploration small.
   std::vector<bool> counts;
   std::vector<bool> read_ahead;
   std::vector<bool> live;
   std::vector<bool> message_counts;    // sample: by channel
   std::uint64_t condition_counts = 0;  // sample: by bit
-  std::vector<bool> kept_counts;       // sample: by what modules keep
+  Table<KeptId, bool> kept_counts;     // sample: by what modules keep
 };
 
 /// `processor`: of a busy period; -1: the first of the requirement.
-Watch watch_of(const Problem& problem, const Requirement& requirement, int processor = -1);
+Watch watch_of(const Problem& problem, const Requirement& requirement, ProcessorId processor = {});
 
 /// Whether a test of `step` looks at `condition`.
 bool tests(const Step& step, int condition);

@@ -38,7 +38,7 @@ class Compiler {
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       const pan::Module& module = network_.modules[m];
       if (module.body.empty() || module.executed_by.valid()) continue;
-      const int index = new_thread(module.name, static_cast<int>(m), -1, -1);
+      const int index = new_thread(module.name, ModuleId(m), -1, -1);
       Place place{m, index, index, {}, nullptr};
       const int entry = step_at(place, NodeId(std::size_t{0}));
       thread(index).entry = entry;
@@ -52,17 +52,17 @@ class Compiler {
   struct Place {
     std::size_t module;
     int thread;
-    int runner;                        // the thread that runs the module's body: of a block, an outer one
-    std::map<std::int32_t, int> done;  // step of each node that has one
+    int runner;                  // the thread that runs the module's body: of a block, an outer one
+    std::map<NodeId, int> done;  // step of each node that has one
     std::function<int()> after;
     int depth = 0;
-    int call = -1;  // of a body that is executed: in Problem::calls
+    CallId call{};  // of a body that is executed
   };
 
   /// A step that is known and not yet filled, or one that stands in for the beginning of a body.
   struct Open {
     Place* place;
-    NodeId node;
+    NodeId node{};
     int step;
     bool stands_in;
   };
@@ -105,12 +105,12 @@ class Compiler {
 
   Thread& thread(int index) { return problem_.threads[static_cast<std::size_t>(index)]; }
   /// What the module of `place` keeps of the messages. Those without a value are not kept.
-  std::vector<int> kept(const Place& place, const std::vector<MessageId>& messages) {
-    std::vector<int> all;
+  std::vector<KeptId> kept(const Place& place, const std::vector<MessageId>& messages) {
+    std::vector<KeptId> all;
     for (const MessageId message : messages) {
       if (network_.messages[message.index()].fields.empty()) continue;
-      const auto key = std::pair(thread(place.thread).module, message.value);
-      const auto [known, fresh] = kept_.try_emplace(key, static_cast<int>(problem_.kept.size()));
+      const auto key = std::pair(thread(place.thread).module, message);
+      const auto [known, fresh] = kept_.try_emplace(key, KeptId(problem_.kept.size()));
       if (fresh) problem_.kept.push_back({key.first, key.second});
       all.push_back(known->second);
     }
@@ -119,7 +119,7 @@ class Compiler {
 
   Step& step(int index) { return problem_.steps[static_cast<std::size_t>(index)]; }
 
-  int new_thread(const std::string& name, int module, int parent, int runner) {
+  int new_thread(const std::string& name, ModuleId module, int parent, int runner) {
     Thread made;
     made.name = name;
     made.module = module;
@@ -174,8 +174,7 @@ class Compiler {
     inner->module = execute.module.index();
     inner->thread = inner->runner = place.thread;
     inner->depth = place.depth + 1;
-    inner->call = static_cast<int>(problem_.calls.size());
-    problem_.calls.push_back({static_cast<int>(place.module), index_of(place, node), place.call});
+    inner->call = problem_.calls.push_back({ModuleId(place.module), index_of(place, node), place.call});
     const NodeId next = node.out.front();
     inner->after = [this, &place, next] { return step_at(place, next); };
     Place& kept = *inner;
@@ -185,15 +184,15 @@ class Compiler {
     return entry;
   }
 
-  std::int32_t index_of(const Place& place, const Node& node) const {
-    return static_cast<std::int32_t>(&node - body(place).nodes.data());
+  NodeId index_of(const Place& place, const Node& node) const {
+    return NodeId(static_cast<std::size_t>(&node - body(place).nodes.data()));
   }
 
   int compiled(Place& place, NodeId id) {
-    const auto known = place.done.find(id.value);
+    const auto known = place.done.find(id);
     if (known != place.done.end()) return known->second;
     const int index = end_step();
-    place.done.emplace(id.value, index);
+    place.done.emplace(id, index);
     // Modules that execute one another twice each multiply; what is too large is refused, however it goes on.
     if (problem_.steps.size() > most_steps) return index;
     open_.push_back({&place, id, index, false});
@@ -286,7 +285,7 @@ class Compiler {
     return made;
   }
 
-  int statement(std::size_t module, NodeId id) {
+  StatementId statement(std::size_t module, NodeId id) {
     const auto key = std::pair{module, id.value};
     const auto known = statements_.find(key);
     if (known != statements_.end()) return known->second;
@@ -295,14 +294,14 @@ class Compiler {
     made.module = network_.modules[module].name;
     made.text = pan::statement_text(network_, pan::ModuleId(module), id);
     made.where = node.where;
-    made.source_module = static_cast<int>(module);
-    made.source_node = id.value;
+    made.source_module = ModuleId(module);
+    made.source_node = id;
     if (sources_ != nullptr && node.where.valid()) {
       made.file = sources_->name(node.where.file);
       made.line = sources_->line_column(node.where.file, node.where.begin).line;
     }
-    problem_.statements.push_back(std::move(made));
-    const int index = static_cast<int>(problem_.statements.size()) - 1;
+    const StatementId index = problem_.statements.push_back(std::move(made));
+
     statements_.emplace(key, index);
     return index;
   }
@@ -311,8 +310,7 @@ class Compiler {
   /// Who takes a message keeps it where somebody may use it.
   void keep_taken() {
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-      const auto known =
-          kept_.find({problem_.channels[c].receiver_module, network_.channels[c].message.value});
+      const auto known = kept_.find({problem_.channels[c].receiver_module, network_.channels[c].message});
       if (known != kept_.end()) problem_.channels[c].kept = known->second;
     }
   }
@@ -342,8 +340,8 @@ class Compiler {
   std::map<int, SourceSpan> executes_;  // by stand-in
   std::set<int> led_;
   std::map<std::tuple<int, std::size_t, std::size_t>, int> blocks_;  // by parent, module and number
-  std::map<std::pair<std::size_t, std::int32_t>, int> statements_;
-  std::map<std::pair<int, std::int32_t>, int> kept_;  // by module and message
+  std::map<std::pair<std::size_t, std::int32_t>, StatementId> statements_;
+  std::map<std::pair<ModuleId, MessageId>, KeptId> kept_;
 };
 
 /// Which threads can reach their end. Blocks stand behind their parents, so the last are known first.

@@ -11,8 +11,8 @@ const Step& step_at(const Problem& problem, int step) {
   return problem.steps[static_cast<std::size_t>(step)];
 }
 
-/// By step: a CONCURRENT of which some block can end, and those that can have nothing to do. Blocks stand
-/// behind their parents, so the innermost are known first.
+/// By step: a CONCURRENT in which some block can end, and those that can end have nothing to do. Blocks come
+/// after their parents, so the innermost are known first.
 std::vector<bool> over_at_once(const Problem& problem) {
   std::vector<bool> over(problem.steps.size());
   std::vector<bool> empty(problem.threads.size());  // by thread: it ends as soon as it begins
@@ -54,8 +54,8 @@ void report_empty_rounds(const Problem& problem, Diagnostics& diagnostics) {
       at = static_cast<std::size_t>(problem.steps[at].next.front());
     }
     if (!over[at] || seen[at] != s + 1) continue;
-    const int statement = problem.steps[at].statement;
-    diagnostics.report(Code::PAL0729, problem.statements[static_cast<std::size_t>(statement)].where,
+    const StatementId statement = problem.steps[at].statement;
+    diagnostics.report(Code::PAL0729, problem.statements[statement].where,
                        "nothing ever happens in the loop around these blocks",
                        "give the loop a wait or an activity");
   }

@@ -30,9 +30,9 @@ bool follow(const Problem& problem, std::vector<int> open, const At& at) {
   return false;
 }
 
-/// Visits each step that the flow reaches from `first`, as far as steps lead on (`leads_on`), successors
-/// before their predecessors; in a circle one of them comes first. Not recursive, because a module may have
-/// thousands of statements in a row.
+/// Visits each step that the flow reaches from `first`, as far as steps lead on (`leads_on`). Successors come
+/// before their predecessors. In a cycle one of the steps comes first. Not recursive, because a module may
+/// have thousands of statements in a row.
 template <class LeadsOn, class Visit>
 void backwards(const Problem& problem, int first, const LeadsOn& leads_on, const Visit& visit) {
   std::set<int> seen{first};

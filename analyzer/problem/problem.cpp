@@ -22,10 +22,10 @@ constexpr int most_explored_channels = 120;
 constexpr int most_simulated_threads = 2'000;
 constexpr int most_simulated_channels = 4'000;
 constexpr std::size_t most_requests = 128;  // of a device
+constexpr ProcessorId first_processor(0);
 
-const std::string& party(const Problem& problem, int device, int module) {
-  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name
-                     : problem.module_names[static_cast<std::size_t>(module)];
+const std::string& party(const Problem& problem, int device, ModuleId module) {
+  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name : problem.module_names[module];
 }
 
 }  // namespace
@@ -118,18 +118,17 @@ void ProblemBuilder::place(Thread& thread, int runner) {
       if (is_other_module(other) && nearest(thread.name, {other.thread}))
         finding.notes.push_back({other.where, "is " + thread.name + " meant here?"});
     }
-    thread.processor = 0;
+    thread.processor = first_processor;
     return;
   }
   const auto processor = processor_.find(placement->processor);
-  thread.processor = processor == processor_.end() ? 0 : processor->second;
+  thread.processor = processor == processor_.end() ? first_processor : processor->second;
   thread.priority = placement->priority;
 }
 
 void ProblemBuilder::processors() {
   for (const Processor& processor : environment_.processors) {
-    const bool added =
-        processor_.emplace(processor.name, static_cast<int>(problem_.processors.size())).second;
+    const bool added = processor_.emplace(processor.name, ProcessorId(problem_.processors.size())).second;
     if (!added) {
       diagnostics_.report(Code::PAL0711, processor.where, "processor " + processor.name + " is given twice",
                           "remove one of them");
@@ -143,8 +142,8 @@ void ProblemBuilder::processors() {
   }
 }
 
-/// An environment serves several skills, so it may name modules, devices and activities that this one
-/// lacks; what this one needs and misses is found where it is needed. Nothing may be said twice.
+/// An environment serves several skills, so it may name modules, devices and activities that this one lacks.
+/// What this one needs and misses is found where it is needed. Nothing may be said twice.
 void ProblemBuilder::known_names() {
   std::set<std::string> threads;
   for (const SkillThread& thread : threads_of(network_, most_threads)) {
@@ -241,10 +240,9 @@ void ProblemBuilder::channels() {
     Channel made;
     made.sender_device = device_of(network_, channel.sender);
     made.receiver_device = device_of(network_, channel.receiver);
-    if (made.sender_device < 0)
-      made.sender_module = static_cast<int>(std::get<ModuleId>(channel.sender).index());
+    if (made.sender_device < 0) made.sender_module = std::get<ModuleId>(channel.sender);
     if (made.receiver_device < 0) {
-      made.receiver_module = static_cast<int>(std::get<ModuleId>(channel.receiver).index());
+      made.receiver_module = std::get<ModuleId>(channel.receiver);
     }
     if (channel.answer.valid()) made.answer = static_cast<int>(channel.answer.index());
     made.message = network_.messages[channel.message.index()].name;
@@ -261,15 +259,15 @@ void ProblemBuilder::latencies() {
   const Interval& between = environment_.latency.between_processors;
   problem_.within_processor = {within.best.count(), within.worst.count()};
   problem_.between_processors = {between.best.count(), between.worst.count()};
-  const std::vector<std::set<int>> takers_of = takers();
+  const std::vector<std::set<ProcessorId>> takers_of = takers();
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    const std::set<int>& processors = takers_of[c];
+    const std::set<ProcessorId>& processors = takers_of[c];
     problem_.channels[c].receiver_processors.assign(processors.begin(), processors.end());
   }
 }
 
-std::vector<std::set<int>> ProblemBuilder::takers() const {
-  std::vector<std::set<int>> found(problem_.channels.size());
+std::vector<std::set<ProcessorId>> ProblemBuilder::takers() const {
+  std::vector<std::set<ProcessorId>> found(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
     for (const int s : steps_of(problem_, thread)) {
       const Step& step = problem_.steps[static_cast<std::size_t>(s)];

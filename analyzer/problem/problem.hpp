@@ -8,10 +8,12 @@
 #include <variant>
 #include <vector>
 
+#include "analyzer/problem/ids.hpp"
 #include "pal/pan/environment.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
+#include "pal/support/table.hpp"
 #include "pal/support/time.hpp"
 
 namespace pal::analyzer {
@@ -33,8 +35,8 @@ struct Range {
 struct Step {
   enum class Kind { wait, send, set, read, test, activity, complete, fork, end };
   Kind kind = Kind::end;
-  int statement = -1;  // in Problem::statements; -1: none
-  int call = -1;       // in Problem::calls: the Execute whose body this stands in; -1: none
+  StatementId statement{};
+  CallId call{};       // the Execute whose body this stands in
   Range cost;          // of a wait: of its receive
   Range give_up_cost;  // wait with a limit: of the test that gives up
 
@@ -48,22 +50,25 @@ struct Step {
   /// Only in slices, for a wait: comes once, before its module has blocks. So nobody withdraws an answer that
   /// is received there.
   bool before_blocks = false;
-  int condition = -1;       // set, read
-  std::vector<int> uses;    // in Problem::kept: what an activity reads, a set is computed from, a send sends
-  std::vector<int> writes;  // in Problem::kept: what an activity writes
+  int condition = -1;              // set, read
+  std::vector<KeptId> uses;        // what an activity reads, a set is computed from, a send sends
+  std::vector<KeptId> writes;      // what an activity writes
   std::optional<bool> value;       // set
   int code = 0;                    // complete
   std::vector<pan::Guard> guards;  // test: without a guard that holds, next[guards.size()], if there is one
   std::vector<int> threads;        // fork: the blocks
-  /// Steps that follow. wait: one a channel, then ELSE. test: one a guard, then where none holds (absent: the
-  /// skill ends with its error completion). fork: after END CONCURRENT. complete, end: none.
+  /// Steps that follow:
+  /// - wait: one for each channel, then ELSE;
+  /// - test: one for each guard, then where none holds (absent: the skill ends with its error completion);
+  /// - fork: after END CONCURRENT;
+  /// - complete, end: none.
   std::vector<int> next;
 };
 
 struct Thread {
   std::string name;
-  int module = -1;  // whose channels it uses
-  int processor = -1;
+  pan::ModuleId module{};  // whose channels it uses
+  ProcessorId processor{};
   int priority = 0;
   int parent = -1;        // of a block: the thread of its CONCURRENT
   bool can_end = true;    // its flow can reach its end
@@ -74,14 +79,14 @@ struct Thread {
 struct Channel {
   int sender_device = -1;    // -1: a module sends
   int receiver_device = -1;  // -1: a module receives
-  int sender_module = -1;
-  int receiver_module = -1;
-  int answer = -1;                       // of a request: channel of its answer
-  int answers = -1;                      // of an answer: channel of the request
-  bool served = false;                   // a request that its device answers
-  std::vector<int> receiver_processors;  // of the threads that wait for it
+  pan::ModuleId sender_module{};
+  pan::ModuleId receiver_module{};
+  int answer = -1;                               // of a request: channel of its answer
+  int answers = -1;                              // of an answer: channel of the request
+  bool served = false;                           // a request that its device answers
+  std::vector<ProcessorId> receiver_processors;  // of the threads that wait for it
   std::string message;
-  int kept = -1;  // in Problem::kept: who takes the message leaves it there; -1: nobody uses it
+  KeptId kept{};  // the thread that takes the message leaves it there; none: no thread uses it
   /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
   bool loose = false;
   bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
@@ -90,7 +95,7 @@ struct Channel {
 struct Device {
   std::string name;
   std::variant<std::monostate, pan::EventDevice, pan::RequestDevice, pan::FrameDevice> behaviour;
-  int event = -1;             // event device: the channel of its event; -1: nobody waits for it
+  int event = -1;             // event device: the channel of its event; -1: no thread waits for it
   std::vector<int> requests;  // on request, frames: channels of what it serves
   bool seldom = false;        // frames, only in slices: they start a period or more apart
 };
@@ -101,21 +106,21 @@ struct Statement {
   std::string file;
   int line = 0;
   SourceSpan where;
-  int source_module = -1;  // in the network
-  int source_node = -1;
+  pan::ModuleId source_module{};
+  pan::NodeId source_node{};
 };
 
 /// An Execute that one thread runs, at one place of its flow.
 struct Call {
-  int source_module = -1;  // in the network: where the Execute stands
-  int source_node = -1;
-  int outer = -1;  // the call in whose body that is; -1: none
+  pan::ModuleId source_module{};  // where the Execute stands
+  pan::NodeId source_node{};
+  CallId outer{};  // the call in whose body that is
 };
 
 /// The value of a message that a module, with those that it executes, keeps for its statements.
 struct Kept {
-  int module = -1;
-  int message = -1;  // in the network
+  pan::ModuleId module{};
+  pan::MessageId message{};
 };
 
 /// The part of a run that counts (docs/reference/timing.md), by step. Without steps it is the whole run.
@@ -138,11 +143,11 @@ struct Requirement {
   int device = -1;           // loss, and of samples: the device; response: the device, if one sends
   std::vector<bool> at;      // age, response, reaction, interval: by step
   Phase phase;
-  std::vector<int> processors;  // load, busy
-  int in = 1;                   // loss: at most `limit` of so many in a row
-  int code = 0;                 // duration: of the completion
-  bool at_least = false;        // interval: `limit` is the least that is allowed
-  Nanoseconds limit = 0;        // loss: a number
+  std::vector<ProcessorId> processors;  // load, busy
+  int in = 1;                           // loss: at most `limit` of this many in a row
+  int code = 0;                         // duration: of the completion
+  bool at_least = false;                // interval: `limit` is the least that is allowed
+  Nanoseconds limit = 0;                // loss: a number
   SourceSpan where;
 
   /// Response: whether the messages of the channel are what is responded to.
@@ -152,21 +157,22 @@ struct Requirement {
 struct Problem {
   std::string skill;
   std::string environment;
-  std::vector<pan::Processor> processors;
+  Table<ProcessorId, pan::Processor> processors;
   std::vector<Thread> threads;  // a block stands behind its parent
   std::vector<Step> steps;
   std::vector<Channel> channels;
   std::vector<Device> devices;
   std::vector<std::string> conditions;
-  std::vector<Statement> statements;
-  std::vector<Call> calls;
-  std::vector<Kept> kept;
+  Table<StatementId, Statement> statements;
+  Table<CallId, Call> calls;
+  Table<KeptId, Kept> kept;
   std::vector<Requirement> requirements;
   Range within_processor;    // latency of a message to a thread on the sender's processor
   Range between_processors;  // and to one on another
-  std::vector<std::string> module_names;
-  int error_code = 2;           // of the first error completion
-  std::vector<int> overloaded;  // processors that have more to do for events than there is time (PAL0820)
+  Table<pan::ModuleId, std::string> module_names;
+  int error_code = 2;  // of the first error completion
+  std::vector<ProcessorId>
+      overloaded;  // processors that have more to do for events than there is time (PAL0820)
   std::uint64_t free_conditions = 0;  // by bit, only in slices: their reads give any value
 };
 

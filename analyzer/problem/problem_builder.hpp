@@ -34,7 +34,7 @@ class ProblemBuilder final : public TimesAndPlaces {
   void channels();
   void latencies();
   /// By channel: the processors of the threads that wait for it.
-  std::vector<std::set<int>> takers() const;
+  std::vector<std::set<ProcessorId>> takers() const;
   void limits();
   void time(Duration value, SourceSpan where, const std::string& what, bool positive = false);
   void interval(const Interval& value, SourceSpan where, const std::string& what);
@@ -64,7 +64,7 @@ class ProblemBuilder final : public TimesAndPlaces {
   void require(Requirement made);
   void demanded_answer(int device);
   void known(const pan::Known& known, Requirement& made);
-  std::vector<int> processors_named(const std::string& name, const pan::Requirement& requirement);
+  std::vector<ProcessorId> processors_named(const std::string& name, const pan::Requirement& requirement);
   void measure(const pan::Response& response, const pan::Requirement& requirement, Requirement made);
   void measure(const pan::Age& age, const pan::Requirement& requirement, Requirement made);
   void measure(const pan::Reaction& reaction, const pan::Requirement& requirement, Requirement made);
@@ -79,7 +79,7 @@ class ProblemBuilder final : public TimesAndPlaces {
   Diagnostics& diagnostics_;
   const SourceManager* sources_;
   Problem problem_;
-  std::map<std::string, int> processor_;
+  std::map<std::string, ProcessorId> processor_;
   std::set<std::string> executed_;
   std::set<std::string> untimed_;
 };

@@ -143,11 +143,12 @@ void ProblemBuilder::endless_waits() {
         std::get_if<RequestDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
     return request != nullptr && request->may_fail;
   };
-  std::set<std::pair<int, int>> said;  // an executed module has its statements several times
+  std::set<std::pair<ModuleId, NodeId>> said;  // an executed module has its statements several times
   for (const Step& step : problem_.steps) {
-    if (step.kind != Step::Kind::wait || step.within || step.statement < 0 || step.channels.empty()) continue;
+    if (step.kind != Step::Kind::wait || step.within || !step.statement.valid() || step.channels.empty())
+      continue;
     if (!std::all_of(step.channels.begin(), step.channels.end(), may_fail)) continue;
-    const Statement& statement = problem_.statements[static_cast<std::size_t>(step.statement)];
+    const Statement& statement = problem_.statements[step.statement];
     if (!said.emplace(statement.source_module, statement.source_node).second) continue;
     const std::string& device = sender_name(problem_, step.channels.front());
     diagnostics_.report(Code::PAL0733, statement.where,

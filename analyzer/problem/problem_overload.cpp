@@ -25,9 +25,9 @@ std::vector<bool> event_channels(const Problem& problem) {
   return events;
 }
 
-/// The least processor time, if each action takes its worst, from taking an event at `wait` until one is
-/// waited for again, this or another; nothing if the thread never waits for one again. E. W. Dijkstra, A note
-/// on two problems in connexion with graphs, 1959.
+/// The least processor time from taking an event at `wait` until the thread waits for an event again, this or
+/// another. Each action takes its worst time. Nothing if the thread never waits for an event again. E. W.
+/// Dijkstra, A note on two problems in connexion with graphs, 1959.
 std::optional<Nanoseconds> least_round(const Problem& problem, const std::vector<bool>& events,
                                        const Step& wait, std::size_t branch) {
   using Reached = std::pair<Nanoseconds, int>;
@@ -83,8 +83,8 @@ void ProblemBuilder::overload() {
       }
     }
   }
-  std::vector<WideShare> asked(problem_.processors.size());
-  std::vector<std::string> by(problem_.processors.size());
+  Table<ProcessorId, WideShare> asked(problem_.processors.size());
+  Table<ProcessorId, std::string> by(problem_.processors.size());
   for (const Device& device : problem_.devices) {
     const auto* event = std::get_if<pan::EventDevice>(&device.behaviour);
     if (event == nullptr || device.event < 0) continue;
@@ -93,14 +93,14 @@ void ProblemBuilder::overload() {
     if (!taker.alone || !taker.round || *taker.round == 0) continue;
     const WideShare part =
         std::min(static_cast<WideShare>(*taker.round) * whole_time / event->period.count(), most_asked);
-    const auto processor = static_cast<std::size_t>(taker.thread->processor);
+    const ProcessorId processor = taker.thread->processor;
     asked[processor] += part;
     by[processor] += (by[processor].empty() ? "" : ", ") + taker.thread->name + " " + percent(part) +
                      " for " + problem_.channels[static_cast<std::size_t>(device.event)].message;
   }
-  for (std::size_t p = 0; p < asked.size(); ++p) {
+  for (const ProcessorId p : asked.ids()) {
     if (asked[p] <= whole_time) continue;
-    problem_.overloaded.push_back(static_cast<int>(p));
+    problem_.overloaded.push_back(p);
     const pan::Processor& processor = problem_.processors[p];
     diagnostics_.report(
         Code::PAL0820, processor.where,

@@ -14,11 +14,10 @@ std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
   bool any = false;
   for (const StatementRef& ref : at) {
     for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      const int statement = problem_.steps[s].statement;
-      if (statement < 0) continue;
-      const Statement& known = problem_.statements[static_cast<std::size_t>(statement)];
-      if (known.source_module == ref.module.value && known.source_node == ref.node.value)
-        steps[s] = any = true;
+      const StatementId statement = problem_.steps[s].statement;
+      if (!statement.valid()) continue;
+      const Statement& known = problem_.statements[statement];
+      if (known.source_module == ref.module && known.source_node == ref.node) steps[s] = any = true;
     }
   }
   if (!any) {
@@ -32,20 +31,20 @@ std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
 
 /// The steps of loops, and of what is executed in them.
 std::vector<bool> ProblemBuilder::steps_in(const std::vector<StatementRef>& loops) const {
-  const auto within = [&](int module, int node) {
+  const auto within = [&](ModuleId module, NodeId node) {
     return std::any_of(loops.begin(), loops.end(), [&](const StatementRef& loop) {
       const Node& repeat = network_.modules[loop.module.index()].body[loop.node];
-      return module == loop.module.value && node > loop.node.value && node <= repeat.mate.value;
+      return module == loop.module && node > loop.node && node <= repeat.mate;
     });
   };
   std::vector<bool> steps(problem_.steps.size());
   for (std::size_t s = 0; s < steps.size(); ++s) {
     const Step& step = problem_.steps[s];
-    if (step.statement < 0) continue;
-    const Statement& known = problem_.statements[static_cast<std::size_t>(step.statement)];
+    if (!step.statement.valid()) continue;
+    const Statement& known = problem_.statements[step.statement];
     steps[s] = within(known.source_module, known.source_node);
-    for (int c = step.call; c >= 0 && !steps[s]; c = problem_.calls[static_cast<std::size_t>(c)].outer) {
-      const Call& call = problem_.calls[static_cast<std::size_t>(c)];
+    for (CallId c = step.call; c.valid() && !steps[s]; c = problem_.calls[c].outer) {
+      const Call& call = problem_.calls[c];
       steps[s] = within(call.source_module, call.source_node);
     }
   }
@@ -148,11 +147,11 @@ void ProblemBuilder::measure(const Completing& completing, const pan::Requiremen
   require(std::move(made));
 }
 
-std::vector<int> ProblemBuilder::processors_named(const std::string& name,
-                                                  const pan::Requirement& requirement) {
-  std::vector<int> found;
-  for (std::size_t p = 0; p < problem_.processors.size(); ++p) {
-    if (name.empty() || name == problem_.processors[p].name) found.push_back(static_cast<int>(p));
+std::vector<ProcessorId> ProblemBuilder::processors_named(const std::string& name,
+                                                          const pan::Requirement& requirement) {
+  std::vector<ProcessorId> found;
+  for (const ProcessorId p : problem_.processors.ids()) {
+    if (name.empty() || name == problem_.processors[p].name) found.push_back(p);
   }
   if (found.empty()) {
     diagnostics_.report(Code::PAL0813, requirement.where,
@@ -174,7 +173,7 @@ void ProblemBuilder::measure(const BusyPeriod& busy, const pan::Requirement& req
   require(std::move(made));
 }
 
-/// What an event device demands of whoever takes its events is a requirement like the skill's own.
+/// What an event device demands of the thread that takes its events is a requirement like the skill's own.
 void ProblemBuilder::demanded_answer(int d) {
   const Device& device = problem_.devices[static_cast<std::size_t>(d)];
   const auto* event = std::get_if<EventDevice>(&device.behaviour);

@@ -18,16 +18,16 @@ std::string tables_differ(const Problem& problem, const trace::Trace& run) {
       return "another actor " + run.actors[t].name;
     if (device) continue;
     const Thread& thread = problem.threads[t];
-    const std::string& processor = problem.processors[static_cast<std::size_t>(thread.processor)].name;
+    const std::string& processor = problem.processors[thread.processor].name;
     if (run.actors[t].processor != processor || run.actors[t].priority != thread.priority ||
         run.actors[t].parent != thread.parent)
       return name + " has another place, priority or parent";
   }
   if (run.statements.size() != problem.statements.size()) return "other statements";
-  for (std::size_t s = 0; s < run.statements.size(); ++s) {
-    const bool same = run.statements[s].module == problem.statements[s].module &&
-                      run.statements[s].text == problem.statements[s].text;
-    if (!same) return "another statement " + run.statements[s].text;
+  for (const StatementId s : problem.statements.ids()) {
+    const trace::Statement& said = run.statements[s.index()];
+    const bool same = said.module == problem.statements[s].module && said.text == problem.statements[s].text;
+    if (!same) return "another statement " + said.text;
   }
   if (run.channels.size() != problem.channels.size()) return "other channels";
   for (std::size_t c = 0; c < run.channels.size(); ++c) {

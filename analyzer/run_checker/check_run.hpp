@@ -20,7 +20,7 @@ struct Measured {
   Nanoseconds value = 0;  // of a loss: a number
   Nanoseconds born = 0;
   Nanoseconds at = 0;
-  int statement = -1;  // in Problem::statements; -1: none
+  StatementId statement{};
 
   friend bool operator==(const Measured&, const Measured&) = default;
 };

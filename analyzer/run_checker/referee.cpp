@@ -72,15 +72,16 @@ void Referee::handle(const Event& event) {
     drop(event);
     return;
   }
-  const auto passed = std::find(passed_.begin(), passed_.end(), std::pair(event.actor, event.statement));
+  const auto passed =
+      std::find(passed_.begin(), passed_.end(), std::pair(event.actor, StatementId::of(event.statement)));
   if (event.kind == Kind::block && event.subject < 0 && passed != passed_.end()) {
     passed_.erase(passed);
     return;
   }
   const Party& of = party(event.actor);
   demand(of.mode != Mode::off, name(event.actor), " acts without being there");
-  demand(event.statement == (of.step < 0 ? -1 : step_of(event.actor).statement), name(event.actor),
-         " is at another statement than the event");
+  demand(StatementId::of(event.statement) == (of.step < 0 ? StatementId{} : step_of(event.actor).statement),
+         name(event.actor), " is at another statement than the event");
   demand(!completed_ || event.kind == Kind::done, "something happens after the skill has ended");
   switch (event.kind) {
     case Kind::ready:
@@ -138,8 +139,8 @@ bool Referee::is_effect(const Event& event) const {
          event.kind == Kind::read || event.kind == Kind::done;
 }
 
-/// What must be so before the next effect at the same instant: all that follows from those before has
-/// happened, and whoever can run has begun to.
+/// What must be so before the next effect at the same instant. All that follows from the effects before has
+/// happened, and each thread that can run has begun.
 void Referee::check_settled() const {
   for (std::size_t t = 0; t < threads_.size(); ++t) {
     const Party& of = threads_[t];
@@ -156,9 +157,9 @@ void Referee::check_settled() const {
   check_processors();
 }
 
-/// Between what a statement does and that it is done: nothing after it has set or read a condition. Else
-/// whoever that frees may go on, and the device that it sends to takes that, but no other statement has its
-/// effect.
+/// Between what a statement does and its end. When it has set or read a condition, nothing comes between.
+/// When it has put or taken a message, a thread that it frees may go on, and its device may take what it
+/// sends. But no other statement has its effect.
 void Referee::check_between(const Event& event) const {
   const int threads = static_cast<int>(threads_.size());
   const Step::Kind kind = step_of(midway_).kind;
@@ -221,9 +222,9 @@ void Referee::check_processors() const {
   }
   for (const Queued& queued : queue_) {
     const Thread& of = thread_of(queued.thread);
-    const int has = holders_[static_cast<std::size_t>(of.processor)];
+    const int has = holders_[of.processor];
     demand(has >= 0, of.name, " is ready, and its processor idle");
-    const bool yields = problem_.processors[static_cast<std::size_t>(of.processor)].preemptive;
+    const bool yields = problem_.processors[of.processor].preemptive;
     demand(!yields || of.priority <= thread_of(has).priority, of.name, " has to wait for a lesser priority");
   }
 }

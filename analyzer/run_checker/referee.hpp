@@ -87,7 +87,7 @@ class Referee {
     bool claimed = false;
     bool immediate[2] = {true, true};
     Arrival arrival[2];  // at threads on the sender's processor; on others
-    int from = -1;       // the sender's processor; -1: a device
+    ProcessorId from{};  // the sender's processor; -1: a device
     Nanoseconds put = 0;
     std::size_t put_by = 0;      // the event
     std::size_t emptied_by = 0;  // the event that freed it last
@@ -162,7 +162,7 @@ class Referee {
   Range cost(int thread) const;
 
   // Messages (referee_messages.cpp).
-  void fill(int channel, int processor);
+  void fill(int channel, ProcessorId processor);
   void put(const Event& event);
   void take(const Event& event);
   void drop(const Event& event);
@@ -211,7 +211,7 @@ class Referee {
   const Channel& channel_of(int channel) const {
     return problem_.channels[static_cast<std::size_t>(channel)];
   }
-  int& holder(int thread) { return holders_[static_cast<std::size_t>(thread_of(thread).processor)]; }
+  int& holder(int thread) { return holders_[thread_of(thread).processor]; }
   [[noreturn]] void broken(const std::string& what) const { throw Broken(what); }
   /// The text of the rule is put together only when it is broken.
   template <class... Parts>
@@ -237,11 +237,12 @@ class Referee {
   std::vector<Party> threads_;
   std::vector<Slot> slots_;
   std::vector<Outside> devices_;
-  std::vector<int> holders_;    // by processor: who has it; -1: nobody
-  std::vector<int> preempted_;  // by processor: who has just lost it to somebody who is still to start; -1
+  Table<ProcessorId, int> holders_;  // by processor: who has it; -1: nobody
+  Table<ProcessorId, int>
+      preempted_;  // by processor: who has just lost it to somebody who is still to start; -1
   std::vector<Queued> queue_;
   std::vector<bool> conditions_;
-  std::vector<std::pair<int, int>>
+  std::vector<std::pair<int, StatementId>>
       passed_;  // at this instant: threads and statements of CONCURRENTs that were over at once
 
   RequirementMonitor monitor_;

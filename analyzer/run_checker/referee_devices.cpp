@@ -53,7 +53,7 @@ void Referee::device_event(const Event& event, int device) {
       } else {
         of.any_put = true;
         monitor_.answers(event.subject, false);
-        fill(event.subject, -1);
+        fill(event.subject, ProcessorId{});
       }
       delivered(device, event.subject);
       return;
@@ -116,7 +116,7 @@ void Referee::occurrence(int device, int channel, bool overrun) {
     due(device, event.period.count(), event.jitter.count());
   }
   if (!overrun) {
-    fill(channel, -1);
+    fill(channel, ProcessorId{});
     asks(channel, Asked::device);
   }
   monitor_.event(device, channel, overrun);

@@ -51,8 +51,9 @@ void Referee::not_there_yet(int channel, int thread) {
   if (of.full && !of.claimed) arrival(channel, thread).lo = std::max(arrival(channel, thread).lo, now_);
 }
 
-/// Which of several the thread takes in the end, or comes to its wait again because it was withdrawn, of
-/// several such the first; the first of all, if the run does not say.
+/// Which of several messages the thread has chosen. It is the one that the thread takes in the end. Or it was
+/// withdrawn, so the thread comes to its wait again; of several such messages it is the first. If the run
+/// does not say, it is the first of all.
 int Referee::message_of(int thread, const std::vector<int>& candidates) const {
   auto withdrawn = candidates.end();
   bool started = false;
@@ -72,7 +73,7 @@ int Referee::message_of(int thread, const std::vector<int>& candidates) const {
   return candidates.front();
 }
 
-void Referee::fill(int channel, int processor) {
+void Referee::fill(int channel, ProcessorId processor) {
   Slot& to = slot(channel);
   to.answers = answered_next(channel).has_value();
   to.full = true;
@@ -81,7 +82,7 @@ void Referee::fill(int channel, int processor) {
   to.put = now_;
   to.put_by = at_;
   const Range none{0, 0};
-  const bool flies = processor >= 0;
+  const bool flies = processor.valid();
   const Range latency[2] = {flies ? problem_.within_processor : none,
                             flies ? problem_.between_processors : none};
   for (int way = 0; way < 2; ++way) {
@@ -125,12 +126,12 @@ void Referee::empty(int channel) {
   if (of.answers)
     slot(channel_of(channel).answers).asked.erase(slot(channel_of(channel).answers).asked.begin());
   of.full = of.claimed = of.answers = of.to_be_dropped = false;
-  of.from = -1;
+  of.from = ProcessorId{};
   of.emptied_by = at_;
   monitor_.empties(channel);
 }
 
-/// By a thread: its message is not wanted. By nobody: somebody withdraws the message in the slot.
+/// With an actor: the thread's message is not wanted. Without: the message in the slot is withdrawn.
 void Referee::drop(const Event& event) {
   const int channel = event.subject;
   if (event.actor >= 0) {

@@ -137,7 +137,7 @@ void Referee::started(const Event& event) {
   Party& of = party(thread);
   demand(of.mode == Mode::ready || of.mode == Mode::stopped, name(thread), " starts what it cannot start");
   demand(of.mode == Mode::stopped || !of.must_stop, name(thread), " is cancelled and goes on");
-  int& loser = preempted_[static_cast<std::size_t>(thread_of(thread).processor)];
+  int& loser = preempted_[thread_of(thread).processor];
   demand(loser < 0 || thread_of(thread).priority > thread_of(loser).priority,
          "a thread is stopped for nothing");
   loser = -1;
@@ -146,8 +146,7 @@ void Referee::started(const Event& event) {
     if (has >= 0) {
       const int before = has;
       resolve(before);
-      const pan::Processor& processor =
-          problem_.processors[static_cast<std::size_t>(thread_of(thread).processor)];
+      const pan::Processor& processor = problem_.processors[thread_of(thread).processor];
       demand(party(before).mode == Mode::ready, name(thread), " starts while ", name(before), " runs");
       demand(processor.preemptive && thread_of(thread).priority > thread_of(before).priority, name(thread),
              " takes the processor that ", name(before), " keeps");
@@ -158,8 +157,7 @@ void Referee::started(const Event& event) {
     release(thread);
     hold(thread);
   } else {
-    const bool preemptive =
-        problem_.processors[static_cast<std::size_t>(thread_of(thread).processor)].preemptive;
+    const bool preemptive = problem_.processors[thread_of(thread).processor].preemptive;
     for (const Queued& queued : queue_) {
       const Thread& rival = thread_of(queued.thread);
       const bool first = preemptive && rival.processor == thread_of(thread).processor &&
@@ -175,11 +173,11 @@ void Referee::stopped(const Event& event) {
   Party& of = party(event.actor);
   demand(of.mode == Mode::running, name(event.actor), " is stopped without running");
   demand(!of.acted && of.reads.empty(), name(event.actor), " is interrupted in its effect");
-  demand(problem_.processors[static_cast<std::size_t>(thread_of(event.actor).processor)].preemptive,
-         name(event.actor), " is preempted on a processor that does not");
+  demand(problem_.processors[thread_of(event.actor).processor].preemptive, name(event.actor),
+         " is preempted on a processor that does not");
   of.work += now_ - of.since;
   of.mode = Mode::stopped;
-  preempted_[static_cast<std::size_t>(thread_of(event.actor).processor)] = event.actor;
+  preempted_[thread_of(event.actor).processor] = event.actor;
   holder(event.actor) = -1;
   enqueue(event.actor, true, true, 0);
 }

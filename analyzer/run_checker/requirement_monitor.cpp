@@ -52,7 +52,8 @@ int RequirementMonitor::birth() {
 }
 
 void RequirementMonitor::show(Nanoseconds born, int step) {
-  const int statement = step < 0 ? -1 : problem_.steps[static_cast<std::size_t>(step)].statement;
+  const StatementId statement =
+      step < 0 ? StatementId{} : problem_.steps[static_cast<std::size_t>(step)].statement;
   measured_.push_back({now_ - born, born, now_, statement});
 }
 
@@ -150,7 +151,7 @@ void RequirementMonitor::completes(int, int step, int code) {
 }
 
 void RequirementMonitor::skill_ends() {
-  for (std::size_t p = 0; p < busy_since_.size(); ++p) idle(static_cast<int>(p));
+  for (const ProcessorId p : busy_since_.ids()) idle(p);
   ended_ = true;
 }
 
@@ -165,24 +166,23 @@ void RequirementMonitor::reads(int index, int condition) {
   if (of_samples()) thread(index) = std::max(thread(index), known);
 }
 
-void RequirementMonitor::busy(int processor) {
-  const auto index = static_cast<std::size_t>(processor);
-  if (!is(Measure::busy) || working_[index]) return;
-  working_[index] = true;
-  std::vector<Nanoseconds>& since = busy_since_[index];
-  if (paused_[index] != now_) since.clear();
+void RequirementMonitor::busy(ProcessorId processor) {
+  if (!is(Measure::busy) || working_[processor]) return;
+  working_[processor] = true;
+  std::vector<Nanoseconds>& since = busy_since_[processor];
+  if (paused_[processor] != now_) since.clear();
   const bool anew = since.empty() || (busy_from_ == BusyFrom::each_pause && since.back() != now_);
   if (anew) since.push_back(now_);
 }
 
-void RequirementMonitor::idle(int processor) {
-  const std::vector<int>& watched = requirement_ == nullptr ? std::vector<int>() : requirement_->processors;
-  if (!is(Measure::busy) || std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
-  const auto index = static_cast<std::size_t>(processor);
-  if (!working_[index]) return;
-  working_[index] = false;
-  for (const Nanoseconds born : busy_since_[index]) show(born, -1);
-  paused_[index] = now_;
+void RequirementMonitor::idle(ProcessorId processor) {
+  if (!is(Measure::busy)) return;
+  const std::vector<ProcessorId>& watched = requirement_->processors;
+  if (std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
+  if (!working_[processor]) return;
+  working_[processor] = false;
+  for (const Nanoseconds born : busy_since_[processor]) show(born, -1);
+  paused_[processor] = now_;
 }
 
 void RequirementMonitor::puts(int index, int to) {
@@ -198,21 +198,20 @@ void RequirementMonitor::takes(int index, int from) {
     if (carried != none && !answered_[static_cast<std::size_t>(carried)]) thread(index) = carried;
   } else if (of_samples()) {
     thread(index) = std::max(thread(index), carried);
-    const int kept = problem_.channels[static_cast<std::size_t>(from)].kept;
-    if (kept >= 0) kept_[static_cast<std::size_t>(kept)] = carried;
+    const KeptId kept = problem_.channels[static_cast<std::size_t>(from)].kept;
+    if (kept.valid()) kept_[kept] = carried;
   }
 }
 
 void RequirementMonitor::uses(int index, int step) {
   if (!of_samples()) return;
-  for (const int kept : problem_.steps[static_cast<std::size_t>(step)].uses)
-    thread(index) = std::max(thread(index), kept_[static_cast<std::size_t>(kept)]);
+  for (const KeptId kept : problem_.steps[static_cast<std::size_t>(step)].uses)
+    thread(index) = std::max(thread(index), kept_[kept]);
 }
 
 void RequirementMonitor::writes(int index, int step) {
   if (!of_samples()) return;
-  for (const int kept : problem_.steps[static_cast<std::size_t>(step)].writes)
-    kept_[static_cast<std::size_t>(kept)] = thread(index);
+  for (const KeptId kept : problem_.steps[static_cast<std::size_t>(step)].writes) kept_[kept] = thread(index);
 }
 
 void RequirementMonitor::empties(int of) {
@@ -289,7 +288,7 @@ void RequirementMonitor::withdrawn(int of) {
   show_losses();
 }
 
-/// The most in any row of so many, as far back as one that was withdrawn now can have lain.
+/// The most lost in any row of `in`, as far back as a message that is withdrawn now can have lain.
 void RequirementMonitor::show_losses() {
   const auto in = static_cast<std::size_t>(requirement_->in);
   const std::size_t first = lost_.size() < 2 * in - 1 ? 0 : lost_.size() - (2 * in - 1);
@@ -299,7 +298,7 @@ void RequirementMonitor::show_losses() {
     for (std::size_t i = from; i < std::min(from + in, lost_.size()); ++i) lost += lost_[i] ? 1 : 0;
     most = std::max(most, lost);
   }
-  measured_.push_back({most, now_, now_, -1});
+  measured_.push_back({most, now_, now_, {}});
 }
 
 std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
@@ -316,9 +315,8 @@ std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
     case Measure::interval:
       return requirement_->at_least ? std::nullopt : last_pass_;
     case Measure::busy:
-      for (const int processor : requirement_->processors) {
-        const auto index = static_cast<std::size_t>(processor);
-        if (working_[index]) return busy_since_[index].front();
+      for (const ProcessorId processor : requirement_->processors) {
+        if (working_[processor]) return busy_since_[processor].front();
       }
       return std::nullopt;
     default:

@@ -26,8 +26,8 @@ class RequirementMonitor {
   void completes(int thread, int step, int code);
   void sets(int thread, int condition);
   void reads(int thread, int condition);
-  void busy(int processor);
-  void idle(int processor);
+  void busy(ProcessorId processor);
+  void idle(ProcessorId processor);
 
   /// What the module keeps: a statement uses it, at its effect and before all else; an activity has written
   /// it.
@@ -93,18 +93,17 @@ class RequirementMonitor {
   std::vector<int> serving_;     // and the answer to each request that is being served
   std::vector<int> due_;         // … to each that has been
   std::vector<int> conditions_;  // and each condition
-  std::vector<int> kept_;        // and each value that a module keeps
+  Table<KeptId, int> kept_;      // and each value that a module keeps
   int reference_ = none;         // reactions: the latest birth that a statement has reflected
   bool sampled_ = false;         // reactions: there was a sample
   Nanoseconds begun_ = 0;        // durations: when they began
   std::optional<Nanoseconds> last_pass_;
-  std::vector<std::vector<Nanoseconds>>
-      busy_since_;                   // by processor; several, with pauses of no length between
-  std::vector<Nanoseconds> paused_;  // by processor: when it had nothing to do last; -1: never
-  std::vector<bool> working_;        // by processor
-  std::vector<bool> lost_;           // by occurrence
-  bool occurred_ = false;            // there was one
-  std::vector<int> occurrence_;      // of the message in each channel
+  Table<ProcessorId, std::vector<Nanoseconds>> busy_since_;  // several, with pauses of no length between
+  Table<ProcessorId, Nanoseconds> paused_;                   // when it had nothing to do last; -1: never
+  Table<ProcessorId, bool> working_;
+  std::vector<bool> lost_;       // by occurrence
+  bool occurred_ = false;        // there was one
+  std::vector<int> occurrence_;  // of the message in each channel
   std::vector<Measured> measured_;
   bool failed_ = false;
   bool ended_ = false;

@@ -90,7 +90,7 @@ trace::Trace empty_trace(const Problem& problem) {
   trace.environment = problem.environment;
   trace.origin = "predicted";
   for (const Thread& thread : problem.threads) {
-    const std::string& processor = problem.processors[static_cast<std::size_t>(thread.processor)].name;
+    const std::string& processor = problem.processors[thread.processor].name;
     trace.actors.push_back({thread.name, false, processor, thread.priority, thread.parent});
   }
   for (const Device& device : problem.devices) trace.actors.push_back({device.name, true, "", 0});
@@ -120,7 +120,7 @@ std::size_t ConcreteRun::place_of_end(int device, Nanoseconds at) const {
 
 trace::Trace ConcreteRun::trace() const {
   trace::Trace trace = empty_trace(machine_.problem());
-  // A frame that nobody wanted is collected all the same; the machine does not follow it.
+  // A frame that no thread wanted is collected all the same; the machine does not follow it.
   std::vector<std::pair<std::size_t, trace::Event>> ends;  // each before the event of this number
   for (std::size_t d = 0; d < machine_.problem().devices.size(); ++d) {
     const auto* frames = std::get_if<pan::FrameDevice>(&machine_.problem().devices[d].behaviour);

@@ -31,7 +31,7 @@ class ConcreteRun {
     bool active = false;
     bool frozen = false;
     Range range;
-    Nanoseconds duration = 0;  // chosen by whoever runs it, when it starts
+    Nanoseconds duration = 0;  // chosen by the caller when it starts
     Nanoseconds worked = 0;    // until `since`
     Nanoseconds since = 0;
   };

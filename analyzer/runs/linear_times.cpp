@@ -1,13 +1,11 @@
 #include "analyzer/runs/linear_times.hpp"
 
-#include <z3++.h>
-
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <string>
 
 #include "analyzer/runs/interrupter.hpp"
+#include "analyzer/runs/solver_context.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -17,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 
 /// What takes longer is given up: the bound is then only not called exact.
 constexpr auto longest_search = std::chrono::seconds(2);
-/// So are those of more events, or with more pieces of work: with twice as many Z3 is at it for 20 seconds
-/// and heeds no interruption.
+/// So are those of more events, or with more pieces of work. With twice as many, Z3 works for 20 seconds and
+/// cannot be interrupted.
 constexpr std::size_t most_solved_events = 2000;
 constexpr std::size_t most_pieces = 1000;
 
@@ -66,8 +64,8 @@ class Constraints {
 
   z3::expr between(std::size_t from, std::size_t to) const { return times_[to] - times_[from]; }
 
-  /// The pieces as one sum: sums within sums are each rewritten by itself, which nothing interrupts, and it
-  /// takes as long again until they are gone.
+  /// The pieces as one flat sum. Z3 rewrites sums within sums one by one, which cannot be interrupted.
+  /// Freeing them takes as long again.
   z3::expr sum_of(const Work& work) const {
     z3::expr_vector pieces(context_);
     pieces.push_back(number(0));
@@ -103,7 +101,7 @@ void make_greatest(Constraints& constraints, const Goal& goal, const Interrupter
   Nanoseconds above = goal.enough;
   const Answer most = constraints.look(goal, above, best);
   if (most == Answer::found && above >= Range::unbounded) best.reset();
-  if (most != Answer::none) return;
+  if (most != Answer::none || goal.less_will_not_do) return;
   // What Z3 does before it solves heeds no interruption.
   for (Nanoseconds step = 1; value() + 1 < above && !interrupter.interrupted();) {
     const Nanoseconds tried = step < above - value() ? value() + step : above - 1;
@@ -133,23 +131,20 @@ ChosenTimes linear_times(std::size_t count, const std::vector<Difference>& diffe
                          const std::vector<Work>& works, const std::optional<Goal>& goal,
                          const std::function<bool()>& stop) {
   if ((stop && stop()) || too_large(count, works)) return std::nullopt;
-  // Making one takes longer than most systems take to be solved.
-  thread_local std::unique_ptr<z3::context> context;
-  if (!context) context = std::make_unique<z3::context>();
+  z3::context& context = solver_context();
   const Clock::time_point end = Clock::now() + longest_search;
   const auto over = [&stop, end] { return Clock::now() >= end || (stop && stop()); };
   ChosenTimes best;
   bool whole = false;
   try {
-    Constraints constraints(*context, count, differences, works);
-    const Interrupter interrupter(over, [asked = context.get()] { asked->interrupt(); });
+    Constraints constraints(context, count, differences, works);
+    const Interrupter interrupter(over, [&context] { context.interrupt(); });
     constraints.look(std::nullopt, 0, best);
     if (best && goal && !interrupter.interrupted()) make_greatest(constraints, *goal, interrupter, best);
     whole = !interrupter.interrupted();
   } catch (const z3::exception&) {
   }
-  // One that was interrupted is not used again.
-  if (!whole) context.reset();
+  if (!whole) renew_solver_context();
   return best;
 }
 

@@ -29,6 +29,7 @@ struct Goal {
   std::size_t from = 0;
   std::size_t to = 0;
   Nanoseconds enough = Range::unbounded;  // it is never greater, or more is not asked for
+  bool less_will_not_do = false;          // below `enough` one is as good as another
 };
 
 /// Times t[0] = 0, t[1], … in whole nanoseconds; nothing if there are none, or if the goal is unbounded.

@@ -61,17 +61,17 @@ Break break_in(const Requirement& requirement, const Simulation& run) {
   return grown ? Break::grown : Break::none;
 }
 
-/// Those that have to be watched one by one; -1: none is. Nothing: there is nothing to look at.
-std::vector<int> processors_of(const Problem& problem, const Requirement& requirement) {
+/// Those that have to be watched one by one; none: none is. Nothing: there is nothing to look at.
+std::vector<ProcessorId> processors_of(const Problem& problem, const Requirement& requirement) {
   if (!fits_simulation(problem)) return {};
   if (requirement.measure == Measure::load || requirement.measure == Measure::loss) return {};
-  if (requirement.measure != Measure::busy) return {-1};
-  return {requirement.processors.begin(), requirement.processors.end()};
+  if (requirement.measure != Measure::busy) return {ProcessorId{}};
+  return requirement.processors;
 }
 
-/// A few short runs. Where more is to be done than there is time, a long one, in which what is left over adds
-/// up; the skill has very many states there.
-Break simulated_break(const Problem& problem, const Requirement& requirement, int processor,
+/// A few short runs. Where more is to be done than there is time, also a long run, in which the backlog adds
+/// up. Such a skill has very many states.
+Break simulated_break(const Problem& problem, const Requirement& requirement, ProcessorId processor,
                       const std::function<bool()>& stop) {
   const Watch watch = watch_of(problem, requirement, processor);
   const Machine machine(problem, watch);
@@ -97,7 +97,7 @@ std::optional<Witness> witness_of(const Requirement& requirement, const Machine&
 
 Break simulated_break(const Problem& problem, const Requirement& requirement,
                       const std::function<bool()>& stop) {
-  for (const int processor : processors_of(problem, requirement)) {
+  for (const ProcessorId processor : processors_of(problem, requirement)) {
     const Break found = simulated_break(problem, requirement, processor, stop);
     if (found != Break::none) return found;
   }
@@ -112,7 +112,7 @@ std::size_t events_for(std::size_t classes) {
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
                                          const std::function<bool()>& stop, std::size_t events) {
   std::size_t left = events;
-  for (const int processor : processors_of(problem, requirement)) {
+  for (const ProcessorId processor : processors_of(problem, requirement)) {
     const Watch watch = watch_of(problem, requirement, processor);
     const Machine machine(problem, watch);
     for (std::uint64_t number = 1; number <= runs + extreme_runs && left > 0; ++number) {

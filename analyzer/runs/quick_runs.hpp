@@ -16,7 +16,7 @@ enum class Break { none, measured, grown };
 Break simulated_break(const Problem& problem, const Requirement& requirement,
                       const std::function<bool()>& stop);
 
-/// So many events of simulated runs are worth their time where so many classes may be explored.
+/// How many events of simulated runs are worth their time where `classes` classes may be explored.
 std::size_t events_for(std::size_t classes);
 
 /// The run for which simulated_break says so, or one of some hundreds with times at their extremes, up to

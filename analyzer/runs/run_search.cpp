@@ -160,8 +160,11 @@ class RunSearch {
     const bool worse = keep(replay(machine_, path));
     // Whose events come in this order, but at other times, may be worse still.
     const bool promising = !best_ || worse || 4 * worst->value > 3 * best_->measured.value;
-    return (promising && keep(witness_along(machine_, std::move(path), true, -1, true, options_.stop))) ||
-           worse;
+    if (!promising) return worse;
+    WitnessSearch search;
+    search.quick = true;
+    search.stop = options_.stop;
+    return keep(witness_along(machine_, std::move(path), search)) || worse;
   }
 
   bool keep(std::optional<Witness> found) {
@@ -189,7 +192,8 @@ std::optional<Witness> search_runs(const Problem& problem, const Requirement& re
   if (!fits_simulation(problem) || requirement.measure == Requirement::Measure::load) return std::nullopt;
   std::optional<Witness> worst;
   const bool busy = requirement.measure == Requirement::Measure::busy;
-  for (const int processor : busy ? requirement.processors : std::vector<int>{-1}) {
+  for (const ProcessorId processor :
+       busy ? requirement.processors : std::vector<ProcessorId>{ProcessorId{}}) {
     const Watch watch = watch_of(problem, requirement, processor);
     const Machine machine(problem, watch);
     auto found = RunSearch(machine, options).run();

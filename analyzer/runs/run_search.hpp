@@ -23,7 +23,7 @@ struct RunSearchOptions {
 /// nothing if none measures anything. First, random runs are made, then steady ones until the requirement
 /// fails. Then devices are moved one by one to instants at which something happens while the greatest value
 /// grows, as long as that makes it greater. Of promising runs the order of events is kept, and their times
-/// are chosen anew to make the value as great as possible (witness_along). The same problem gives the same
+/// are chosen again to make the value as great as possible (witness_along). The same problem gives the same
 /// run.
 std::optional<Witness> search_runs(const Problem& problem, const Requirement& requirement,
                                    const RunSearchOptions& options);

@@ -45,8 +45,8 @@ Nanoseconds longest_of(const Device& device) {
   return frames == nullptr ? 0 : frames->period.count();
 }
 
-/// A sporadic event may wait for ever; here it waits less than two to the power of this longer than it must:
-/// 17 s, or more than 32 times the longest time in the problem if that is more.
+/// A sporadic event may wait for ever. Here it waits longer than it must by less than two to the power of
+/// this, in nanoseconds. That is 17 s, or more than 32 times the longest time in the problem if that is more.
 std::uint64_t bits_of_pause(const Problem& problem) {
   Nanoseconds longest = 0;
   for (const Device& device : problem.devices) longest = std::max(longest, longest_of(device));

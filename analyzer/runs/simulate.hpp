@@ -35,7 +35,7 @@ struct Simulation {
   trace::Trace trace;
   std::vector<Measurement> measured;
   std::vector<ScriptedFiring> script;       // what fired: replay() makes the same run
-  std::vector<std::size_t> measured_after;  // each of `measured`: so many firings
+  std::vector<std::size_t> measured_after;  // for each of `measured`: the number of firings before
   bool ended = false;                       // the skill did
   bool failed = false;                      // an event of what is watched can have no response
   Nanoseconds end = 0;                      // all that happens up to then is known

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analyzer/runs/concrete_run.hpp"
+#include "analyzer/runs/path_schedule.hpp"
 #include "analyzer/zones/zone_graph.hpp"
 #include "runtime/trace/trace.hpp"
 
@@ -43,24 +44,36 @@ std::optional<Witness> stuck_witness(const Machine& machine, const ZoneGraph& gr
 std::optional<Witness> grown_witness(const Machine& machine, const ZoneGraph& graph, int target,
                                      const std::function<bool()>& stop);
 
-/// Of a path, what grows at its end: nothing that is asked for; or the first of the values that do.
-constexpr int no_growth = -1;
-constexpr int oldest_growth = -2;
+/// Which times of a path are looked for, and how long.
+struct WitnessSearch {
+  /// The value measured at the end is to be the greatest (or least, if that is watched). False: any times do.
+  bool measured = true;
+  /// Instead of what is measured: the observer whose value is asked for, or oldest_growth.
+  int growing = no_growth;
+  /// Actions without a fixed time that preempt others take their worst time, and no other times are tried.
+  bool quick = false;
+  /// A value as far as this will do: no run goes beyond it, or more is not asked for.
+  std::optional<Nanoseconds> enough = {};
+  /// Nothing short of `enough` is of use, so that the search ends when it cannot be attained.
+  bool less_will_not_do = false;
+  /// Once it returns true the search goes on as if it were `quick`.
+  std::function<bool()> stop = {};
+};
 
-/// The run that fires as `path` does, at other times, in which the value measured at its end is greatest (or
-/// least, if that is watched). Any times, if nothing is `measured`. `growing`: the observer whose value is
-/// asked for instead, or oldest_growth. Nothing if there is none, or none was confirmed by replay. The path
-/// may come from another problem. `quick`: where actions without a fixed time preempt others, they take their
-/// worst time, and no other times are tried. The same holds once `stop`, if given, returns true, and where
-/// the value `known`, which no run exceeds, is attained in this way.
-std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path, bool measured,
-                                     int growing = no_growth, bool quick = false,
-                                     const std::function<bool()>& stop = {},
-                                     std::optional<Nanoseconds> known = {});
+/// The run that fires as `path` does, at other times. Nothing if there is none, or none was confirmed by
+/// replay. The path may come from another problem.
+std::optional<Witness> witness_along(const Machine& machine, std::vector<ScriptedFiring> path,
+                                     const WitnessSearch& search);
 
 /// The run along the path to `peak` in which the measured value is greatest (or least, if that is watched).
 /// Nothing if none was confirmed by replay.
 std::optional<Witness> witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
-                                  bool quick = false, const std::function<bool()>& stop = {});
+                                  const std::function<bool()>& stop = {});
+
+/// Some run along the path to `peak` in which the watched value breaks `limit`: it is greater (or less, if
+/// the least is watched). What does not break it may be returned as well. `quick` as in WitnessSearch.
+std::optional<Witness> breaking_witness_of(const Machine& machine, const ZoneGraph& graph, const Peak& peak,
+                                           Nanoseconds limit, bool quick,
+                                           const std::function<bool()>& stop = {});
 
 }  // namespace pal::analyzer

@@ -25,7 +25,7 @@ enum class Hold {
 
 class Finder {
  public:
-  Finder(const Problem& problem, const Requirement& requirement, int processor, Reach reach)
+  Finder(const Problem& problem, const Requirement& requirement, ProcessorId processor, Reach reach)
       : problem_(problem),
         requirement_(requirement),
         reach_(reach),
@@ -116,8 +116,8 @@ class Finder {
            (!phase.during.empty() && phase.during[at(step)]);
   }
 
-  /// Channels and conditions by which what is measured may come to a statement of the requirement: from where
-  /// it may be known to where it may still count.
+  /// Channels and conditions by which the measured value may come to a statement of the requirement. They lie
+  /// between where it may be known and where it may still count.
   void carriers() {
     std::vector<bool> knows(talk_.size());
     std::vector<bool> counts(talk_.size());
@@ -147,8 +147,8 @@ class Finder {
     }
   }
 
-  /// For each thread with blocks those that only know what it has known before: they get no sample, and are
-  /// told by one another and by it alone.
+  /// For each thread with blocks, the threads that only know what it has known before. They get no sample,
+  /// and messages only from one another and from it.
   void find_echoes() {
     for (std::size_t p = 0; p < talk_.size(); ++p) {
       if (talk_[p].blocks.empty()) continue;
@@ -205,7 +205,7 @@ class Finder {
     for (const int channel : from.sends) {
       if (to.waits.contains(arrival(channel))) return true;
     }
-    const bool keeps = std::any_of(from.keeps.begin(), from.keeps.end(), [&](int kept) {
+    const bool keeps = std::any_of(from.keeps.begin(), from.keeps.end(), [&](KeptId kept) {
       return to.uses.contains(kept) && !is_known(&ThreadTalk::keeps, kept, thread);
     });
     if (samples && keeps) return true;
@@ -216,12 +216,13 @@ class Finder {
 
   /// Whether who reads a condition, or uses a message that its module keeps, knows all that can be learned
   /// from it. `written`: what threads set, or keep.
-  bool is_known(std::set<int> ThreadTalk::*written, int number, int reader) const {
+  template <class What>
+  bool is_known(std::set<What> ThreadTalk::*written, What what, int reader) const {
     return std::any_of(echoes_.begin(), echoes_.end(), [&](const auto& of) {
       if (!is_within(reader, of.first)) return false;
       for (std::size_t t = 0; t < talk_.size(); ++t) {
         const bool old = of.second[t] || static_cast<int>(t) == of.first;
-        if (!old && (talk_[t].*written).contains(number)) return false;
+        if (!old && (talk_[t].*written).contains(what)) return false;
       }
       return true;
     });
@@ -238,7 +239,7 @@ class Finder {
     if (from.blocks.contains(thread))
       keep_if(Hold::strong, [&from](const ThreadTalk& of) { return &of == &from; });
     if (watch_.kind != Watch::Kind::sample) return;
-    for (const int kept : from.keeps) {
+    for (const KeptId kept : from.keeps) {
       if (!to.uses.contains(kept) || is_known(&ThreadTalk::keeps, kept, thread)) continue;
       keep_if(Hold::strong, [kept](const ThreadTalk& of) { return of.keeps.contains(kept); });
     }
@@ -291,23 +292,22 @@ class Finder {
 
   /// Who may go before a thread that is kept, or cannot be interrupted by it.
   void share_processors() {
-    for (std::size_t p = 0; p < problem_.processors.size(); ++p) {
+    for (const ProcessorId p : problem_.processors.ids()) {
       int least = INT32_MAX;
       for (std::size_t t = 0; t < hold_.size(); ++t) {
         const Thread& thread = problem_.threads[t];
-        if (hold_[t] != Hold::none && thread.processor == static_cast<int>(p))
-          least = std::min(least, thread.priority);
+        if (hold_[t] != Hold::none && thread.processor == p) least = std::min(least, thread.priority);
       }
       if (least == INT32_MAX) continue;
       for (std::size_t t = 0; t < hold_.size(); ++t) {
         const Thread& thread = problem_.threads[t];
         const bool before = !problem_.processors[p].preemptive || thread.priority >= least;
-        if (thread.processor == static_cast<int>(p) && before) keep(static_cast<int>(t), Hold::loose);
+        if (thread.processor == p && before) keep(static_cast<int>(t), Hold::loose);
       }
     }
   }
 
-  /// Of what is measured nothing goes by them, and nobody waits for them but those who only take time.
+  /// Nothing that is measured goes through them, and only threads that just take time wait for them.
   std::vector<bool> pacers() const {
     std::vector<bool> found = devices_;
     if (requirement_.device >= 0) found[at(requirement_.device)] = false;
@@ -352,7 +352,7 @@ bool Cone::whole() const {
   return all(threads) && all(devices);
 }
 
-Cone cone_of(const Problem& problem, const Requirement& requirement, int processor, Reach reach) {
+Cone cone_of(const Problem& problem, const Requirement& requirement, ProcessorId processor, Reach reach) {
   if (requirement.measure == Measure::load)
     return {std::vector<bool>(problem.threads.size(), true), std::vector<bool>(problem.devices.size(), true),
             std::vector<bool>(problem.devices.size(), false)};

@@ -25,7 +25,7 @@ enum class Reach { least, waits };
 
 /// Everything that carries what `requirement` measures, that can keep it from its processor, or that it waits
 /// for again and again. `processor`: of a busy period. For a load it is the whole problem.
-Cone cone_of(const Problem& problem, const Requirement& requirement, int processor = -1,
+Cone cone_of(const Problem& problem, const Requirement& requirement, ProcessorId processor = {},
              Reach reach = Reach::waits);
 
 }  // namespace pal::analyzer

@@ -50,7 +50,7 @@ class Slicer {
   /// A request and its answer are followed together or not at all.
   void loosen(int channel) {
     Channel& of = made_.channels[index_of(channel)];
-    // A device takes at once what it does not serve, whoever is left out.
+    // A device takes at once what it does not serve, whatever is left out.
     if (of.receiver_device >= 0 && !of.served) return;
     const bool kept =
         is_kept(channel) && (of.answer < 0 || is_kept(of.answer)) && (of.answers < 0 || is_kept(of.answers));
@@ -115,7 +115,7 @@ class Slicer {
   void leave_out(Thread& thread) {
     thread.left_out = true;
     if (thread.parent < 0) return;
-    // What it does nobody sees, but that it ends, and how long it goes on when it is cancelled.
+    // Only its end can be seen, and how long it goes on when it is cancelled.
     const int waits = static_cast<int>(made_.steps.size());
     const int works = waits + 1;
     const int ends = waits + 2;
@@ -131,7 +131,7 @@ class Slicer {
     made_.steps.push_back(work);
     made_.steps.push_back(Step());
     thread.entry = waits;
-    thread.processor = static_cast<int>(made_.processors.size());
+    thread.processor = ProcessorId(made_.processors.size());
     pan::Processor alone;
     alone.preemptive = true;
     made_.processors.push_back(alone);

@@ -88,8 +88,8 @@ void note(const Problem& problem, const Step& step, bool again, ThreadTalk& talk
     if (again) talk.blocks_again.insert(step.threads.begin(), step.threads.end());
   }
   for (const int channel : step.kind == Step::Kind::wait ? step.channels : std::vector<int>()) {
-    const int kept = problem.channels[static_cast<std::size_t>(channel)].kept;
-    if (kept >= 0) talk.keeps.insert(kept);
+    const KeptId kept = problem.channels[static_cast<std::size_t>(channel)].kept;
+    if (kept.valid()) talk.keeps.insert(kept);
   }
   talk.keeps.insert(step.writes.begin(), step.writes.end());
   talk.uses.insert(step.uses.begin(), step.uses.end());

@@ -17,8 +17,8 @@ struct ThreadTalk {
   std::set<int> blocks;        // threads
   std::set<int> sets;          // conditions
   std::set<int> reads;         // conditions, by READ or a test
-  std::set<int> keeps;         // in Problem::kept: by a wait, or an activity that writes it
-  std::set<int> uses;          // in Problem::kept
+  std::set<KeptId> keeps;      // in Problem::kept: by a wait, or an activity that writes it
+  std::set<KeptId> uses;       // in Problem::kept
   // The subset that it may come to more than once.
   std::set<int> sends_again;
   std::set<int> waits_again;
@@ -28,8 +28,8 @@ struct ThreadTalk {
 /// By thread.
 std::vector<ThreadTalk> talk_of(const Problem& problem);
 
-/// For a wait for the answer of a device that this thread alone asks, just before, and without a limit: the
-/// least time that it waits. Otherwise 0.
+/// The least time that a wait takes. It is known if the wait has no limit and is for the answer of a device
+/// that this thread alone asks, just before. Otherwise 0.
 Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& talk, int thread, int step);
 
 }  // namespace pal::analyzer

@@ -26,8 +26,8 @@ std::string list(const std::vector<Reason>& reasons) {
 
 /// "TXM( motion to MC1 ) (line 57)"
 std::string statement_at(const Problem& problem, const Measurement& measured) {
-  const int index = problem.steps[static_cast<std::size_t>(measured.step)].statement;
-  const Statement& statement = problem.statements[static_cast<std::size_t>(index)];
+  const StatementId index = problem.steps[static_cast<std::size_t>(measured.step)].statement;
+  const Statement& statement = problem.statements[index];
   return statement.text + (statement.line == 0 ? "" : " at line " + std::to_string(statement.line));
 }
 
@@ -72,8 +72,8 @@ std::string event_name(const Problem& problem, const Requirement& requirement) {
 /// The statements of a requirement: "TXM( motion to MC1 )".
 std::string statements_of(const Problem& problem, const Requirement& requirement) {
   for (std::size_t s = 0; s < requirement.at.size(); ++s) {
-    const int index = problem.steps[s].statement;
-    if (requirement.at[s] && index >= 0) return problem.statements[static_cast<std::size_t>(index)].text;
+    const StatementId index = problem.steps[s].statement;
+    if (requirement.at[s] && index.valid()) return problem.statements[index].text;
   }
   return "the statement";
 }

@@ -14,8 +14,8 @@ std::string explanation(const Problem& problem, const Requirement& requirement, 
 /// Why no run measures anything. `passed`: what is watched does happen.
 std::string nothing_measured(const Requirement& requirement, bool passed);
 
-/// A story that is short enough to be read. Of a long one, the first and the last pieces, and between them
-/// one piece that says how many there are more and takes as long as they do.
+/// A story that is short enough to be read. Of a long one, the first and the last pieces. Between them stands
+/// one piece that says how many are left out, and takes as long as they do.
 std::vector<Reason> abridged(const std::vector<Reason>& reasons);
 
 /// "27.95 ms", exact.

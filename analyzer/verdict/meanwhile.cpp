@@ -6,8 +6,8 @@ namespace pal::analyzer {
 
 using trace::Slice;
 
-/// What whoever ended a wait, or is to end it, did in [from, to]. Nothing, if nobody did, or it was not at
-/// work.
+/// What the thread that ended a wait, or is to end it, did in [from, to]. Nothing if there is none, or if it
+/// was not at work.
 std::vector<Reason> Narrator::meanwhile(const Slice& wait, Nanoseconds from, Nanoseconds to,
                                         int depth) const {
   const bool goes_on = wait.to_ns > to || wait.ending == trace::Ending::open;

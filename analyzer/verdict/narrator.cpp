@@ -10,12 +10,12 @@ using trace::Slice;
 namespace {
 
 /// By processor: who ran on it, in order. Two do not at one time.
-std::vector<std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
-  std::vector<std::vector<Slice>> by_processor(problem.processors.size());
+Table<ProcessorId, std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
+  Table<ProcessorId, std::vector<Slice>> by_processor(problem.processors.size());
   for (const Slice& slice : slices) {
     if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
-    const int processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
-    by_processor[static_cast<std::size_t>(processor)].push_back(slice);
+    const ProcessorId processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+    by_processor[processor].push_back(slice);
   }
   return by_processor;
 }
@@ -89,8 +89,8 @@ bool Narrator::is_at_work(int thread, Nanoseconds instant) const {
 /// Who kept a thread from its processor in [from, to], piece by piece.
 void Narrator::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
                             std::vector<Reason>& out) const {
-  const int processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
-  const std::vector<Slice>& here = running_[static_cast<std::size_t>(processor)];
+  const ProcessorId processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
+  const std::vector<Slice>& here = running_[processor];
   auto at = std::partition_point(here.begin(), here.end(),
                                  [from](const Slice& slice) { return slice.to_ns <= from; });
   for (; at != here.end() && at->from_ns <= from && from < to; ++at) {
@@ -130,8 +130,8 @@ void Narrator::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Re
   if (at < to) rest(thread, at, to, out, depth);
 }
 
-/// What kept a thread in [from, to], of which it has no slices: its blocks, or it is itself a block that
-/// has not begun, and then what whoever begins it did.
+/// What kept a thread in [from, to], in which it has no slices. It waited for its blocks. Or it is itself a
+/// block that has not begun; then it is what its parent did.
 void Narrator::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
   const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
   if (blocks_at_work(thread, from, to)) {

@@ -65,11 +65,11 @@ class Narrator {
   const Problem& problem_;
   const trace::Trace& run_;
   std::vector<trace::Slice> slices_;
-  std::vector<std::vector<trace::Slice>> running_;   // by processor: two do not run on it at one time
-  std::vector<std::vector<trace::Slice>> of_actor_;  // by thread and device, in order
-  std::vector<std::vector<std::size_t>> takes_;      // events, by who takes, in order
-  std::vector<std::vector<std::size_t>> puts_;       // … by who puts
-  std::map<std::size_t, std::size_t> put_of_;        // by take
+  Table<ProcessorId, std::vector<trace::Slice>> running_;  // by processor: two do not run on it at one time
+  std::vector<std::vector<trace::Slice>> of_actor_;        // by thread and device, in order
+  std::vector<std::vector<std::size_t>> takes_;            // events, by who takes, in order
+  std::vector<std::vector<std::size_t>> puts_;             // … by who puts
+  std::map<std::size_t, std::size_t> put_of_;              // by take
 };
 
 }  // namespace pal::analyzer

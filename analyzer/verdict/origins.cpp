@@ -28,7 +28,7 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
 
 /// The step of a thread's event, if samples are followed.
 const Step* Origins::step_of(const trace::Event& event) const {
-  const auto found = steps_.find({event.actor, event.statement});
+  const auto found = steps_.find({event.actor, StatementId::of(event.statement)});
   return found == steps_.end() ? nullptr : &problem_.steps[static_cast<std::size_t>(found->second)];
 }
 
@@ -37,8 +37,8 @@ void Origins::use(std::size_t index) {
   const trace::Event& event = run_.events[index];
   const Step* step = step_of(event);
   if (step == nullptr) return;
-  for (const int k : step->uses) {
-    const Known& kept = kept_[static_cast<std::size_t>(k)];
+  for (const KeptId k : step->uses) {
+    const Known& kept = kept_[k];
     if (kept.what.number < 0 || kept.what.number <= known(event.actor).number) continue;
     gain(event.actor, index, kept.what);
     kept_since_[index] = kept.event;
@@ -88,7 +88,7 @@ void Origins::follow(std::size_t index) {
       const Step* step = step_of(event);
       if (step == nullptr || step->kind != Step::Kind::activity) return;
       use(index);
-      for (const int k : step->writes) kept_[static_cast<std::size_t>(k)] = {known(event.actor), index};
+      for (const KeptId k : step->writes) kept_[k] = {known(event.actor), index};
       return;
     }
     case Kind::put: {
@@ -104,7 +104,7 @@ void Origins::follow(std::size_t index) {
     }
     case Kind::overrun:
     case Kind::drop: {
-      // An answer that nobody gets answers its request all the same.
+      // An answer that no thread gets answers its request all the same.
       const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
       if (device && request >= 0) answered(request);
       return;
@@ -116,8 +116,8 @@ void Origins::follow(std::size_t index) {
         // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
         const bool reads = requirement_.condition >= 0 && reads_[static_cast<std::size_t>(event.actor)];
         if (!reads || carried.number == known(event.actor).number) gain(event.actor, index, carried);
-        const int kept = problem_.channels[static_cast<std::size_t>(event.subject)].kept;
-        if (kept >= 0) kept_[static_cast<std::size_t>(kept)] = {carried, index};
+        const KeptId kept = problem_.channels[static_cast<std::size_t>(event.subject)].kept;
+        if (kept.valid()) kept_[kept] = {carried, index};
         return;
       }
       const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;

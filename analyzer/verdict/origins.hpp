@@ -20,8 +20,8 @@ struct Origin {
   int number = -1;  // in the order of birth; -1: nothing
 };
 
-/// What one thread got when, and by which event: a take, a read, the beginning as a block, or the effect of a
-/// statement that uses what its module keeps of a message.
+/// What one thread got, when, and by which event. The event is a take, a read, the beginning as a block, or
+/// the effect of a statement that uses what its module keeps of a message.
 struct Gained {
   std::size_t event = 0;
   Origin what;
@@ -70,8 +70,8 @@ class Origins {
   std::map<std::pair<int, int>, std::size_t> puts_;
   // By channel: what the answers to the requests will carry that were taken and not answered yet.
   std::vector<std::deque<Origin>> requests_;
-  std::vector<Known> kept_;                   // by what modules keep, and the event that left it there
-  std::map<std::pair<int, int>, int> steps_;  // by thread and statement
+  Table<KeptId, Known> kept_;  // by what modules keep, and the event that left it there
+  std::map<std::pair<int, StatementId>, int> steps_;  // by thread and statement
   std::map<std::size_t, std::size_t> kept_since_;
   std::vector<Origin> conditions_;
   std::vector<std::optional<std::size_t>> sets_;  // the last, by condition

@@ -15,7 +15,7 @@ bool broken(const Verdict& verdict) {
   return value && is_beyond(verdict, *value, verdict.limit);
 }
 
-/// `by`: of which requirement a run was found.
+/// `by`: the requirement for which a run was found.
 void withdraw(Verdict& verdict, const std::string& by) {
   verdict.state = broken(verdict) ? VerdictState::fails : VerdictState::undecided;
   verdict.bound.reset();

@@ -33,11 +33,11 @@ struct Story {
 
   /// The event at which the measured statement had its effect; the number of events if there is none.
   std::size_t used_at(const Measurement& measured) const {
-    const int of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
+    const StatementId of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
     const int thread = thread_of(problem, measured.step);
     for (std::size_t e = trace.events.size(); e-- > 0;) {
       const trace::Event& event = trace.events[e];
-      if (event.kind == Kind::done && event.statement == of && event.time_ns == measured.at &&
+      if (event.kind == Kind::done && event.statement == of.value && event.time_ns == measured.at &&
           event.actor == thread)
         return e;
     }
@@ -50,8 +50,8 @@ struct Story {
     std::size_t event;
   };
 
-  /// From the birth of what `thread` knew last before event `until` to that event: the way that it came,
-  /// message by message and condition by condition.
+  /// The way of what `thread` knew last before event `until`, from its birth to that event, message by
+  /// message and condition by condition.
   void known_since(int thread, std::size_t until, std::vector<Reason>& out) const {
     std::vector<std::vector<Reason>> way;  // the last piece first
     for (std::optional<Known> at = Known{thread, until}; at;) {
@@ -135,7 +135,7 @@ struct Story {
     return Known{setting.actor, *set};
   }
 
-  /// Who keeps a condition from being set anew: whoever set it, or a block of it that sets it from then on.
+  /// Who is to set a condition again: the thread that set it, or a block of it that sets it from then on.
   int next_to_set(int condition, int setter, Nanoseconds instant) const {
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
@@ -168,7 +168,7 @@ struct Story {
 
   /// Who had the processor, from when it had something to do until it had nothing.
   void busy(const Measurement& measured, std::vector<Reason>& out) const {
-    for (const int processor : requirement.processors) {
+    for (const ProcessorId processor : requirement.processors) {
       std::vector<Reason> pieces;
       Nanoseconds at = measured.born;
       for (const Slice& slice : narrator.slices()) {

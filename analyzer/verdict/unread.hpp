@@ -5,9 +5,9 @@
 
 namespace pal::analyzer {
 
-/// For an age or a reaction of a condition: no thread that comes to one of the statements, and no parent of
-/// such a block, ever reads the condition. Then no run measures anything, whatever its times. False for other
-/// measures.
+/// True for an age or a reaction of a condition that is never read. No thread that comes to one of the
+/// statements reads it, and no parent of such a block. Then no run measures anything, whatever its times.
+/// False for other measures.
 bool is_unread(const Problem& problem, const Requirement& requirement);
 
 }  // namespace pal::analyzer

@@ -76,8 +76,8 @@ struct Verdict {
   std::string explanation;
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
   std::vector<Reason> reasons;
-  /// They add up to the bound, to the nanosecond. Empty: there is no bound, it is a number (of losses), or it
-  /// was found by looking at all runs and none is known to attain it.
+  /// They add up to the bound, to the nanosecond. Empty if there is no bound, or if it is a number (of
+  /// losses). Also empty if the bound was found by looking at all runs and none is known to attain it.
   std::vector<Addend> addends;
   SourceSpan where;
   Statistics statistics;

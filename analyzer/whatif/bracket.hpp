@@ -11,16 +11,16 @@ namespace pal::analyzer {
 /// How near holding and failing have to come: to the nanosecond, or to some hundredths.
 enum class Precision { rough, exact };
 
-/// Holding and failing are monotone in the growth, deciding is not: so what could not be decided is kept
-/// apart from what was proved. Works in turns, each of which goes on where the last one stopped.
+/// Holding and failing are monotone in the growth. Deciding is not, so what could not be decided is kept
+/// apart from what was proved. Works in turns. Each turn goes on where the last one stopped.
 class Bracket {
  public:
   /// `loads`: the requirements are loads. The growth must live as long.
   Bracket(const Growth& growth, RequirementIds requirements, bool loads);
 
-  /// Everything holds with so much more.
+  /// The growth with which everything holds.
   Nanoseconds holds() const { return holds_; }
-  /// Something fails with so much more. Nothing: not found.
+  /// The growth with which something fails. Nothing: not found.
   std::optional<Nanoseconds> fails() const { return fails_; }
   /// What fails there; else what could not be decided last.
   RequirementId requirement() const { return fails_ ? failing_ : open_; }
@@ -29,9 +29,9 @@ class Bracket {
   /// Known to hold, by bounds.
   void hold(Nanoseconds extra) { holds_ = std::max(holds_, extra); }
 
-  /// Narrows until holding and failing are as near to each other as is wanted, below `ceiling`, which need
-  /// not be asked, or until the effort is over. What this effort cannot decide is asked again by a greater
-  /// one only.
+  /// Narrows, below `ceiling`, until holding and failing are as near to each other as is wanted, or until the
+  /// effort is over. `ceiling` itself need not be asked. What this effort cannot decide is asked again by a
+  /// greater one only.
   void narrow(RequirementChecker& checker, const Effort& effort, Precision precision, Nanoseconds ceiling);
 
   /// Nothing is left to be asked below `ceiling`, unless with more effort.

@@ -49,18 +49,19 @@ class Candidates {
 
   bool is_used(const pan::Processor& processor) const {
     return std::any_of(problem_.threads.begin(), problem_.threads.end(), [&](const Thread& thread) {
-      return problem_.processors[static_cast<std::size_t>(thread.processor)].name == processor.name;
+      return problem_.processors[thread.processor].name == processor.name;
     });
   }
 
   void move(const Thread& thread) {
     const std::string name = thread.name + ".processor = ";
-    const std::string& own = problem_.processors[static_cast<std::size_t>(thread.processor)].name;
+    const std::string& own = problem_.processors[thread.processor].name;
     const bool alone = beside(thread).empty();
     bool free = false;
     for (const pan::Processor& processor : environment_.processors) {
       const bool used = is_used(processor);
-      // Of processors without a thread the first stands for all, and whoever is alone gains nothing there.
+      // The first processor without a thread stands for all of them. A thread that is alone gains nothing
+      // there.
       if (processor.name == own || (!used && (free || alone))) continue;
       free = free || !used;
       found_.push_back({name + processor.name});

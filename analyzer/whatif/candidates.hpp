@@ -11,9 +11,9 @@ namespace pal::analyzer {
 /// Changes that belong together, each as change() reads it: "PROCESSOR P4", "SM1.processor = P4".
 using ChangeTexts = std::vector<std::string>;
 
-/// In the order in which they ask least of an engineer: each thread before or behind the others of its
-/// processor, each thread on another processor or on one more, each event or frame less often. `problem` is
-/// of this environment.
+/// The candidates, those that ask least of an engineer first. Each thread goes before or behind the others of
+/// its processor. Each thread goes to another processor, or to one more. Each event or frame comes less
+/// often. `problem` is of this environment.
 std::vector<ChangeTexts> candidates_for(const Problem& problem, const pan::Environment& environment);
 
 }  // namespace pal::analyzer

@@ -51,7 +51,7 @@ bool comes_to(const Problem& problem, const Thread& thread, const std::vector<bo
 
 /// Whether it is of a processor that has more to do than there is time, or of statements that run there.
 bool is_overloaded(const Problem& problem, const Requirement& requirement) {
-  const auto overloaded = [&problem](int processor) {
+  const auto overloaded = [&problem](ProcessorId processor) {
     return std::find(problem.overloaded.begin(), problem.overloaded.end(), processor) !=
            problem.overloaded.end();
   };
@@ -103,7 +103,7 @@ class Search {
     if (witness || tried) return;
     tried = true;
     for (const bool quick : {true, false}) {
-      auto made = witness_of(machine_, graph, peak, quick, stop_);
+      auto made = breaking_witness_of(machine_, graph, peak, requirement_.limit, quick, stop_);
       if (made && broken(requirement_, *made)) witness = std::move(made);
       if (witness) return;
     }
@@ -251,7 +251,11 @@ bool refutes(const Problem& problem, RequirementId id, const Witness& witness,
   if (!one_run(requirement) || witness.grows || witness.script.empty()) return false;
   const Watch watch = watch_of(problem, requirement);
   const Machine machine(problem, watch);
-  const auto made = witness_along(machine, witness.script, !witness.failed, -1, true, stop);
+  WitnessSearch search;
+  search.measured = !witness.failed;
+  search.quick = true;
+  search.stop = stop;
+  const auto made = witness_along(machine, witness.script, search);
   return made && broken(requirement, *made);
 }
 

@@ -10,13 +10,13 @@
 
 namespace pal::analyzer {
 
-/// `holds` (also where no run measures anything) and `fails` are proved as by analyze(), but for runs in
-/// which time stands still (zeno_run.hpp): the caller looks for them.
+/// `holds` (also where no run measures anything) and `fails` are proved as by analyze(). Runs in which time
+/// stands still (zeno_run.hpp) are left to the caller.
 struct Decision {
   Verdict::State state = Verdict::State::undecided;
   std::optional<Witness> witness;  // fails; nothing if no single run is known, or of loads
-  /// Load: by how much one that no run exceeds (holds) or that a run attains (fails) is over the limit, in
-  /// nanoseconds of work in a second. Nothing: not known.
+  /// Load: the distance to the limit, in nanoseconds of work in a second. It is that of a load that no run
+  /// exceeds (holds), or that a run attains (fails). Nothing: not known.
   std::optional<Nanoseconds> excess;
   bool grows = false;  // it fails by what has only grown by the end of the run
 };
@@ -32,8 +32,8 @@ Decision decide_by_runs(const Problem& problem, RequirementId requirement, std::
 /// By exploring what has an influence (slice_bound.hpp), which can only prove.
 Decision decide_by_slice(const Problem& problem, RequirementId requirement, const Options& options);
 
-/// Of as many classes as are allowed, so many are explored: fewer where there is more to do than there is
-/// time, which mostly has no end.
+/// How many of the allowed classes are explored. It is fewer where there is more to do than there is time,
+/// because such an exploration mostly has no end.
 std::size_t classes_for(const Problem& problem, RequirementId requirement, std::size_t allowed);
 
 /// By exploring all runs, in at most `options.max_states` classes. Values are followed up to the limit only,

@@ -53,8 +53,8 @@ Placements placements_on(int processors, const pan::Environment& environment, Re
                          const PlacementOptions& options);
 
 /// One processor, two, … up to one a thread, until some placement meets everything. The last of the answer is
-/// the least number that does, if one was found; that fewer do not is proved where those before are complete
-/// and have nothing undecided.
+/// the least number that suffices, if one was found. That fewer do not suffice is proved if those before are
+/// complete and have nothing undecided.
 std::vector<Placements> fewest_processors(const pan::Environment& environment, RequirementChecker& checker,
                                           const PlacementOptions& options);
 

@@ -44,9 +44,9 @@ struct RemedyOptions {
 /// network must live until find_remedies() returns.
 using NetworkOf = std::function<const pan::Network*(const std::vector<ProgramChangeId>&)>;
 
-/// Tries `programs` changes of the text, numbered from 0, and changes of the environment: first each alone,
-/// then in twos, then in threes those that help most. A requirement that says nothing afterwards and did say
-/// something before counts as one that does not hold. Nothing is tried if everything holds as it is.
+/// Tries `programs` changes of the text, numbered from 0, and changes of the environment. First it tries each
+/// alone, then those that help most in twos, then in threes. A requirement that says nothing afterwards and
+/// did say something before counts as one that does not hold. Nothing is tried if everything holds as it is.
 Remedies find_remedies(const pan::Network& network, const pan::Environment& environment, std::size_t programs,
                        const NetworkOf& network_of, const Options& options, const RemedyOptions& how = {});
 

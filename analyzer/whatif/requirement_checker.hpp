@@ -21,7 +21,7 @@ struct Ruling {
 
 /// What may be spent on one question.
 struct Effort {
-  /// Of each requirement that is open after bounds and a few runs, so many classes are explored; 0: none.
+  /// The number of classes explored for each requirement that is open after bounds and a few runs; 0: none.
   std::size_t classes = 0;
   std::function<bool()> stop;  // asked now and then; what is open when it says true is undecided
 

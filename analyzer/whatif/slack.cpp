@@ -24,20 +24,25 @@ struct Round {
   bool last_classes = false;  // more are not allowed
 };
 
-Round round_of(std::size_t number, const Options& options) {
+/// A skill that is decided as it is within this time is explored from the first round on.
+constexpr double soon = first_share;
+
+/// Number `number` of the rounds, from 0, when the first `skipped` are left out.
+Round round_of(std::size_t number, std::size_t skipped, const Options& options) {
   Round round;
-  const bool stepped = number < std::size(classes_of_rounds);
-  round.classes = stepped ? std::min(classes_of_rounds[number], options.max_states) : options.max_states;
-  round.last_classes = round.classes >= options.max_states && number > 0;
+  const std::size_t step = number + skipped;
+  const bool stepped = step < std::size(classes_of_rounds);
+  round.classes = stepped ? std::min(classes_of_rounds[step], options.max_states) : options.max_states;
+  round.last_classes = round.classes >= options.max_states && step > 0;
   round.seconds = first_share;
   for (std::size_t n = 1; n < number; ++n) round.seconds *= longer_share;
   return round;
 }
 
-/// Of a round that begins now.
-Effort effort_of(const Round& round, const Options& options) {
+/// Of a round that begins now, or of a `part` of it.
+Effort effort_of(const Round& round, const Options& options, double part = 1) {
   if (!options.clock) return {round.classes, options.stop};
-  const double end = options.clock() + round.seconds;
+  const double end = options.clock() + part * round.seconds;
   return {round.classes,
           [stop = options.stop, clock = options.clock, end] { return (stop && stop()) || clock() > end; }};
 }
@@ -71,9 +76,11 @@ class FigureSearch {
     loads_.hold(holds);
   }
 
-  void narrow(RequirementChecker& checker, const Effort& effort, Precision precision) {
-    timed_.narrow(checker, effort, precision, ceiling_of(loads_));
-    loads_.narrow(checker, effort, precision, ceiling_of(timed_));
+  /// Loads have half of the time, and what the others leave; these have what loads leave.
+  void narrow(RequirementChecker& checker, const Effort& half, const Effort& whole, Precision precision) {
+    timed_.narrow(checker, half, precision, ceiling_of(loads_));
+    loads_.narrow(checker, whole, precision, ceiling_of(timed_));
+    timed_.narrow(checker, whole, precision, ceiling_of(loads_));
   }
 
   bool exact() const { return holds() == growth_.most() || (fails() && *fails() - holds() == 1); }
@@ -128,9 +135,10 @@ class Rounds {
 
   void add(std::unique_ptr<FigureSearch> search) { searches_.push_back(std::move(search)); }
 
-  void run(const RequirementIds& all) {
+  /// `soon_decided`: the skill as it is.
+  void run(const RequirementIds& all, bool soon_decided) {
     for (std::size_t number = 0; settled_ < slacks_.size() && !checker_.stopped(); ++number) {
-      const Round round = round_of(number, checker_.options());
+      const Round round = round_of(number, soon_decided ? 1 : 0, checker_.options());
       for (std::size_t n = 0; n < slacks_.size(); ++n) {
         if (!searches_[n] || checker_.stopped()) continue;
         turn(n, round, number == 0 ? &all : nullptr);
@@ -144,13 +152,14 @@ class Rounds {
   }
 
  private:
-  /// `bounded`: first what bounds show of these.
+  /// `bounded`: in the first round, what bounds show of these.
   void turn(std::size_t n, const Round& round, const RequirementIds* bounded) {
     FigureSearch& search = *searches_[n];
-    const Effort effort = effort_of(round, checker_.options());
-    if (bounded != nullptr) search.bound(checker_, *bounded, effort);
-    search.narrow(checker_, effort, round.classes == 0 ? Precision::rough : Precision::exact);
-    const bool settled = search.exact() || (round.last_classes && search.exhausted());
+    const Effort half = effort_of(round, checker_.options(), 0.5);
+    const Effort whole = effort_of(round, checker_.options());
+    if (bounded != nullptr) search.bound(checker_, *bounded, half);
+    search.narrow(checker_, half, whole, bounded != nullptr ? Precision::rough : Precision::exact);
+    const bool settled = search.exact() || (round.last_classes && bounded == nullptr && search.exhausted());
     if (settled) {
       search.tell(slacks_[n]);
       searches_[n].reset();
@@ -174,7 +183,7 @@ constexpr std::size_t rounds_of_now = 5;
 /// What holds as things are.
 Ruling ruling_now(RequirementChecker& checker, const Problem& problem, const RequirementIds& all) {
   for (std::size_t number = 0;; ++number) {
-    const Round round = round_of(number, checker.options());
+    const Round round = round_of(number, 0, checker.options());
     const Effort effort = effort_of(round, checker.options());
     const Ruling now = checker.ask(problem, all, effort);
     const bool last =
@@ -201,7 +210,9 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
   all.push_back({"", {Duration(0), Duration(together.longest())}, {}, {}, false, {}, false});
 
   const RequirementIds everything = requirements_of(*problem);
+  const double begun = options.clock ? options.clock() : 0;
   const Ruling now = ruling_now(checker, *problem, everything);
+  const bool soon_decided = options.clock && options.clock() - begun < soon;
   if (now.state != Is::holds) {
     for (Slack& slack : all) {
       slack.requirement = now.requirement;
@@ -214,7 +225,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
     rounds.add(std::make_unique<FigureSearch>(
         environment, slack.figure.empty() ? names : std::vector<std::string>{slack.figure}, *problem));
   }
-  rounds.run(everything);
+  rounds.run(everything, soon_decided);
   return all;
 }
 

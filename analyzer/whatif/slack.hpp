@@ -13,14 +13,14 @@
 
 namespace pal::analyzer {
 
-/// Best times stay: a grown time is an interval that holds the old one, every old run is still a run, and so
-/// what breaks a requirement goes on breaking it (docs/reference/what-if.md).
+/// Best times stay. So a grown time is an interval that holds the old one, and every old run is still a run.
+/// What breaks a requirement goes on breaking it (docs/reference/what-if.md).
 struct Slack {
   std::string figure;  // empty: all together
   Interval time;       // as it is; all together: the longest worst time
-  /// It was proved that everything holds with so much more. Nothing: not even as it is.
+  /// The growth with which everything was proved to hold. Nothing: not even as it is.
   std::optional<Duration> holds;
-  /// It was proved that something fails with so much more (0: as it is). Nothing: not found.
+  /// The growth with which something was proved to fail (0: as it is). Nothing: not found.
   std::optional<Duration> fails;
   /// Everything holds whatever the time, up to the longest that the model allows.
   bool unlimited = false;
@@ -31,22 +31,22 @@ struct Slack {
   bool exact() const { return unlimited || (holds && fails && *fails - *holds == Duration(1)); }
 };
 
-/// For somebody who watches the search. Called by the thread that called slacks().
+/// To watch the search. Called by the thread that called slacks().
 struct SlackObserver {
   /// Nothing more is looked for of this one: it is exact, or cannot be decided. Not called of those that the
   /// end of the time leaves open.
   std::function<void(const Slack&)> settled;
-  /// After each question: so many of all are settled.
+  /// After each question: how many of all are settled.
   std::function<void(std::size_t settled, std::size_t all)> asked;
 };
 
-/// Slack of each figure by itself, then of all together. All together grow in proportion: with `holds` = k
-/// each worst time w becomes w + w · k / longest, rounded up, where `longest` is the longest of them; if that
-/// is 0, k. Requirements that do not hold as things are make every slack nothing; the index of one is in
-/// `requirement`, and `fails` is 0 if a run breaks it.
+/// Slack of each figure by itself, then of all together. All together grow in proportion. With `holds` = k
+/// each worst time w becomes w + w · k / longest, rounded up, where `longest` is the longest of them. If that
+/// is 0, all become k. If a requirement does not hold as things are, there is no slack. Then `requirement` is
+/// the index of one such requirement, and `fails` is 0 if a run breaks it.
 ///
-/// Works in rounds. The first one asks only what bounds and single runs decide; each next one explores more
-/// and, with Options::clock, gives each open figure half a second, then three times as much. So all have a
+/// Works in rounds. The first round asks only what bounds and single runs decide. Each next round explores
+/// more. With Options::clock it gives each open figure half a second, then three times as much. So all have a
 /// first answer soon.
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
                           const Options& options, const SlackObserver& observer = {});

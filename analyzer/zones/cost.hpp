@@ -18,7 +18,7 @@ inline std::size_t work_of(const Dbm& zone, std::size_t timers) {
   return timers * timers * zone.size() * zone.size();
 }
 
-/// The memory that so many classes may take, with their places, in bytes. A small number may take what it
+/// The memory that `classes` classes may take, with their places, in bytes. A small number may take what it
 /// needs.
 constexpr std::size_t memory_for(std::size_t classes) {
   constexpr std::size_t least = std::size_t{1} << 27U;

@@ -10,8 +10,8 @@
 
 namespace pal::analyzer {
 
-/// Bounds x[i] - x[j] <= at(i, j) of variables x[0] = 0, x[1], …; always closed (every bound as tight as the
-/// others make it) and never empty, except after a constrain() that returned false.
+/// Bounds x[i] - x[j] <= at(i, j) of variables x[0] = 0, x[1], …. They are always closed: every bound is as
+/// tight as the others make it. They are never empty, except after a constrain() that returned false.
 class Dbm {
  public:
   static constexpr std::int64_t unbounded = INT64_MAX / 4;

@@ -20,9 +20,9 @@ struct Outline {
   void of(const Dbm& zone);
 };
 
-/// Outlines side by side, each with the number of its zone. They exclude most candidates. If there are very
-/// many, as for a thread that goes round for long while something is measured, whole blocks of neighbours are
-/// passed over: those that came one after the other are mostly alike.
+/// Outlines side by side, each with the number of its zone. They exclude most candidates. There may be very
+/// many, as for a thread that goes round for long while something is measured. Then whole blocks of
+/// neighbours are passed over, because zones that came one after the other are mostly alike.
 class KnownZones {
  public:
   /// The first zone for which `includes(id)` is true, of those that may include that of `outline`; -1: none.
@@ -97,7 +97,7 @@ class KnownZones {
     return true;
   }
 
-  /// Whether the block that begins with zone `k` is one of those of which the least and greatest bounds are
+  /// Whether the least and greatest bounds of the block that begins with zone `k` are
   /// known.
   bool summed_up(std::size_t k, std::size_t width) const { return (k / block + 1) * width <= least_.size(); }
 

@@ -34,13 +34,13 @@ void find_left(const Machine& machine, const State& state, Move& move) {
 }
 
 void follow_timers(const Machine& machine, const Place& from, Move& move) {
-  int processor = -1;
+  ProcessorId processor;
   if (move.timer >= 0) {
     const auto at = std::find(from.timers.begin(), from.timers.end(), move.timer);
     move.variable = static_cast<std::size_t>(at - from.timers.begin()) + 1;
     processor = machine.processor_of(from.state, move.timer);
   }
-  if (processor >= 0) move.cost = machine.cost(from.state, move.timer);
+  if (processor.valid()) move.cost = machine.cost(from.state, move.timer);
   for (std::size_t k = 0; k < from.timers.size(); ++k) {
     if (from.timers[k] == move.timer) continue;
     Move::Kept kept;
@@ -49,7 +49,7 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
     kept.frozen = from.frozen[k];
     // An action that ends gives back its time to those that were preempted on its processor: they have as
     // much left as before.
-    kept.repaid = kept.frozen && processor >= 0 &&
+    kept.repaid = kept.frozen && processor.valid() &&
                   machine.problem().threads[static_cast<std::size_t>(kept.timer)].processor == processor;
     move.timers.push_back(kept);
   }

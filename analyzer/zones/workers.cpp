@@ -7,8 +7,8 @@
 namespace pal::analyzer {
 namespace {
 
-/// Tasks follow one another closely, and being woken takes longer than many of them: looks again for a while
-/// before it says false, and then the caller sleeps.
+/// Tasks follow one another closely, and waking takes longer than many of them. So it polls for a while
+/// before it returns false. Then the caller sleeps.
 template <class Condition>
 bool soon(const Condition& condition) {
   for (int look = 0; look < 5000; ++look) {

@@ -25,9 +25,9 @@ class Workers {
 
   /// Calls part(0) … part(count - 1), in any order and at the same time, and returns when all have returned.
   /// Throws what one of them threw. `grain`: how many neighbours are given out at once. Each thread begins
-  /// with its own share, which is the same in rounds of the same count, so that its data are still in its
-  /// cache. Then it helps with the shares of others. If a thread has no core, the others do its share; the
-  /// round waits for it only if it has begun some parts.
+  /// with its own share. It is the same in rounds of the same count, so its data are still in the cache. Then
+  /// it helps with the shares of others. If a thread has no core, the others do its share; the round waits
+  /// for it only if it has begun some parts.
   void each(std::size_t count, std::size_t grain, const std::function<void(std::size_t)>& part);
 
  private:

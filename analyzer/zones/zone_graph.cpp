@@ -8,8 +8,8 @@
 namespace pal::analyzer {
 namespace {
 
-/// So many classes are expanded before their successors are compared: enough to share, few enough that not
-/// much is expanded that a successor would have replaced.
+/// How many classes are expanded before their successors are compared. They are enough to share among
+/// threads. They are few enough that not many are expanded that a successor would have replaced.
 constexpr std::size_t batch_size = 2048;
 
 /// Places whose firings are found between one question whether to stop and the next: one may have thousands.
@@ -21,7 +21,7 @@ constexpr std::size_t worth_sharing = 8192;
 /// So many classes of a place are kept apart before new ones are widened.
 constexpr std::size_t most_apart = 6;
 
-/// Bounds that differ by more count as if they differed by so much: some are unbounded.
+/// Bounds that differ by more count as if they differed by this: some are unbounded.
 constexpr std::int64_t longest_apart = std::int64_t{1} << 40U;
 
 /// Arrivals have numbers below those of classes, and below -1, which is none.
@@ -80,8 +80,8 @@ int ZoneGraph::current(int index) const {
   return index;
 }
 
-/// Each class that was replaced leads at once to the one that counts: of a class that has grown with every
-/// turn of a loop there are very long ways.
+/// Each class that was replaced leads at once to the one that counts. Without this, a class that has grown
+/// with every turn of a loop would have very long ways.
 void ZoneGraph::shorten_ways() {
   for (std::size_t i = 0; i < classes_.size(); ++i) {
     const int last = current(static_cast<int>(i));
@@ -324,7 +324,7 @@ void ZoneGraph::merge(std::size_t expanded, const Limits& limits) {
       ++chain.count;
     }
   }
-  // The most work first, so that nobody waits for one who began it last.
+  // The most work first, so that no worker waits for one that began it last.
   const auto work = [this](const Landing& landing) {
     return landing.count * (1 + known_[static_cast<std::size_t>(landing.place)].ids().size());
   };

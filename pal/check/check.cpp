@@ -40,7 +40,7 @@ class Checker {
         result_.environments.push_back(checker::build_environment(*environment, diagnostics_));
       } else if (const auto* skill = std::get_if<syntax::SkillUnit>(&unit)) {
         const bool first = once(skills_, "skill", skill->name);
-        // Of two skills of one name nobody knows which is meant.
+        // Of two skills of one name it is unknown which is meant.
         if (first && !twice_.contains(skill->name.text)) {
           check_skill(index, *skill);
         } else {
@@ -156,8 +156,8 @@ class Checker {
         });
   }
 
-  /// `sound`: every name meant something. If not, statements are missing, and what is said of talk and flow
-  /// would be said of a program that nobody wrote.
+  /// `sound`: every name meant something. If not, statements are missing, and findings about talk and flow
+  /// would be about another program than the user's.
   void check_network(const pan::Network& network, bool sound) {
     const auto errors_before = diagnostics_.errors();
     checker::check_layers(network, diagnostics_);

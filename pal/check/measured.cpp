@@ -104,7 +104,7 @@ class Comparison {
     }
     const auto* seen = std::get_if<pan::RequestDevice>(&timing.behaviour);
     if (seen == nullptr || events != nullptr) return not_declared(timing.where, "device " + timing.device);
-    // Who asks just after a frame has begun waits for the next one.
+    // A request just after a frame has begun waits for the next one.
     const Range range = answers != nullptr ? Range{answers->answer.best, answers->answer.worst}
                                            : Range{frames->collecting, frames->period + frames->collecting};
     within(*declared, timing, "answered", seen->answer.best, seen->answer.worst, range);

@@ -15,7 +15,7 @@ namespace pal::checker {
 void report_twice(Diagnostics& diagnostics, const std::string& what, const syntax::Name& second,
                   const syntax::Name& first);
 
-/// Whether to look for a similar name among so many known ones. Not if hundreds are unknown: then none is a
+/// Whether to look for a similar name among `known` names. Not if hundreds are unknown: then none is a
 /// misspelling, and comparing all with all takes long.
 bool may_guess(const Diagnostics& diagnostics, std::size_t known);
 

@@ -15,8 +15,8 @@ namespace pal::checker {
 
 /// One thing that a skill needs.
 struct Resource {
-  /// The groups of section 2.3.3: SD, LS, RM, GS, which is the skill; the modules of the skill itself;
-  /// activities, each with the module that does it.
+  /// The groups of section 2.3.3: SD, LS, RM, and GS, which is the skill. Then the modules of the skill
+  /// itself, and activities, each with the module that does it.
   enum class Group { sensor_driver, logical_sensor, robotic_machine, generic_skill, skill_module, activity };
   /// What an environment must say about it. `listed`: also needed, if the environment lists what it has of
   /// the group.

@@ -18,7 +18,7 @@ namespace {
 /// Of these there is an error already (PAL0730), or there will be: a skill has far fewer blocks.
 constexpr std::size_t most_blocks = 10'000;
 
-/// Who runs a body: a thread, and where the environment has it.
+/// What runs a body: a thread, and where the environment has it.
 struct Runner {
   std::string name;
   bool is_block = false;
@@ -47,7 +47,7 @@ class Finder {
       const std::vector<MessageUse> all =
           uses_of(pan::ModuleId(m), 0, module.body.nodes.size(), runner, runner, entered);
       for (const auto& [write, other] : found_) {
-        // What nobody reads is not kept.
+        // A message that no statement reads is not kept.
         const bool kept = std::any_of(all.begin(), all.end(), [&id = write.message](const MessageUse& use) {
           return use.message == id && !use.writes;
         });

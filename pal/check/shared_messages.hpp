@@ -1,4 +1,4 @@
-// Messages that blocks of one module use at the same time: a module and those that it executes keep one value
+// Messages that blocks of one module use at the same time. A module and those that it executes keep one value
 // of each (docs/reference/runtime.md).
 #pragma once
 

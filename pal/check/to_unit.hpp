@@ -6,9 +6,9 @@
 
 namespace pal {
 
-/// The module as it would be written in PAL: its kind, its activities and its statements, in canonical form
-/// (no kind words, `Execute` before a module, none before an activity). A network has no descriptions, so
-/// neither has the result. No place in it is valid. syntax::print gives the text.
+/// The module as it would be written in PAL: its kind, its activities and its statements. They are in
+/// canonical form: no kind words, `Execute` before a module, none before an activity. A network has no
+/// descriptions, so neither has the result. No place in it is valid. syntax::print gives the text.
 syntax::ModuleUnit to_unit(const pan::Network& network, pan::ModuleId module);
 
 }  // namespace pal

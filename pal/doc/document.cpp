@@ -139,7 +139,7 @@ class Writer {
       auto line = named(module.name, module.descriptions);
       for (const auto device : devices_of(pan::ModuleId(i))) {
         const auto& known = network_.devices[device.index()];
-        line = line + text("; drives ") + code(known.name) +
+        line = line + text(". It drives ") + code(known.name) +
                text(known.description.empty() ? "" : ", " + known.description);
       }
       lines.push_back(std::move(line));

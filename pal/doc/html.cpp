@@ -70,8 +70,8 @@ void replace_all(std::string& text, std::string_view from, const std::string& to
   }
 }
 
-/// Graphviz' drawing as a part of a page: without the head of a file, with ids of its own, and named to those
-/// who cannot see it.
+/// Graphviz' drawing as a part of a page. It has no head of a file, it has ids of its own, and a screen
+/// reader can read its title.
 std::string inlined(const Picture& picture, int number) {
   auto svg = pan::svg(picture.dot);
   svg.erase(0, std::min(svg.find("<svg"), svg.size()));

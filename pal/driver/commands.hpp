@@ -59,7 +59,7 @@ struct WhatIfOptions {
   ProofLimits limits;  // seconds below 0: not given; then slack has usual_seconds_of_slack
   Format format = Format::text;
   std::vector<std::string> changes;  // "NAME = VALUE"; without any, and without place: slack
-  std::optional<int> place;          // placements on so many processors; 0: the fewest that do
+  std::optional<int> place;          // placements on this many processors; 0: the fewest that do
   bool priorities = false;           // … with every order by priority
   std::string witness;               // where to write a run for each placement that is refuted
 };
@@ -154,7 +154,7 @@ struct OperationOptions {
   bool check = false;  // of the format: change nothing
 };
 /// Finds what is wrong with operations, what their skills need and the cell lacks, and how long each way
-/// takes. not_met: a requirement of a skill fails or is undecided.
+/// takes. The status not_met: a requirement of a skill fails or is undecided.
 ExitStatus check_operation(const OperationOptions& options, const Console& console);
 /// Tells an operation as a story.
 ExitStatus tell_operation(const OperationOptions& options, const Console& console);

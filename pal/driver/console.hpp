@@ -13,7 +13,7 @@ struct Console {
   std::ostream& out;
   std::ostream& err;
   const FileSystem& files;
-  bool terminal = false;  // somebody watches `out`, and may be shown how far a long search has come
+  bool terminal = false;  // `out` is watched: a long search may show its progress
 };
 
 /// The text of a file with runs that the command line names; says on `console.err` why it cannot be read.

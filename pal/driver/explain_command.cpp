@@ -14,7 +14,7 @@ void say_what_is_near(const std::string& text, std::ostream& err) {
     err << "hint: pal explain --list shows all codes\n";
     return;
   }
-  err << "hint: near to it, of pal explain --list:\n";
+  err << "hint: similar ones of pal explain --list:\n";
   for (const Code code : near) err << "  " << name(code) << "  " << title(code) << "\n";
 }
 

@@ -74,8 +74,8 @@ std::optional<Nanoseconds> next_taken(const trace::Trace& run, std::int32_t acto
   return std::nullopt;
 }
 
-/// Of a frame that nobody had asked for: who asked too late, and what that thread did since the device gave
-/// it the frame before.
+/// Of a frame that was not requested: which thread asked too late, and what that thread did since the device
+/// gave it the frame before.
 void explain_frame(const analyzer::Problem& problem, int device, const chart::Loss& loss, LossRun& shown) {
   const std::vector<int>& requests = problem.devices[static_cast<std::size_t>(device)].requests;
   const auto late = std::find_if(shown.run.events.begin(), shown.run.events.end(), [&](const Event& event) {
@@ -91,8 +91,8 @@ void explain_frame(const analyzer::Problem& problem, int device, const chart::Lo
   analyzer::Narrator(problem, shown.run).tell(late->actor, before, late->time_ns, shown.reasons);
 }
 
-/// Of a message that found its slot full: how much later the one before it was taken, and what its receiver
-/// did since that had come.
+/// Of a message that found its slot full: how much later the one before it was taken. Also what the receiver
+/// had done since that one came.
 void explain_overrun(const analyzer::Problem& problem, const Event& overrun, LossRun& shown) {
   const auto& events = shown.run.events;
   const auto take = std::find_if(events.begin(), events.end(), [&](const Event& event) {

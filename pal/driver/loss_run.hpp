@@ -1,5 +1,5 @@
-// Runs that show the losses of a device: the run behind a verdict, with what comes after the loss, or a run
-// in which nothing is lost.
+// Runs that show the losses of a device. It is the run behind a verdict, with what comes after the loss, or a
+// run in which nothing is lost.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +21,9 @@ struct LossRun {
   std::vector<analyzer::Reason> reasons;  // what kept the device's message from being taken
 };
 
-/// The messages of a device that nobody took in a run: frames that nobody had asked for, and messages that
-/// found the one before them still in their slot. Frames count from the first that is passed on, and only
-/// whole ones.
+/// The messages of a device that no thread took in a run. These are frames that no thread had asked for, and
+/// messages that found the one before them still in their slot. Frames count from the first that is passed
+/// on, and only whole ones.
 std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run, int device);
 
 /// The run for requirement `index`, which is one on losses. Nothing if it cannot be simulated.

@@ -14,8 +14,8 @@ using Measure = analyzer::Requirement::Measure;
 std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   std::set<std::string> texts;
   for (std::size_t step = 0; step < requirement.at.size(); ++step) {
-    if (!requirement.at[step] || problem.steps[step].statement < 0) continue;
-    const auto& statement = problem.statements[static_cast<std::size_t>(problem.steps[step].statement)];
+    if (!requirement.at[step] || !problem.steps[step].statement.valid()) continue;
+    const auto& statement = problem.statements[problem.steps[step].statement];
     texts.insert(statement.text + " in " + statement.module);
   }
   std::string result;
@@ -35,7 +35,7 @@ std::string event_text(const analyzer::Problem& problem, const analyzer::Require
 
 std::string processor_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   if (requirement.processors.size() != 1) return "each processor";
-  return problem.processors[static_cast<std::size_t>(requirement.processors.front())].name;
+  return problem.processors[requirement.processors.front()].name;
 }
 
 std::string whole_run_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {

@@ -24,9 +24,11 @@ std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
 /// The same to the last digit, for limits and for the parts of a bound: "0.125 %".
 std::string whole_text(analyzer::Requirement::Measure measure, Duration value);
 
-/// The bound of a verdict, or what is known instead of one. "7.35 ms"; "<= 9 ms": a bound that no run is
-/// known to attain (">=" for a least value); ">= 5 ms": no bound, and a run that attains this; "no bound",
-/// "unbounded", "never".
+/// The bound of a verdict, or what is known instead of one:
+/// - "7.35 ms": a run attains it;
+/// - "<= 9 ms": a bound that no run is known to attain (">=" for a least value);
+/// - ">= 5 ms": no bound, and a run that attains this;
+/// - "no bound", "unbounded", "never".
 std::string bound_text(const analyzer::Verdict& verdict);
 
 /// What a run attains where there is no bound. Nothing if that is 0, which any run attains.

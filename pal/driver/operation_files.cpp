@@ -7,7 +7,7 @@
 namespace pal::driver {
 namespace {
 
-/// Warnings of skills that the operation does not run are left to whoever checks these.
+/// Warnings of skills that the operation does not run are left to the check of those skills.
 void forget_other_skills(const std::set<std::string>& used, Session& session) {
   std::set<FileId> others, ours;
   for (const pan::Network& network : session.specification.skills)

@@ -28,7 +28,7 @@ void add_check(CLI::App& app, CheckOptions& options) {
        {"compositional", Choice::compositional},
        {"thorough", Choice::thorough},
        {"auto", Choice::automatic}},
-      "auto (what decides soonest), thorough (the same, and on until bounds are exact), exact, or "
+      "auto (what decides soonest), thorough (the same, continued until bounds are exact), exact, or "
       "compositional (bounds, however large the skill)")
       ->type_name("ANALYSIS");
   add_choice<Format>(
@@ -37,7 +37,7 @@ void add_check(CLI::App& app, CheckOptions& options) {
       "text, json, sarif (2.1.0) or junit (XML)")
       ->type_name("FORMAT");
   add_choice<Stage>(*command, "--emit", options.emit, {{"tree", Stage::tree}, {"pan", Stage::pan}},
-                    "also print what stands between two stages: tree or pan")
+                    "also print an intermediate form: tree or pan")
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
       ->type_name("FILE");
@@ -103,7 +103,7 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
       ->type_name("DURATION")
       ->excludes(script);
   add_timeout(*command, options.seconds,
-              "make no more runs after so long: 90 s, 2min, 500ms; a number alone is seconds, 0: never");
+              "make no more runs after this time: 90 s, 2min, 500ms; a number alone is seconds, 0: never");
   command
       ->add_option("-r,--requirement", options.requirement,
                    "requirement whose run is written; without it the first that is broken, else the tightest")
@@ -130,7 +130,7 @@ void add_what_if(CLI::App& app, WhatIfOptions& options) {
   options.limits.seconds = -1;
   add_limits(
       *command, options.limits,
-      "end after so long, with what is known by then: 90 s, 2min, 500ms; a number alone is seconds, 0: "
+      "end after this time, with what is known by then: 90 s, 2min, 500ms; a number alone is seconds, 0: "
       "never; without it 60 s for slack and remedies, and no limit for --set and --place");
   add_format(*command, options.format);
   command

@@ -27,7 +27,7 @@ struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
   double seconds = 0;                  // of everything together; 0: as long as it takes
   std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  // when they began
-  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // who draws a run wants the worst
+  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // a drawing needs the worst run
   unsigned threads = 0;                                                    // at work; 0: one a core
   bool peak_memory = false;                                                // count it
   bool addends = false;                                                    // find what adds up to bounds
@@ -62,9 +62,9 @@ void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& 
 /// Searches a few classes for such a run, adds the finding, and returns whether there is one.
 bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
 
-/// Adds a finding for every requirement that fails or is undecided. It says where the requirement stands,
-/// which statement uses a value of which age or answers how late, and what the time was spent on: the longest
-/// parts, or the `whole_story`.
+/// Adds a finding for every requirement that fails or is undecided. It says where the requirement stands, and
+/// which statement uses a value of which age or answers how late. It also says what the time was spent on:
+/// the longest parts, or the `whole_story`.
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
 
 }  // namespace pal::driver

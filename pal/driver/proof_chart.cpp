@@ -142,9 +142,8 @@ std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t 
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
   std::vector<trace::StatementName> result;
   for (std::size_t step = 0; step < requirement.at.size(); ++step) {
-    if (!requirement.at[step] || proof.problem.steps[step].statement < 0) continue;
-    const auto& statement =
-        proof.problem.statements[static_cast<std::size_t>(proof.problem.steps[step].statement)];
+    if (!requirement.at[step] || !proof.problem.steps[step].statement.valid()) continue;
+    const auto& statement = proof.problem.statements[proof.problem.steps[step].statement];
     result.push_back({statement.module, statement.text, statement.line});
   }
   return result;

@@ -6,7 +6,7 @@ namespace pal::driver {
 namespace {
 
 const char* const usual_timeout =
-    "give up after so long (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never";
+    "give up after this time (undecided): 90 s, 2min, 500ms; a number alone is seconds, 0: never";
 
 }  // namespace
 
@@ -39,7 +39,8 @@ void add_selection(CLI::App& command, Selection& selection) {
 
 void add_limits(CLI::App& command, ProofLimits& limits, const char* timeout) {
   command
-      .add_option("--max-states", limits.max_states, "give up a requirement after so many states (undecided)")
+      .add_option("--max-states", limits.max_states,
+                  "give up a requirement after this many states (undecided)")
       ->capture_default_str()
       ->check(whole_number());
   add_timeout(command, limits.seconds, timeout == nullptr ? usual_timeout : timeout);

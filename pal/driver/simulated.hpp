@@ -13,8 +13,8 @@ namespace pal::driver {
 struct Simulated {
   analyzer::Problem problem;
   std::string how;        // "random times, seeds 1 to 100, of at most 10 s each"
-  std::size_t asked = 0;  // so many runs
-  std::size_t runs = 0;   // so many were made; less, if it was time to stop
+  std::size_t asked = 0;  // number of runs asked for
+  std::size_t runs = 0;   // number of runs made; fewer if the time ran out
   std::size_t completed = 0;
   std::vector<Seen> seen;  // by requirement
   std::vector<std::string> run_names;

@@ -30,8 +30,8 @@ bool further(const Requirement& requirement, Nanoseconds value, bool open, const
   return breaks == broken ? further(requirement, value, seen.extreme) : breaks;
 }
 
-/// Whether a value that grows at the end of `run` counts, however the run goes on: it is measured when the
-/// skill ends, or grows for ever. Where time stands still it does not.
+/// Whether a value that grows at the end of `run` counts, however the run goes on. It counts if it is
+/// measured when the skill ends, or grows for ever. Where time stands still it does not.
 bool counts(const Requirement& requirement, const KnownRun& run) {
   return run.still || (requirement.measure == Requirement::Measure::busy && !run.stands);
 }
@@ -93,7 +93,7 @@ bool Survey::measure(std::size_t index, const KnownRun& run, std::size_t number,
     seen.run = number;
   };
   for (const Measured& measured : ruling.measured) note(measured, false);
-  if (ruling.growing_since) note({run.end - *ruling.growing_since, *ruling.growing_since, run.end, -1}, true);
+  if (ruling.growing_since) note({run.end - *ruling.growing_since, *ruling.growing_since, run.end, {}}, true);
   seen.values += ruling.measured.size();
   seen.unanswered += ruling.failed ? 1 : 0;
   seen.breaking += breaks ? 1 : 0;
@@ -105,14 +105,13 @@ void Survey::measure_load(std::size_t index, const KnownRun& run, std::size_t nu
   if (run.end == 0) return;
   Seen& seen = seen_[index];
   const auto slices = trace::slices(run.trace, run.end);
-  for (const int processor : problem_.requirements[index].processors) {
-    const Nanoseconds busy =
-        busy_time(slices, run.trace, problem_.processors[static_cast<std::size_t>(processor)].name);
+  for (const analyzer::ProcessorId processor : problem_.requirements[index].processors) {
+    const Nanoseconds busy = busy_time(slices, run.trace, problem_.processors[processor].name);
     const auto share =
         static_cast<Nanoseconds>(second * static_cast<double>(busy) / static_cast<double>(run.end));
     ++seen.values;
     if (!further(problem_.requirements[index], share, seen.extreme)) continue;
-    seen.extreme = Measured{share, 0, run.end, -1};
+    seen.extreme = Measured{share, 0, run.end, {}};
     seen.run = number;
   }
 }

@@ -21,7 +21,7 @@ struct KnownRun {
 
 /// What the runs show of one requirement.
 struct Seen {
-  std::size_t values = 0;  // so many were measured
+  std::size_t values = 0;  // how many were measured
   /// The greatest value, also of those that still grew at the end of a run; or the least, if the requirement
   /// says at least. For a load: the nanoseconds in a second that a processor was busy, over a whole run.
   std::optional<analyzer::rules::Measured> extreme;

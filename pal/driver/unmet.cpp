@@ -188,9 +188,9 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Session& se
 }  // namespace
 
 void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session) {
-  const std::vector<int>& statements = zeno_run.statements;
-  const auto where = [&problem](int statement) {
-    return problem.statements[static_cast<std::size_t>(statement)].where;
+  const std::vector<analyzer::StatementId>& statements = zeno_run.statements;
+  const auto where = [&problem](analyzer::StatementId statement) {
+    return problem.statements[statement].where;
   };
   Diagnostic& finding = session.diagnostics.report(
       Code::PAL0821, statements.empty() ? SourceSpan{} : where(statements.front()),

@@ -195,7 +195,7 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
     if (written != ExitStatus::all_hold) return written;
   }
   // What the end of the time left open was not answered; of changed figures the verdicts say what was. The
-  // usual time of slack is no limit that somebody asked for.
+  // usual time of slack is no limit that the user asked for.
   const bool ended = Interruption::asked_for() || (limited && analysis.stop && analysis.stop());
   const bool unanswered = ended && options.changes.empty();
   return !unanswered && std::all_of(answers.begin(), answers.end(), good) ? ExitStatus::all_hold

@@ -49,7 +49,7 @@ FiledWitness filed(const analyzer::Problem& problem, const std::string& requirem
   return made;
 }
 
-/// Where the environment has fewer, so many are added at most (pal whatif --place).
+/// An environment with fewer processors gets new ones up to this number (pal whatif --place).
 constexpr std::size_t most_processors = 100;
 
 bool has_processors(const pan::Environment& environment, const FiledWitness& witness) {
@@ -176,9 +176,10 @@ std::string refusal(const FiledWitness& witness, Session& session) {
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& each : session.specification.environments) {
       if (skill.skill.name != witness.skill || each.name != witness.environment) continue;
-      if (!has_processors(each, witness)) return "a thread is on a processor that there is not";
+      if (!has_processors(each, witness)) return "a thread is on a processor that does not exist";
       const pan::Environment environment = placed(each, witness);
-      if (identity_of(skill, environment) != witness.identity) return "it is a run of other texts than these";
+      if (identity_of(skill, environment) != witness.identity)
+        return "it is a run of another version of these files";
       const auto problem = analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
       if (!problem) return "the texts have errors";
       for (const auto& requirement : problem->requirements) {

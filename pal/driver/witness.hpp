@@ -19,8 +19,8 @@ std::vector<analyzer::rules::FiledWitness> witnesses_of(const std::vector<Proof>
 
 /// A run that breaks a requirement, for each refuted placement for which a simulation or the analysis finds
 /// one before `options.stop` returns true. `network` and `environment` are those of the session to which the
-/// placements belong. Each run is turned into its text for the file (rules::filed_text) at once, because
-/// there may be thousands, and little time may be left afterwards.
+/// placements belong. Each run is turned into its text for the file (rules::filed_text) at once. There may be
+/// thousands of runs, and little time may be left afterwards.
 std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placements>& placements,
                                             const pan::Network& network, const pan::Environment& environment,
                                             const analyzer::Options& options);

@@ -23,7 +23,7 @@ bool may_write(const std::vector<std::string>& outputs, const std::vector<std::s
     if (read.contains(console.files.identity(output)))
       why = "it is one of the files that were read";
     else if (output.ends_with(".pal"))
-      why = "a file of that name is PAL, and this would be none";
+      why = "a name that ends in .pal is for PAL files";
     if (why == nullptr) continue;
     console.err << "pal: cannot write " << output << ": " << why << "\n";
     return false;

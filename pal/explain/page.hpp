@@ -1,7 +1,8 @@
 // The page on a finding: what it means, why it matters, an example that has it and a cure.
 //
-// A page is pages/PAL0123.md, Markdown without a title (the table has it): paragraphs on what it means and
-// why it matters, then `### Example` and `### Cure`, each with one or more fences
+// A page is pages/PAL0123.md. It is Markdown without a title, because the table has the title. First come
+// paragraphs on what the finding means and why it matters. Then come `### Example` and `### Cure`, each with
+// one or more fences
 //
 //     ```pal [FILE] [OPTIONS of pal check]
 //

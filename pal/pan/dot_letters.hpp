@@ -20,8 +20,8 @@ class DotLetters {
   /// A guard with short names: "c1", "not c1", "c1 or c2".
   std::string guard(const Guard& guard) const;
 
-  /// Letters and conditions with what they stand for, below `title`: a table in Graphviz' HTML with so many
-  /// columns, or more if it would be long.
+  /// Letters and conditions with what they stand for, below `title`. It is a table in Graphviz' HTML with so
+  /// many columns, or more if it would be long.
   std::string key(const std::string& title, std::size_t columns) const;
 
  private:

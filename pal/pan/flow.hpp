@@ -13,8 +13,8 @@ class Flow {
  public:
   explicit Flow(const Network& network);
 
-  /// Nodes that can come next. After a completion there are none; after Execute of a module that cannot end
-  /// there are none; after CONCURRENT there are the blocks and, if one of them can end, END CONCURRENT.
+  /// Nodes that can come next. After a completion there are none, nor after Execute of a module that cannot
+  /// end. After CONCURRENT there are the blocks and, if one of them can end, END CONCURRENT.
   std::vector<NodeId> next(ModuleId module, NodeId node) const;
 
   /// From the module's start.

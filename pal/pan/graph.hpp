@@ -1,7 +1,7 @@
 // The body of one module as a graph: a Process Activity Network (thesis, figures 3.4 and 3.5).
 //
-// The graph is structured: every node that splits the flow names its mate, the node where the flow comes
-// together again, so that the program text can be recovered from it.
+// The graph is structured. Every node that splits the flow names its mate, the node where the flow comes
+// together again. So the program text can be recovered from the graph.
 #pragma once
 
 #include <cstddef>
@@ -70,7 +70,7 @@ struct Execute {
 };
 /// Do Nothing. out: next.
 struct Nothing {};
-/// CASE: takes the first arm whose guard holds; if none does, the skill ends with its error completion.
+/// CASE: takes the first arm whose guard holds. If none does, the skill ends with its error completion.
 /// out[i]: first node of the arm of guards[i]; mate: Merge.
 struct Choose {
   std::vector<Guard> guards;

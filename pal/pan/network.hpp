@@ -45,7 +45,7 @@ struct Message {
   SourceSpan where;
 };
 
-/// Who sends or receives: a module, or a device, the world's side of a driver.
+/// A sender or receiver: a module, or a device, the world's side of a driver.
 using Party = std::variant<ModuleId, DeviceId>;
 
 /// One slot for one message on its way from one party to another.

@@ -46,7 +46,7 @@ struct Passes {
   std::optional<Duration> least;
   std::optional<Duration> most;
 };
-/// Frames, events or answers of a device that nobody takes: of any `in` successive ones at most `most`.
+/// Frames, events or answers of a device that no thread takes: of any `in` successive ones at most `most`.
 struct Loss {
   std::variant<ModuleId, DeviceId> of;
   int most = 0;

@@ -1,5 +1,5 @@
-// The threads of a skill, with their names and places: its modules, and the blocks of CONCURRENT in them and
-// in what they execute (docs/reference/execution-model.md, Threads and processors).
+// The threads of a skill, with their names and places. They are its modules, and the blocks of CONCURRENT in
+// them and in what they execute (docs/reference/execution-model.md, Threads and processors).
 #pragma once
 
 #include <cstddef>
@@ -32,9 +32,9 @@ std::vector<SkillThread> threads_of(const Network& network, std::size_t most);
 /// The module of the last block or module in a thread's name: "CM1" of "SM1.1/CM1.2".
 std::string module_of_thread(const std::string& name);
 
-/// Where the environment places a thread by name. A block that a block has may have a place of its own, or
-/// the place that is given for that block wherever it runs: "PLACE CM1.2 …" also places SM1.1/CM1.2. The
-/// longest name counts. nullptr: no place is given.
+/// Where the environment places a thread by name. A block of an executed module may have a place of its own.
+/// Or it has the place that is given for that block wherever it runs: "PLACE CM1.2 …" also places
+/// SM1.1/CM1.2. The longest name counts. nullptr: no place is given.
 const Placement* place_of(const Environment& environment, const std::string& thread);
 
 }  // namespace pal::pan

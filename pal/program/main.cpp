@@ -14,7 +14,7 @@ using pal::driver::ExitStatus;
 
 namespace {
 
-/// A report that nobody got is no success.
+/// A report that could not be written is no success.
 ExitStatus delivered(ExitStatus status) {
   std::cout.flush();
   if (std::cout) return status;

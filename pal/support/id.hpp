@@ -15,6 +15,13 @@ struct Id {
   constexpr Id() = default;
   constexpr explicit Id(std::size_t index) : value(static_cast<std::int32_t>(index)) {}
 
+  /// Of a number that says, like `value`, with -1 that it names nothing.
+  static constexpr Id of(std::int32_t value) {
+    Id id;
+    id.value = value;
+    return id;
+  }
+
   constexpr bool valid() const { return value >= 0; }
   constexpr std::size_t index() const { return static_cast<std::size_t>(value); }
 

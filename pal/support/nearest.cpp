@@ -42,7 +42,7 @@ Cost distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates) {
-  // Nobody mistypes a name of this length; comparing hostile ones would take long.
+  // Names of this length are not misspellings, and comparing hostile ones would take long.
   constexpr std::size_t longest = 200;
   if (name.size() > longest) return std::nullopt;
   // Less than a third would find nothing for names such as LS1.

@@ -8,9 +8,9 @@
 
 namespace pal {
 
-/// The candidate of which `name` is most likely a misspelling: fewest single-letter insertions, deletions,
-/// replacements and swaps of neighbours, at most a third of the name's length. A difference in letter case
-/// counts half. Of equals, the first.
+/// The candidate of which `name` is most likely a misspelling. It has the fewest single-letter insertions,
+/// deletions, replacements and swaps of neighbours, and at most a third of the name's length. A difference in
+/// letter case counts half. Of equals, the first.
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace pal

@@ -41,7 +41,7 @@ std::string cannot_write(const std::string& path) {
   return "cannot write " + path + ": is the folder writable and is there space?";
 }
 
-/// An empty file in the folder of `target` that nobody else has: neither a file of the user nor that of
+/// The path of a new, empty file in the folder of `target`. It is neither a file of the user nor that of
 /// another run for the same target. Empty: there cannot be one.
 std::string new_file_beside(const fs::path& target) {
   const std::string stem = ".pal-" + std::to_string(getpid()) + "-";

@@ -16,10 +16,10 @@ struct TextLimit {
   FindingCounts not_kept;  // found besides, as Diagnostics::not_kept() says
 };
 
-/// Writes each finding with its code, its place as file:line:column, the line it stands on with carets below
-/// the place, the notes at their own places, the hint, and what its fix changes. Ends with a line that says
-/// how many more there are than are shown, if any, and one that counts errors and warnings. `findings` as
-/// Diagnostics::sorted() gives them.
+/// Writes each finding with its code, its place as file:line:column, and the line it stands on, with carets
+/// below the place. Then come the notes at their own places, the hint, and what its fix changes. Ends with a
+/// line that says how many more there are than are shown, if any, and one that counts errors and warnings.
+/// `findings` as Diagnostics::sorted() gives them.
 void render_text(const std::vector<Diagnostic>& findings, const SourceManager& sources, std::ostream& out,
                  const TextLimit& limit = {});
 

@@ -14,8 +14,8 @@
 
 namespace pal::syntax {
 
-/// Any part of the parse tree may be missing after a syntax error: every function takes a null pointer, and
-/// gives an empty name, an invalid place, or nothing.
+/// Any part of the parse tree may be missing after a syntax error. So every function takes a null pointer.
+/// For it the function gives an empty name, an invalid place, or nothing.
 class Builder {
  public:
   using Parser = grammar::PalParser;

@@ -96,7 +96,7 @@ std::optional<Requirement> Builder::measured(Requirement result, Parser::Measure
   return std::nullopt;
 }
 
-/// A load, as so much of a second.
+/// A load, as a part of a second.
 Duration Builder::share(Parser::LoadContext* context) {
   auto* number = context->NUMBER();
   if (number == nullptr || is_made_up(number->getSymbol())) return Duration{};
@@ -146,10 +146,10 @@ Requirement::Loss Builder::loss(Parser::LossContext* context) {
   const auto in = integer(context->NUMBER(1));
   if (!most || !in) return loss;
   if (*in < 1 || *in > longest_row || *most < 0 || *most >= *in) {
-    diagnostics_.report(
-        Code::PAL0815, span(context->NUMBER(0), context->NUMBER(1)),
-        "a loss is at most so many in a greater number, which is at most " + std::to_string(longest_row),
-        "write NONE, or for example AT MOST 1 IN 4");
+    diagnostics_.report(Code::PAL0815, span(context->NUMBER(0), context->NUMBER(1)),
+                        "the first number of a loss is less than the second, and that is at most " +
+                            std::to_string(longest_row),
+                        "write NONE, or for example AT MOST 1 IN 4");
     return loss;
   }
   loss.most = *most;

@@ -111,7 +111,7 @@ std::optional<Statement> Builder::send(Parser::SendContext* context) {
     if (!send.message.request && !send.message.name.text.empty() && c->exception == nullptr) {
       send.message.request = true;  // as is rather meant than the other way round
       auto& finding = diagnostics_.report(
-          Code::PAL0110, span(c->FROM()), "only a request can be sent FROM somebody",
+          Code::PAL0110, span(c->FROM()), "only a request can be sent FROM a module",
           "write TXM( request " + send.message.name.text + " from " + send.to.name.text + " ), or TXM( " +
               send.message.name.text + " to " + send.to.name.text + " )");
       auto before = span(c->message());

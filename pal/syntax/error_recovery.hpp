@@ -17,11 +17,10 @@ constexpr std::size_t most_reports = 20;
 /// Reports that no more mistakes of this file are reported.
 void report_too_many(Diagnostics& diagnostics, SourceSpan where);
 
-/// Says each mistake once, and goes on at the next statement, slot or unit:
-/// - A word that is in the way is dropped, one that is missing is made up, if the rest then fits.
-/// - Otherwise the statement is given up, and the next line that can go on here is looked for. A reserved
-/// word that
-///   belongs to a statement around this one is left to it: a forgotten END CASE costs that statement only.
+/// Reports each mistake once, and goes on at the next statement, slot or unit:
+/// - If the rest then fits, a word that is in the way is dropped, or a missing one is made up.
+/// - Otherwise the statement is given up. Reading goes on at the next line where it can. A reserved word that
+///   belongs to a statement around this one is left to that one. So a forgotten END CASE costs one statement.
 class ErrorRecovery : public antlr4::DefaultErrorStrategy {
  public:
   /// `reported`: how many mistakes of this file were reported before; after `most_reports` no more are.

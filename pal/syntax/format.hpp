@@ -9,9 +9,9 @@
 
 namespace pal::syntax {
 
-/// The text in canonical layout (docs/reference/formatting.md): the same words in the same order, keywords in
-/// their canonical case, every comment between the same words. Formatting the result changes nothing. Nothing
-/// for a text with lexical or syntax errors, which are reported.
+/// The text in canonical layout (docs/reference/formatting.md). The words and their order are the same,
+/// keywords have their canonical case, and every comment stays between the same words. Formatting the result
+/// changes nothing. Nothing for a text with lexical or syntax errors, which are reported.
 std::optional<std::string> format(const SourceManager& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

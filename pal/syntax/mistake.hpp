@@ -26,7 +26,7 @@ struct Mistake {
 /// Parses up to the first mistake; nothing if there is none.
 std::optional<Mistake> first_mistake(Tokens& tokens);
 
-/// How far a parser gets with these tokens: the number of the first token that cannot stand where it does, or
+/// How far a parser gets with these tokens: the index of the first token that cannot stand where it does, or
 /// the number of all tokens.
 std::size_t reach(std::vector<std::unique_ptr<antlr4::Token>> tokens, antlr4::TokenSource& text);
 

@@ -13,7 +13,7 @@ namespace {
 using Parser = Reading::Parser;
 using Simulator = antlr4::atn::ParserATNSimulator;
 
-/// The quick way: nearly every text that is right is told so with SLL prediction, and without recovery.
+/// The quick way: SLL prediction without error recovery accepts nearly every correct text.
 Parser::FileContext* parse_quickly(Parser& parser) {
   parser.getInterpreter<Simulator>()->setPredictionMode(antlr4::atn::PredictionMode::SLL);
   parser.setErrorHandler(std::make_shared<antlr4::BailErrorStrategy>());

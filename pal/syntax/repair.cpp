@@ -14,8 +14,8 @@ namespace {
 
 using Parser = grammar::PalParser;
 
-// How far a parser must get past a mistake for a change to count: all of `sight`, or failing that, of all
-// changes the furthest, but at least `least`.
+// How far a parser must get past a mistake for a change to count: all of `sight`. If no change gets so far,
+// the one that gets furthest counts, if it gets past `least`.
 constexpr std::size_t sight = 30;
 constexpr std::size_t least = 5;
 // Between changes that all get that far, looking further decides.
@@ -49,7 +49,7 @@ bool stands_for_many(std::size_t type) {
   return type == Parser::NAME || type == Parser::NUMBER || type == Parser::STRING;
 }
 
-/// A reserved word or a sign; of a name nobody can say which is meant.
+/// A reserved word or a sign. Of a name it is unknown which is meant.
 bool is_word(std::size_t type) {
   return !stands_for_many(type) && !spelling_of_type(type).empty();
 }

@@ -123,7 +123,7 @@ class Reader {
     }
   }
 
-  /// Null where so much was reported that the rest is passed over.
+  /// Null when the limit of reports is reached: the rest is passed over.
   Diagnostic* report(Code code, SourceSpan where, std::string message, std::string hint) {
     result_.has_errors = true;
     if (++reported_ < most_strays)
@@ -205,7 +205,7 @@ class Reader {
     return last;
   }
 
-  /// The name is another one wherever it stands.
+  /// The edits that replace a name at each of its places.
   std::vector<Edit> everywhere(const std::string& written, SourceSpan first, const std::string& meant) const {
     std::vector<Edit> edits;
     for (std::size_t at = first.begin; at != std::string_view::npos;

@@ -28,9 +28,9 @@ struct Strays {
   std::vector<Rereading> rereadings;  // in the order of the text
 };
 
-/// Reports each character, or run of characters, that has no meaning in PAL: typographic quotes, letters that
-/// names may not have, comments of other languages, a text without a closing quote. Returns how to read on,
-/// so that nothing else is reported for the same mistake.
+/// Reports each character, or run of characters, that has no meaning in PAL. Examples are typographic quotes,
+/// letters that names may not have, comments of other languages, and a text without a closing quote. Returns
+/// how to read on, so that nothing else is reported for the same mistake.
 Strays read_strays(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace pal::syntax

@@ -22,8 +22,8 @@ struct Change {
 /// A token that stands for no text: an added one, or one that the parser made up itself.
 bool is_made_up(const antlr4::Token* token);
 
-/// Gives END the type that depends on the word after it, and HEADER to the first of two kind words that are
-/// followed by a name and a colon. The lexer cannot see these.
+/// Gives END the type that depends on the word after it. Gives the type HEADER to the first of two kind words
+/// that are followed by a name and a colon. The lexer cannot see these.
 void tell_words_apart(const std::vector<antlr4::Token*>& all);
 
 /// Copies of tokens [begin, end) of `all` after `change`, which may be nullptr; then the end of the file,

@@ -135,8 +135,8 @@ struct Known {
   std::variant<Name, Sample> of;
 };
 
-/// The part of each run that a requirement is about: what comes after a statement, or while a thread is in
-/// the innermost loop around one.
+/// The part of each run that a requirement is about. It is what comes after a statement, or the time in which
+/// a thread is in the innermost loop around one.
 struct Phase {
   enum class Kind { after, during };
   Kind kind = Kind::after;

@@ -61,7 +61,7 @@ std::string times(const std::string& digits, std::uint64_t factor) {
   return reversed;
 }
 
-/// The quotient to so many digits that no double lies between it and the true one; a last digit above 0
+/// The quotient, with enough digits that no double lies between it and the true one. A last digit above 0
 /// stands for what is left over. A point between two doubles has at most 767 digits.
 Decimal divided(Decimal number, std::uint64_t by) {
   constexpr std::size_t enough = 800;

@@ -33,8 +33,8 @@ constexpr Dimension power{2, 1, -3, 0, 0, 0, 0};
 constexpr Dimension pressure{-1, 1, -2, 0, 0, 0, 0};
 constexpr Dimension voltage{2, 1, -3, -1, 0, 0, 0};
 
-// International yard and pound of 1959: 1 in is 25.4 mm, 1 lb is 0.45359237 kg; the standard acceleration of
-// gravity is 9.80665 m/s^2 (BIPM, The International System of Units, and NIST SP 811, appendix B).
+// International yard and pound of 1959: 1 in is 25.4 mm, 1 lb is 0.45359237 kg. The standard acceleration of
+// gravity is 9.80665 m/s^2. Sources: BIPM, The International System of Units, and NIST SP 811, appendix B.
 const std::array<Named, 48> known{{
     {"m", {length, {}, 0, true}},
     {"mm", {length, {1, thousand}, 0, true}},

@@ -1,5 +1,5 @@
-// Devices that live in another thread than the run that uses them: the edge between the kernel of a run in
-// real time and the thread that moves the world.
+// Devices that live in another thread than the run that uses them. This is the edge between the kernel of a
+// run in real time and the thread that moves the world.
 #pragma once
 
 #include <algorithm>

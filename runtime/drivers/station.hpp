@@ -60,9 +60,9 @@ class Station {
 
   /// Readies the devices, runs the skill from its time 0 to its end, closes the sessions. A device in trouble
   /// refuses the skill before it begins, with the reason. Never throws because of skill, devices or physics.
-  /// While a skill runs, a call from inside a device is refused.
-  /// In real time (RunOptions::real_time) the calling thread moves the physics and the devices by the wall
-  /// clock, without the kernel's lock; a pace must be one of real time (a factor of 1).
+  /// While a skill runs, a call from inside a device is refused. In real time (RunOptions::real_time) the
+  /// calling thread moves the physics and the devices by the wall clock, without the kernel's lock. A pace
+  /// must then be one of real time (a factor of 1).
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {},
               const SessionOptions& options = {});
 

@@ -5,7 +5,7 @@
 namespace pal::runtime {
 
 bool Sleeper::sleep_until(Time when) {
-  // A semaphore rather than clock_nanosleep, which nobody could wake: an earlier event may come in.
+  // A semaphore rather than clock_nanosleep, which no thread could wake: an earlier event may come in.
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(when);
   const timespec until{static_cast<time_t>(seconds.count()), static_cast<long>((when - seconds).count())};
   int result = 0;

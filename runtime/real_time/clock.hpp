@@ -36,7 +36,7 @@ class Sleeper {
   void sleep() {
     while (::sem_wait(&semaphore_) != 0) continue;  // a signal came
   }
-  /// Sleeps until `when` of the monotonic clock at most; errors do not add up. False: nobody has woken it.
+  /// Sleeps until `when` of the monotonic clock at most; errors do not add up. False: it was not woken.
   bool sleep_until(Time when);
 
  private:

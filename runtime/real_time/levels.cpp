@@ -131,7 +131,7 @@ void Levels::dispatch(Processor& processor, std::vector<Doorbell*>& called) {
   announce(processor);
 }
 
-/// The trace learns who is ready and has no processor.
+/// The trace learns which threads are ready without a processor.
 void Levels::announce(Processor& processor) {
   for (Thread* thread : processor.arrived) {
     ThreadControl& control = thread->control;

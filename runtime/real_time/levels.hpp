@@ -21,7 +21,7 @@ struct Level {
   int priority = 0;  // of PAL; the greatest, where it is for all
   Doorbell bell;
   bool waits = false;               // at its bell
-  std::atomic<bool> aside = false;  // another level of its processor has work: it is not to look out
+  std::atomic<bool> aside = false;  // another level of its processor has work: it is not to poll
   Thread* work = nullptr;           // whose statement it has begun and not finished
   pthread_t os_thread{};            // once it runs
   std::uint32_t inside = 0;         // statements since it came into the kernel
@@ -30,8 +30,8 @@ struct Level {
 };
 
 /// Gives processors to threads by the rules of docs/reference/execution-model.md, as the Scheduler of virtual
-/// time does. It decides who begins a statement and who may have its effect. The operating system makes sure
-/// that an interrupted thread does not run meanwhile.
+/// time does. It decides which thread begins a statement and which may have its effect. The operating system
+/// makes sure that an interrupted thread does not run meanwhile.
 class Levels {
  public:
   /// All outlive the levels.
@@ -45,7 +45,7 @@ class Levels {
   /// wait and have something to do; they must be rung.
   void dispatch(std::vector<Doorbell*>& called);
 
-  /// The level is about to wait. Whether its processor has nothing else to do: then it may look out for its
+  /// The level is about to wait. Whether its processor has nothing else to do: then it may poll for its
   /// next statement before it sleeps, until `aside`.
   bool may_look_out(Level& level);
   void looked_out(Level& level) {

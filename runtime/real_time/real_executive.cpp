@@ -5,20 +5,18 @@
 #include <utility>
 
 #include "pal/runtime/broken_promise.hpp"
+#include "runtime/real_time/schedule_threads.hpp"
 #include "runtime/thrown.hpp"
 
 namespace pal::runtime {
 namespace {
 
 constexpr std::size_t queue_room = 4096;
-// SCHED_FIFO has 1 to 99. Below: what else is urgent on the machine. Above: time, the world, the watchdog.
-constexpr int least_fifo = 10;
-constexpr int most_priorities = 80;
-// So many statements without hand-written code may follow one another before others get the kernel.
+// The limit of statements without hand-written code that follow one another before others get the kernel.
 constexpr std::uint32_t most_statements_inside = 16;
-// So many statements that take no time by the environment may follow one another without a wait.
+// The limit of statements that take no time by the environment and follow one another without a wait.
 constexpr std::uint32_t most_statements_without_time = 100'000;
-// A world that is apart is moved by so much at a time.
+// A world that is apart is moved by this time in each step.
 constexpr Time stride = std::chrono::milliseconds(10);
 
 }  // namespace
@@ -76,13 +74,14 @@ void RealExecutive::advance_world() {
   }
 }
 
-/// Everybody who can comes to the next statement, and processors are given to those who should have them.
+/// Every thread that can comes to its next statement. Processors are given to the threads that should have
+/// them.
 void RealExecutive::go_on() {
   kernel_->settle();
   if (!journal_.over()) levels_.dispatch(called_);
 }
 
-/// The level's next statement follows without leaving the kernel, unless somebody is to be woken or it has
+/// The level's next statement follows without leaving the kernel, unless a thread is to be woken or it has
 /// been in for long.
 void RealExecutive::go_on_inside(Level& level) {
   const bool nobody = called_.empty() && !timer_.called && !world_alarm_.called;
@@ -189,7 +188,7 @@ void RealExecutive::perform(Level& level) {
   Thread& thread = *level.work;
   const Time used = compute(level);
   go_on();
-  // Whoever was interrupted has its effect when it has its processor again.
+  // An interrupted thread has its effect when it has its processor again.
   while (!journal_.over() && !levels_.has_processor(level)) sleep(level);
   if (journal_.over()) return;
   if (goes_round(level)) {
@@ -323,13 +322,15 @@ void RealExecutive::run(Kernel& kernel) {
   origin_ = lock_.lock();
   try {
     start_threads();
-    const int top = schedule();
-    const ScopedFifo urgent(fifo_ ? top + 2 : 0);
+    looks_out_ = wiring_.processors.size() <= permitted_cpus().size();
+    if (options_.real_time->fifo)
+      top_priority_ = schedule_threads(wiring_, levels_, threads_, report_.shortcomings);
+    const ScopedFifo urgent(top_priority_ ? *top_priority_ + 2 : 0);
     origin_ = monotonic_now();
     kernel.start();
-    lock_.measure_from_now();  // until here nobody else was there
+    lock_.measure_from_now();  // until here no other thread was there
     exit();
-    start_watchdog(top + 3);
+    start_watchdog();
     guarded("the world", [this] { world_.apart() ? move_apart() : move_world(); });
     in_world_.store(0, std::memory_order_relaxed);
     wait_for_levels();
@@ -362,53 +363,6 @@ void RealExecutive::start_threads() {
     }));
     level.os_thread = threads_.back()->handle();
   }
-}
-
-/// Gives the threads their CPUs and priorities, as far as the system permits. The greatest priority of a
-/// level.
-int RealExecutive::schedule() {
-  std::vector<int> priorities;
-  for (const ThreadSpec& thread : wiring_.threads) priorities.push_back(thread.priority);
-  std::sort(priorities.begin(), priorities.end());
-  priorities.erase(std::unique(priorities.begin(), priorities.end()), priorities.end());
-  const std::vector<int> cpus = permitted_cpus();
-  looks_out_ = wiring_.processors.size() <= cpus.size();
-  if (!options_.real_time->fifo) return 0;
-  std::vector<std::string>& lacking = report_.shortcomings;
-
-  const auto cpu_of = [&cpus](int processor) {  // the last ones first: the first one serves interrupts
-    return cpus[cpus.size() - 1 - static_cast<std::size_t>(processor) % cpus.size()];
-  };
-  if (wiring_.processors.size() > cpus.size())
-    lacking.push_back(std::to_string(wiring_.processors.size()) + " processors share " +
-                      std::to_string(cpus.size()) + (cpus.size() == 1 ? " CPU" : " CPUs"));
-  for (const Level& level : levels_.all()) {
-    const std::string problem = pin(level.os_thread, cpu_of(level.processor));
-    if (problem.empty()) continue;
-    lacking.push_back("a processor is not kept on one CPU (" + problem + ")");
-    break;
-  }
-
-  if (priorities.size() > most_priorities) {
-    lacking.push_back("the skill has " + std::to_string(priorities.size()) +
-                      " priorities; SCHED_FIFO tells the greatest " + std::to_string(most_priorities) +
-                      " apart");
-    priorities.erase(priorities.begin(), priorities.end() - most_priorities);
-  }
-  const auto rank = [&priorities](int priority) {
-    const auto at = std::lower_bound(priorities.begin(), priorities.end(), priority);
-    return least_fifo + static_cast<int>(at - priorities.begin());
-  };
-  const int top = least_fifo + most_priorities - 1;
-  std::string problem = make_fifo(threads_.front()->handle(), top + 1);
-  for (const Level& level : levels_.all())
-    if (problem.empty()) problem = make_fifo(level.os_thread, rank(level.priority));
-  fifo_ = problem.empty();
-  if (fifo_) return top;
-  for (const auto& thread : threads_) make_ordinary(thread->handle());
-  lacking.push_back("SCHED_FIFO is not permitted (" + problem +
-                    "): the system may run other work, or a thread of less priority, first");
-  return 0;
 }
 
 }  // namespace pal::runtime

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@
 
 namespace pal::runtime {
 
-/// Runs a skill with these threads of the operating system, the most urgent first: the watchdog; one that
-/// keeps time; the caller's own, which moves the world; and one for each level. Hand-written code runs
+/// Runs a skill with threads of the operating system. The most urgent is the watchdog. Then come one that
+/// keeps time, the caller's own, which moves the world, and one for each level. Hand-written code runs
 /// without the kernel's lock, everything else with it.
 class RealExecutive final : public Executive {
  public:
@@ -86,8 +87,7 @@ class RealExecutive final : public Executive {
   void wait_for_levels();
 
   void start_threads();
-  void start_watchdog(int priority);
-  int schedule();
+  void start_watchdog();
 
   Journal& journal_;
   World& world_;
@@ -105,10 +105,10 @@ class RealExecutive final : public Executive {
   std::atomic<bool> over_ = false;  // as a world that is apart sees it
   Time origin_{};
   bool moving_ = false;  // something moves in the world by itself, with the lock
-  bool told_ = false;    // everybody has been woken for the end
+  bool told_ = false;    // all threads have been woken for the end
   std::atomic<bool> hung_ = false;
-  bool fifo_ = false;
-  bool looks_out_ = false;  // each processor has a CPU of its own
+  std::optional<int> top_priority_;  // of a level, if SCHED_FIFO is permitted and wanted
+  bool looks_out_ = false;           // each processor has a CPU of its own
   std::vector<std::unique_ptr<OsThread>> threads_;
   std::unique_ptr<OsThread> dog_;
   RealTimeReport report_;

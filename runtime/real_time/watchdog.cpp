@@ -29,9 +29,9 @@ void say(const std::string& text) {
 
 }  // namespace
 
-void RealExecutive::start_watchdog(int priority) {
+void RealExecutive::start_watchdog() {
   dog_ = std::make_unique<OsThread>([this] { watch(); });
-  if (fifo_) make_fifo(dog_->handle(), priority);
+  if (top_priority_) make_fifo(dog_->handle(), *top_priority_ + 3);
 }
 
 void RealExecutive::watch() {
@@ -77,7 +77,7 @@ void RealExecutive::look() {
   }
   look_for_deadlock();
   for (Level& level : levels_.all()) {
-    // What was interrupted is not to blame; after the end there is nobody who would interrupt.
+    // What was interrupted is not to blame; after the end no thread interrupts.
     if (level.work == nullptr || (!journal_.over() && !levels_.has_processor(level))) continue;
     const auto statement = static_cast<std::size_t>(level.work->control.operation->statement());
     const Time had = ++level.ticks * tick;
@@ -92,15 +92,15 @@ void RealExecutive::look() {
   }
 }
 
-/// Nobody is at work, nothing is due, and nobody waits for a device: one that is waited for may still answer.
+/// No thread is at work, nothing is due, and no thread waits for a device, which might still answer.
 void RealExecutive::look_for_deadlock() {
   const bool idle = !journal_.over() && levels_.idle() && queue_.empty() &&
                     (world_.apart() || world_.next_event() == Time::max()) && !kernel_->awaits_device();
   if (idle) journal_.fail("nothing is left to happen" + kernel_->who_waits());
 }
 
-/// From outside. The thread that asked for the run closes the devices, as always. If it cannot, another one
-/// does, and if that does not return either, nobody does.
+/// From outside. The thread that asked for the run closes the devices, as always. If it cannot, another
+/// thread does. If that does not return either, they are not closed.
 void RealExecutive::end_process(const std::string& why) {
   hung_ = true;
   ended_.wake();

@@ -20,8 +20,9 @@ struct StatementName {
   friend bool operator==(const StatementName&, const StatementName&) = default;
 };
 
-/// Ages of `condition` at each effect of a statement of `at`, in order of time: from the set whose value the
-/// thread had last read (time 0 if there was none) to the effect. Effects before any read have no age.
+/// Ages of `condition` at each effect of a statement of `at`, in order of time. An age is the time from the
+/// set whose value the thread had last read (time 0 if there was none) to the effect. Effects before any read
+/// have no age.
 std::vector<Occurrence> ages(const Trace& trace, const std::string& condition,
                              const std::vector<StatementName>& at);
 
@@ -31,7 +32,7 @@ struct Responses {
 };
 
 /// Responses to the message `message` that `sender`, a device or a module, puts, at the effects of the
-/// statements of `at`. A message that is withdrawn before anybody took it awaits no response.
+/// statements of `at`. A message that is withdrawn before it is taken awaits no response.
 Responses responses(const Trace& trace, const std::string& sender, const std::string& message,
                     const std::vector<StatementName>& at);
 

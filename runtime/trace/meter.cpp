@@ -222,7 +222,7 @@ void ResponseMeter::take(const Event& event) {
   }
 }
 
-/// One that is withdrawn before anybody took it awaits nothing.
+/// One that is withdrawn before it is taken awaits nothing.
 void ResponseMeter::drop(const Event& event) {
   if (event.actor >= 0) {
     answered_request(event);

@@ -43,7 +43,7 @@ struct Slice {
 /// Every slice, in the order of their beginnings; slices of one actor never overlap. Of slices of no length
 /// only those that end with an effect are kept, because a statement that costs nothing still has its effect.
 /// Open slices end with the last event, or at `known_until_ns` if it is known that nothing more happens up to
-/// then. docs/reference/trace.md gives the rules.
+/// then. The rules are in docs/reference/trace.md.
 std::vector<Slice> slices(const Trace& trace, std::int64_t known_until_ns = 0);
 
 }  // namespace pal::trace

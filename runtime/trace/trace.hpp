@@ -21,7 +21,7 @@ enum class Kind : std::uint8_t {
   give_up,   // a wait WITHIN a time ended without a message; subject: channel
   put,       // actor puts a message into channel `subject`; value: serial number of the message
   take,      // actor takes it; subject: channel, value: serial
-  drop,      // a message that nobody wants any more is discarded; subject: channel, value: serial
+  drop,      // a message that is not wanted any more is discarded; subject: channel, value: serial
   overrun,   // a device's event found its channel full; subject: channel
   set,       // condition `subject` becomes `value`
   read,      // condition `subject` was `value`

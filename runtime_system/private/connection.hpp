@@ -20,7 +20,7 @@ struct ConnectionContext {
   std::chrono::milliseconds admit_within, idle;
 };
 
-/// Lives as long as an operation on its socket is under way, or the server holds it.
+/// Lives as long as an operation on its socket runs, or the server holds it.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   explicit Connection(ConnectionContext& connection_context)

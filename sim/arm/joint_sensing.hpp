@@ -15,8 +15,9 @@ namespace pal::sim {
 inline constexpr std::array<double, joint_count> encoder_counts{9964.9,  13727.4, 8547.6,
                                                                 12101.6, 11446.9, 12205.1};
 
-/// Play of each joint's gears, rad. Ours: chosen so that the arm repeats a pose within the 0.1 mm that
-/// Unimation states for it, the encoders' counts included (docs/workcell/model.md, "Repeatability").
+/// Play of each joint's gears, rad. Our choice, not a published figure: with it, and with the encoders'
+/// counts, the arm repeats a pose within the 0.1 mm that Unimation states (docs/workcell/model.md, "Counts
+/// and play").
 inline constexpr std::array<double, joint_count> gear_play{0.6e-4, 0.6e-4, 0.6e-4, 1.5e-4, 1.5e-4, 1.5e-4};
 
 /// The encoders sit on the motors: they read the joint's angle plus where the motor lies in the gears' play.

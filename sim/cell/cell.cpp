@@ -64,7 +64,7 @@ bool uses(const runtime::Skill& skill, std::string_view device) {
   return std::find(devices.begin(), devices.end(), device) != devices.end();
 }
 
-/// The station's physics as somebody looks at it; null: nobody does.
+/// The station's physics as an observer sees it; null: none.
 std::unique_ptr<runtime::World> watched(const CellOptions& options, Workcell& workcell) {
   return options.watch ? options.watch(workcell) : nullptr;
 }

@@ -37,9 +37,9 @@ struct CellOptions {
   runtime::Pace* pace = nullptr;
   /// What carries the bytes of a device's line: empty, or gives null: they stay in the process.
   std::function<std::unique_ptr<runtime::Carrier>()> carrier;
-  /// Observes the physics while it moves; empty: nobody does.
+  /// Observes the physics while it moves; empty: no observer.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
-  /// Called shortly before a skill begins, with the station time of its beginning. Empty: nobody is called.
+  /// Called shortly before a skill begins, with the station time of its beginning. Empty: nothing is called.
   std::function<void(runtime::Time)> at_begin;
   /// Faults of devices' lines; they happen once, in the first skill.
   std::vector<PlannedFault> faults;

@@ -8,9 +8,9 @@ namespace pal::sim {
 
 class CorrectedArm final : public AlterArm {
  public:
-  /// `keeps_first_turn`: corrections in the tool's frame are meant in that frame as it was at opening, as on
-  /// the real controller; otherwise in the frame as corrections have turned it. The workcell outlives the
-  /// arm.
+  /// `keeps_first_turn`: corrections in the tool's frame refer to that frame as it was at opening, as on the
+  /// real controller. Otherwise they refer to the frame as corrections have turned it. The workcell outlives
+  /// the arm.
   explicit CorrectedArm(Workcell& workcell, bool keeps_first_turn = false)
       : workcell_(workcell), keeps_first_turn_(keeps_first_turn) {}
 

@@ -51,7 +51,7 @@ std::size_t port_of(const runtime::Driver& driver, const std::string& message) {
 
 Answer ask(runtime::Station& station, runtime::Driver& driver, const std::string& message, bool prepare,
            const runtime::RunControl* control) {
-  // False: somebody stopped it, or it takes too long.
+  // False: it was stopped, or it takes too long.
   const auto pass_until = [&](runtime::Time limit, const auto& done) {
     const runtime::Time end = station.now() + limit;
     while (!done() && station.now() < end && (control == nullptr || !control->stopping()))

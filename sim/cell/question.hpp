@@ -10,7 +10,7 @@
 
 namespace pal::sim {
 
-/// The answer of a device; or why there is none; or that somebody stopped it.
+/// The answer of a device; or why there is none; or that it was stopped.
 struct Answer {
   std::optional<std::vector<double>> fields;
   std::string problem;

@@ -23,7 +23,7 @@ class MotionController {
   SetPoint at(runtime::Time when);
   /// Whether no motion is left to make.
   bool idle(runtime::Time when) const;
-  /// When the last planned motion that was accepted ends; `when` if none is under way.
+  /// When the last planned motion that was accepted ends; `when` if there is none.
   runtime::Time planned_end(runtime::Time when) const;
 
   /// When the last planned motion ended that has ended.
@@ -70,7 +70,7 @@ class MotionController {
   void finish_until(runtime::Time when);
 
   Pose tool_;
-  std::deque<PlannedMotion> planned_;  // the first is under way
+  std::deque<PlannedMotion> planned_;  // the first is being made
   runtime::Time begun_{};              // of the first
   runtime::Time still_since_{};
   std::optional<Braking> braking_;  // of the first

@@ -61,10 +61,10 @@ using Plan = std::variant<PlannedMotion, Refusal>;
 /// All joints begin and end together. Contract: `from` is within the joints' limits.
 Plan plan_joint_motion(const Joints& from, const Joints& to, const MotionSpeed& speed);
 
-/// The tip, which stands at `tool` in the flange's frame, goes in a straight line to `goal` in frame 0, while
-/// the tool turns evenly about one axis. The configuration stays. The whole way is checked: a pose out of
-/// reach, a joint out of its range, or one that would turn faster than it can (near a singularity) refuses
-/// the motion.
+/// The tip stands at `tool` in the flange's frame. It goes in a straight line to `goal` in frame 0, while the
+/// tool turns evenly about one axis. The configuration stays. The whole path is checked. The motion is
+/// refused if a pose is out of reach, or if a joint leaves its range. Near a singularity it is refused if a
+/// joint would turn faster than it can.
 Plan plan_straight_motion(const Joints& from, const Pose& goal, const Pose& tool, const MotionSpeed& speed);
 
 }  // namespace pal::sim

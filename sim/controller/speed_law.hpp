@@ -3,9 +3,9 @@
 
 namespace pal::sim {
 
-/// The distance along a path as a function of time: acceleration that rises and falls as 1 - cos, a cruise at
-/// constant speed, and the same backwards. Speed and acceleration have no steps, so the servos can follow.
-/// Any unit of length.
+/// The distance along a path as a function of time. First the acceleration rises and falls as 1 - cos. Then
+/// comes a cruise at constant speed, and then the same backwards. Speed and acceleration have no steps, so
+/// the servos can follow. Any unit of length.
 class SpeedLaw {
  public:
   struct State {

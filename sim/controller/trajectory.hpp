@@ -33,7 +33,7 @@ class Trajectory {
   /// Drops what has not been moved and stays at `q`.
   void hold(const Joints& q);
 
-  /// Begins anew at `q`, with another tool: what CorrectionFrame::tool_at_open and corrections that are not
+  /// Begins again at `q`, with another tool: what CorrectionFrame::tool_at_open and corrections that are not
   /// cumulative count from.
   void open(const Joints& q, const Pose& tool);
 

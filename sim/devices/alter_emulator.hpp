@@ -1,5 +1,5 @@
-// The robot controller's ALTER port, at the far end of its line: asks for a relative motion every 28 ms, and
-// moves the arm by it.
+// The robot controller's ALTER port, at the far end of its line. It asks for a relative motion every 28 ms,
+// and moves the arm by it.
 #pragma once
 
 #include <cstdint>
@@ -34,10 +34,13 @@ class AlterArm {
 /// Speaks the protocol of docs/workcell/alter.md. Closed until AlterControl opens it. The first cycle begins
 /// one period after that.
 ///
-/// A correction that answers the request of one cycle is moved evenly in the next cycle: between its answer
-/// and the next request the controller computes the joint set-points. These end ALTER and stop the arm at
-/// once, and the far end is told why: no answer in time, an answer that was not asked for, a motion that the
-/// arm cannot make, and a fault of the arm. Bytes that are no answer are ignored.
+/// A correction that answers the request of one cycle is moved evenly in the next cycle. Between its answer
+/// and the next request the controller computes the joint set-points. Bytes that are no answer are ignored.
+///
+/// These end ALTER and stop the arm at once, and the far end is told why:
+/// - no answer in time, or an answer that was not asked for;
+/// - a motion that the arm cannot make;
+/// - a fault of the arm.
 class AlterEmulator final : public AlterControl, private runtime::LinkUser {
  public:
   /// What is given outlives the emulator.

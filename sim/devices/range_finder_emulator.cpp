@@ -104,7 +104,7 @@ void RangeFinderEmulator::swing() {
 void RangeFinderEmulator::begin_scan() {
   scan_began_ = timeline_.now();
   next_scan_ = timeline_.after(protocol::period, [this] { begin_scan(); });
-  // A request counts from when it was sent, so that who asked before the scan began is in time.
+  // A request counts from when it was sent, so that one sent before the scan began is in time.
   next_step_ = timeline_.after(protocol::line.duration(std::string_view("PROFILE\r").size()),
                                [this] { take_requests(); });
 }

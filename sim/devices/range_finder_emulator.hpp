@@ -45,8 +45,9 @@ struct RangeFinderEmulatorOptions {
 /// 1000; the logarithm of the error is linear in between). `z` in mm.
 double range_error(double z);
 
-/// Speaks the protocol of docs/workcell/range-finder.md: INIT, PROFILE. Rays are cast as the scan goes on,
-/// three or four a millisecond from the arm's current place, and only if somebody asked for the profile.
+/// Speaks the protocol of docs/workcell/range-finder.md: INIT, PROFILE. Rays are cast while the scan goes on,
+/// three or four a millisecond, from the arm's current place. They are cast only if the profile was asked
+/// for.
 class RangeFinderEmulator final : public runtime::LinkUser {
  public:
   /// All that is given outlives the emulator.

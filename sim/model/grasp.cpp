@@ -55,9 +55,9 @@ void GraspFriction::correct(const mjModel& model, mjData& data, const ModelIndex
       const bool along = row < 3;
       const ConstVector axis(contact.frame + 3 * (along ? row : row - 3));
       const Vector missing = along ? other.linear - one.linear : other.turning - one.turning;
-      // Positions follow from the speeds at the end of a step. So that the part does not run ahead of the
-      // hand by half a step's worth, the speeds at which friction comes to rest (damping: KBIP's second)
-      // differ by half of what is gained in a step.
+      // Positions follow from the speeds at the end of a step. The part must not run ahead of the hand by
+      // half a step's worth. So the speeds at which friction comes to rest (damping: KBIP's second) differ by
+      // half of what is gained in a step.
       const int constraint = contact.efc_address + row;
       const double damping = data.efc_KBIP[4 * constraint + 1];
       data.efc_aref[constraint] -= (1 - 0.5 * damping * model.opt.timestep) * axis.dot(missing);

@@ -40,7 +40,7 @@ int cells_in_eighths(double length, double at_most) {
 }  // namespace
 
 Heights wave_heights(const Thing& thing) {
-  // Strips of 2 mm are flat to a hundredth of a millimetre at the usual waves; a finer grid would give the
+  // Strips of 2 mm are flat to a hundredth of a millimetre at the usual waves. A finer grid would give the
   // tip more points of contact than MuJoCo takes.
   constexpr double strip = 2.0;
   const double height = thing.one("height"), length = thing.one("length");

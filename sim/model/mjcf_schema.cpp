@@ -8,8 +8,8 @@
 namespace pal::sim {
 namespace {
 
-// MuJoCo prints its table with a line an element: three blanks a level, the name, what it may be in brackets,
-// and from column 30 on the attributes, which go on in lines that are blank before it.
+// MuJoCo prints its table with a line for each element: three blanks a level, the name, and in brackets what
+// it may be. From column 30 on come the attributes. They go on in lines that are blank before that column.
 constexpr std::size_t indent = 3;
 constexpr std::size_t name_columns = 30;
 

@@ -11,9 +11,11 @@ class Workcell;
 
 enum class ShapeKind { plane, sphere, capsule, ellipsoid, cylinder, box, mesh };
 
-/// A shape on a body. Sizes in metres, as MuJoCo counts them: half lengths of a box; radius and half length
-/// (along z) of a cylinder or capsule; radius of a sphere; half lengths of a plane, 0 without an end; of a
-/// mesh the half lengths of its box.
+/// A shape on a body. Sizes in metres, as MuJoCo counts them:
+/// - a box, or a mesh by its box: half lengths;
+/// - a cylinder or capsule: radius and half length (along z);
+/// - a sphere: radius;
+/// - a plane: half lengths, 0 without an end.
 struct BodyShape {
   ShapeKind kind = ShapeKind::box;
   std::size_t body = 0;  // into SceneGeometry::bodies

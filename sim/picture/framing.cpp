@@ -24,8 +24,9 @@ Framing::Framing(double azimuth, double elevation, double opening, double aspect
       across_(std::tan(radians(opening) / 2) * aspect * (1 - margin)),
       along_(std::tan(radians(opening) / 2) * (1 - margin)) {}
 
-// In the camera's axes, with the eye at (x, y, d) and d counted against the direction of looking, a point is
-// in the picture if |px - x| <= across * (d - pd), and alike upwards. Each side gives one bound on the eye.
+// The eye is at (x, y, d) in the camera's axes, with d counted against the direction of looking. A point is
+// in the picture if |px - x| <= across * (d - pd), and likewise upwards. Each side gives one bound on the
+// eye.
 void Framing::include(const Eigen::Vector3d& point) {
   const double x = point.dot(direction_.right());
   const double y = point.dot(direction_.up());

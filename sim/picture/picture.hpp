@@ -32,8 +32,8 @@ struct PictureOptions {
   int height = 900;
   Renderer renderer = Renderer::automatic;
   Quality quality = Quality::fine;
-  /// A camera of the scene. If the scene has none of this name, the camera is placed so that arm, tool and
-  /// workpiece are in the picture and nothing hides the tool.
+  /// A camera of the scene. If the scene has none of this name, the camera is placed by itself. Arm, tool and
+  /// workpiece are then in the picture, and nothing hides the tool.
   std::string camera = "report";
   /// Above the figures, for instance "touch in scene touch".
   std::string title{};
@@ -45,12 +45,12 @@ struct PictureOptions {
 struct Picture {
   std::optional<Image> image;
   std::string problem;   // what was tried and why it failed; empty with an image
-  std::string renderer;  // who drew it: "EGL" or "OSMesa"
+  std::string renderer;  // what drew it: "EGL" or "OSMesa"
 };
 
-/// Draws the workcell as it stands: the whole, the contact close up beside it, time, force and place of the
-/// tool, and the force over the whole log. Takes 50 to 1000 ms, so not while a run is going on. The physics
-/// are not touched.
+/// Draws the workcell as it stands: the whole, and beside it a close-up of the contact. Adds time, force and
+/// place of the tool, and the force over the whole log. Takes 50 to 1000 ms, so not while a run is going on.
+/// The physics are not touched.
 Picture take_picture(Workcell& workcell, const PictureOptions& options = {});
 
 /// The image as the bytes of a PNG file. Throws std::runtime_error if libpng cannot.

@@ -143,7 +143,7 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
   if (outcome.fault && control_.load()->stopping()) result.kind = SkillResult::Kind::stopped;
-  // What cut a skill off may have left motions that the arm has accepted: nobody goes on before it is at
+  // What cut a skill off may have left motions that the arm has accepted: no skill begins before it is at
   // rest.
   if (outcome.fault) cell_.rest(runtime::Time::zero());
   return result;

@@ -111,7 +111,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
                "writes how long activities and devices took, for pal check --measured; --measure=FILE: there")
       ->excludes(against);
   app.add_option("--paced", command.paced,
-                 "in step with the wall clock, or so many times as fast; Ctrl-C stops the skill")
+                 "in step with the wall clock, or this many times as fast; Ctrl-C stops the skill")
       ->expected(0, 1)
       ->default_str("1")
       ->check(CLI::Range(0.001, 1000.0))
@@ -121,7 +121,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
           ->excludes(sweep)
           ->excludes(app.get_option("--paced"))
           ->excludes(app.get_option("--time"));
-  // Who looks on would hold up the arm, which waits for nobody.
+  // A video or a display would hold up the arm, which does not wait.
   for (CLI::Option* looks : {video, live}) real_time->excludes(looks);
   app.add_option("--limit", command.limit, "seconds of the skill's time after which it is ended")
       ->type_name("SECONDS")
@@ -198,7 +198,7 @@ void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::strin
                "if the client with the controls goes, its operation goes on; without this it pauses");
   app.add_option("--fault", command.faults, first_faults);
   add_policy(app, command.on_broken_promise);
-  auto* paced = app.add_option("--paced", command.paced, "so many times as fast as the wall clock")
+  auto* paced = app.add_option("--paced", command.paced, "this many times as fast as the wall clock")
                     ->check(CLI::Range(0.001, 1000.0))
                     ->capture_default_str();
   app.add_flag("--fast", command.fast,
@@ -256,7 +256,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   run->add_option("--time", command.times, "times within their intervals")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
-  run->add_option("--steps", command.steps, "pause after so many skills, delays, waits and tests")
+  run->add_option("--steps", command.steps, "pause after this many skills, delays, waits and tests")
       ->check(CLI::Range(1, 1'000'000'000));
   run->add_option("--log", command.log, "a file that gets a line of JSON for each step");
   run->add_option("--from", command.from, "start before this icon instead of START");

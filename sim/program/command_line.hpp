@@ -66,7 +66,7 @@ struct OperationCommand {
   std::vector<std::string> scene_folders;
   std::uint64_t seed = 1;
   std::string times = "random";
-  std::size_t steps = 0;                 // at most so many; 0: until the operation ends
+  std::size_t steps = 0;                 // at most this many; 0: until the operation ends
   std::string log;                       // a line of JSON a step; empty: none
   std::string from;                      // the icon to start from; empty: START
   std::vector<std::string> breakpoints;  // "ICON" or "ICON=CODE"

@@ -21,9 +21,9 @@ struct Comparison {
   double resting_difference = 0;  // N
   std::size_t second_higher = 0;  // pairs in which the second skill's peak is the higher one
 
-  /// The resting difference is within a quarter of the prediction: the contact is not linear (a tenth between
-  /// the forces of the two orders), and the ages differ from run to run. The peak has the arm's and the
-  /// tool's inertia in it as well.
+  /// The resting difference is within a quarter of the prediction. It cannot be nearer: the contact is not
+  /// linear (a tenth between the forces of the two orders), and the ages differ from run to run. The peak has
+  /// the arm's and the tool's inertia in it as well.
   bool agrees() const;
 };
 

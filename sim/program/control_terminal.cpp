@@ -15,7 +15,7 @@ namespace {
 
 constexpr int look_each_ms = 20;
 constexpr const char* help =
-    "step [COUNT]       go on for so many statements, 1 if not given\n"
+    "step [COUNT]       go on for COUNT statements, 1 if not given\n"
     "go                 go on\n"
     "pause              hold the run\n"
     "break MODULE:LINE  hold it when the statement is about to have its effect; or FILE:LINE\n"

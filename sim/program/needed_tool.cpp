@@ -13,7 +13,7 @@ std::string scenes_with(sim::ToolKind tool, const std::vector<std::string>& fold
   for (const sim::Scene& scene : sim::list_scenes({folders.begin(), folders.end()})) {
     try {
       if (sim::tool_of(scene) == tool) names += (names.empty() ? "" : ", ") + scene.name;
-    } catch (const sim::SceneError&) {  // whoever chooses it is told
+    } catch (const sim::SceneError&) {  // the choice of the scene reports it
     }
   }
   return names;

@@ -42,7 +42,7 @@ std::string folder_with(const std::string& file, const std::vector<std::string>&
   std::error_code ignored;
   for (const std::string& folder : folders)
     if (std::filesystem::exists(std::filesystem::path(folder) / file, ignored)) return folder;
-  throw Failure(ExitStatus::usage, file, "the PAL of the skill is not there, so nothing can be proved of it",
+  throw Failure(ExitStatus::usage, file, "the skill's PAL file is missing, so nothing can be proved about it",
                 "run with --no-proof, or install the skills beside the program");
 }
 

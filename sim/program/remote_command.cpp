@@ -113,7 +113,7 @@ class Terminal {
       if (params.value("event", "") != "state" || params.value("state", "") == "running") continue;
       const std::string state = params.value("state", "");
       if (state == "stopped")
-        out_ << "  'resume' begins it anew; 'from ICON' puts the token elsewhere\n" << std::flush;
+        out_ << "  'resume' begins it again; 'from ICON' puts the token elsewhere\n" << std::flush;
       return state == "failed" || state == "stopped" ? ExitStatus::error_completion : ExitStatus::done;
     }
   }

@@ -13,15 +13,18 @@
 
 namespace pal::workcell {
 
-/// trace.json, trace.chrome.json (for Perfetto), log.csv (sim/report/log_table.hpp), run.json (what was asked
-/// and what came of it), atc.REQUIREMENT.svg for each promise and, with a picture, arm.png; all in `folder`.
+/// In `folder`:
+/// - trace.json, and trace.chrome.json for Perfetto;
+/// - log.csv (sim/report/log_table.hpp);
+/// - run.json: what was asked and what came of it;
+/// - atc.REQUIREMENT.svg for each promise;
+/// - with a picture, arm.png.
 std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill,
                                   const Session& session, const SessionResult& result,
                                   const std::vector<Promise>& promises);
 
 /// Force, position and path over the run, and the range finder's profiles, if it gave any. Parameters of the
-/// skill in newtons are levels in the plot of the force; where two of them are called min… and max… they are
-/// a band.
+/// skill in newtons are levels in the plot of the force. Two that are called min… and max… are a band.
 sim::DrawnPlots run_plots(const runtime::Skill& skill, const Session& session, const SessionResult& result);
 
 /// sweep.csv, a line a run, and sweep.json, the figures over all of them.

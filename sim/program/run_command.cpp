@@ -214,7 +214,7 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   try {
     SessionResult result = run_session(skill, session);
     if (live && !live->end(result.outcome))
-      out << "  the live trace is not whole: its reader went, or there is no more room\n";
+      out << "  the live trace is incomplete: its reader has gone, or the disk is full\n";
     if (live && live->dropped() > 0)
       out << fmt::format("  the live trace lacks {} events: its reader was too slow\n", live->dropped());
     return result;

@@ -70,7 +70,7 @@ void tell_addresses(const ServeCommand& command, const sim::Scene& scene,
   if (!command.line_serial.empty()) out << fmt::format("  lines at {}\n", command.line_serial);
   out << fmt::format("  the token is in {}\n", announcement);
   if (!runtime_system::is_loopback(command.address))
-    out << "  warning: others can reach this address, and nothing is encrypted, the token neither\n";
+    out << "  warning: others can reach this address, and nothing is encrypted, not even the token\n";
   out << std::flush;
 }
 

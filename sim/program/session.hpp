@@ -37,7 +37,7 @@ struct Session {
   std::string video{};               // the file; empty: none
   std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
   bool terminal = false;             // progress is a line that is rewritten
-  /// Outlive the run; empty: time is virtual, bytes stay in the process, nobody stops the skill.
+  /// Outlive the run; empty: time is virtual, bytes stay in the process, the skill is not stopped.
   runtime::Pace* pace = nullptr;
   std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
   runtime::RunControl* control = nullptr;
@@ -63,9 +63,11 @@ struct SessionResult {
 };
 
 /// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change
-/// nothing of the run. Throws sim::SceneError, also when the skill before does not end with completion 0;
-/// sim::VideoError, before the run; std::runtime_error when the physics diverged after the skill's end
-/// (before it, that is a fault of the skill).
+/// nothing of the run. Throws
+/// - sim::SceneError, also when the skill before does not end with completion 0;
+/// - sim::VideoError, before the run;
+/// - std::runtime_error when the physics diverged after the skill's end (before it, that is a fault of the
+///   skill).
 SessionResult run_session(runtime::Skill& skill, const Session& session);
 
 /// "touch in scene touch"

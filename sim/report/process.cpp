@@ -49,8 +49,8 @@ std::optional<std::string> find_program(const std::string& name) {
   return std::nullopt;
 }
 
-// The input is a socket, not a pipe: a program that has ended is then an error of ours, not a signal to all
-// of us.
+// The input is a socket, not a pipe. So when the program has ended, writing gives an error. With a pipe the
+// whole process would get a signal.
 Process::Process(const std::string& program, const std::vector<std::string>& arguments,
                  const std::string& folder)
     : name_(program.substr(program.rfind('/') + 1)) {

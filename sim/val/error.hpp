@@ -1,4 +1,4 @@
-// What VAL answers when it cannot do what it is told.
+// What VAL answers when it cannot carry out a command.
 #pragma once
 
 #include <string>

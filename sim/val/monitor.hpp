@@ -35,7 +35,7 @@ class Monitor {
   void greet();
   /// A line, without its end. While one is carried out, others wait, except ABORT.
   void line(std::string_view text);
-  /// Whether a line has been begun: what nobody asked for (a program has ended) is shown only behind a
+  /// Whether a line has been begun: an unrequested message (a program has ended) is shown only behind a
   /// prompt.
   void typing(bool begun);
   /// What Control-C does: ends what DO is carrying out, or a question.

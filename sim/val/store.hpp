@@ -22,8 +22,8 @@ struct StoreProblem {
   std::string cause;
 };
 
-/// Reads sections as VAL writes them to a disk: `.LOCATIONS`, `.REALS`, `.PROGRAM name`, each to its `.END`;
-/// empty lines and what follows a `;` are passed over. What is read is added to `store`, up to the first
+/// Reads sections as VAL writes them to a disk: `.LOCATIONS`, `.REALS`, `.PROGRAM name`, each to its `.END`.
+/// Empty lines and what follows a `;` are passed over. What is read is added to `store`, up to the first
 /// problem.
 std::vector<StoreProblem> read_store(std::string_view text, Store& store);
 

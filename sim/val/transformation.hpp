@@ -23,8 +23,8 @@ Figures figures_of(const Pose& pose, double upright = 1e-9);
 /// of the encoders would decide on O and T.
 Figures shown_figures(const Pose& pose);
 
-/// The joint angles that VAL shows, degrees: those of docs/workcell/README.md plus (0, 180, 180, 0, 0, 0),
-/// within the ranges of the machine's own manual (joint 2: -225 to 45, joint 3: -45 to 225).
+/// The joint angles that VAL shows, degrees: those of docs/workcell/model.md plus (0, 180, 180, 0, 0, 0).
+/// They are within the ranges of the machine's own manual (joint 2: -225 to 45, joint 3: -45 to 225).
 Figures val_joints(const Joints& q);
 
 /// Six figures in columns of nine: X Y Z with two decimals, angles with three.

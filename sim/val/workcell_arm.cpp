@@ -6,12 +6,12 @@
 namespace pal::sim::val {
 namespace {
 
-// A motion has ended when the tip is so near to where it was told to be, or when it has had so long for it.
+// A motion has ended when the tip is this near to where it was told to be, or after this time.
 constexpr double near_enough = 0.1e-3;  // m
 constexpr runtime::Time long_enough = std::chrono::milliseconds(150);
 constexpr runtime::Time between_looks = std::chrono::milliseconds(2);
 
-// Fingers are at rest that have not moved by more than this for so long.
+// Fingers are at rest when they have moved by no more than `still` during `least`.
 constexpr double still = 0.05;  // mm
 constexpr runtime::Time least = std::chrono::milliseconds(80);
 

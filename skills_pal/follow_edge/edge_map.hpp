@@ -26,8 +26,9 @@ class EdgeMap {
     Eigen::Vector3d along;   // unit vector
     Eigen::Vector3d across;  // unit vector along the surface beside it
   };
-  /// The edge where the plane through `where` that is square to `heading` meets it: by a parabola through the
-  /// last `history` mm and twice as much before, continued if need be. Nothing before a point was seen.
+  /// The place of the edge in the plane through `where` that is square to `heading`. It is on a parabola
+  /// through the points of the last `history` mm and of twice as much before, continued if need be. Nothing
+  /// before a point was seen.
   std::optional<Place> at(const Eigen::Vector3d& where, const Eigen::Vector3d& heading) const;
 
  private:

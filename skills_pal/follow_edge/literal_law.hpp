@@ -30,8 +30,8 @@ class LiteralLaw {
   /// `history` and `standoff` in mm.
   void start(const Limits& limits, double history, double standoff);
 
-  /// A profile in which the edge is at y and z (mm, in the range finder's frame) and the surface beside it
-  /// leans by `slope` (deg). `gone`: how far the tool has gone along the edge, mm.
+  /// A profile: the edge is at y and z (mm, in the range finder's frame). The surface beside it leans by
+  /// `slope` (deg). `gone`: how far the tool has gone along the edge, mm.
   void see(double y, double z, double slope, double gone);
   /// What is to be made at this request: nothing between two profiles.
   EdgeCorrection take();

@@ -13,7 +13,7 @@ namespace pal::skills {
 /// What becomes of a request of ALTER for which the skill has no motion in time. Its motion, which comes too
 /// late, is dropped.
 enum class Late {
-  hold,   // the tool stays where it is for a cycle: for skills that look anew where it is
+  hold,   // the tool stays where it is for a cycle: for skills that look again where it is
   refuse  // likewise before the first motion; later the skill ends with its error completion: for skills that
           // count their steps, whose motions are proved to be in time
 };

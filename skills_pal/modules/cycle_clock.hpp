@@ -5,9 +5,9 @@
 
 namespace pal::skills {
 
-/// Activities have no clock. A profile that is new at a request, and was not there at the one before, was
-/// known between the two: each narrows down when requests come. The range finder's 78 ms and ALTER's 28 ms
-/// drift past each other by 2 ms, so that a few seconds tell the instant to 2 ms.
+/// Activities have no clock. A profile that is new at a request, and was not there at the one before, became
+/// known between the two. Each such profile narrows down when requests come. The range finder's 78 ms and
+/// ALTER's 28 ms drift past each other by 2 ms, so that a few seconds tell the instant to 2 ms.
 class CycleClock {
  public:
   void start() { *this = {}; }

@@ -14,12 +14,12 @@ constexpr double rise_gain = 0.25;
 constexpr double way_sliding = 0.5;
 // While the tool stands, the arm comes to rest where its encoders have whole counts: heights that are up to
 // 0.1 mm apart at the tool. A small motion is answered by a jump or not at all. So near the target one motion
-// is made at a time, a try, and its effect is looked at; a force that is good enough is left alone.
+// is made at a time, a try, and its effect is observed. A force that is good enough is left alone.
 constexpr double way_standing = 0.2;
 constexpr double near = 0.8;      // N: greater errors are taken away without looking
 constexpr double good = 0.04;     // N: a smaller error is good enough, at first
 constexpr double hold = 0.17;     // N: and is left alone until it is greater than this
-constexpr double modesty = 0.15;  // each leap over the target makes so much more of `good` good enough
+constexpr double modesty = 0.15;  // each try that leads over the target raises `good` by this part of it
 constexpr int blind_cycles = 4;   // after a motion: it is on its way, and the arm comes to rest
 constexpr int look_cycles = 8;    // whose forces are averaged
 // Parts of the way to the target that a try goes. They differ, as equal ones lead to and fro between two
@@ -29,8 +29,8 @@ constexpr double most_part = 0.9;
 // A try that stays on its side of the target makes the next one longer: the surface is softer than assumed.
 constexpr double longer = 1.3;
 constexpr double longest = 3;
-// After a leap over the target the tool leans by up to this much, deg. At 151 mm from the tip to the wrist
-// other counts of the joints carry the wrist then, and their heights lie between the ones that were tried.
+// After a try that led over the target the tool leans by up to this much, deg. The wrist is 151 mm from the
+// tip, so it then rests on other counts of the joints. Their heights lie between the ones that were tried.
 constexpr double most_lean = 0.03;
 constexpr double golden = 0.6180339887;  // its multiples, without their whole parts, are spread evenly
 

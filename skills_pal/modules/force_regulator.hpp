@@ -6,19 +6,19 @@ namespace pal::skills {
 /// Decides once an ALTER cycle how far to go towards the surface.
 ///
 /// A motion that is decided at one request is made from the next to the one after it. So the force that is
-/// known at a request shows none of the last motion. The regulator therefore keeps a model: how deep the tool
-/// is in the surface, and by how much the surface rises each cycle while the tool slides. Both are corrected
-/// by each force. It goes half of the way that is still missing after the last motion, and as much as the
-/// surface rises meanwhile.
+/// known at a request shows none of the last motion. The regulator therefore keeps a model. It says how deep
+/// the tool is in the surface. For a tool that slides it also says by how much the surface rises each cycle.
+/// Both are corrected by each force. The regulator goes half of the way that is still missing after the last
+/// motion. In addition it goes as much as the surface rises meanwhile.
 ///
-/// The surface's stiffness is learned while the tool lands: then the surface cannot rise, and what a motion
-/// changes of the force is due to it. What is learned stays within three times and a third of what
-/// was given. A sponge is stiffer for fast motions than for slow ones. Going half of the way keeps the loop
-/// stable as long as the surface is less than three times as stiff as assumed.
+/// The surface's stiffness is learned while the tool lands. Then the surface cannot rise, so only the motion
+/// changes the force. What is learned stays within three times and a third of what was given. A sponge is
+/// stiffer for fast motions than for slow ones. Going half of the way keeps the loop stable as long as the
+/// surface is less than three times as stiff as assumed.
 ///
 /// While the tool stands, the joints rest at whole counts of their encoders only. Near the target the
 /// regulator tries one place after the other, and leans the tool by hundredths of a degree to find places in
-/// between. What counts as good enough grows with the places that were tried in vain.
+/// between. The error that counts as good enough grows with the places that were tried without success.
 class ForceRegulator {
  public:
   /// `target` in N; `stiffness` in N/mm as far as it is known; no motion is greater than `most`, mm.

@@ -11,8 +11,8 @@ struct Way {
   double rx = 0, ry = 0;
 };
 
-/// Cuts a way into steps of one ALTER cycle, and says when the tool has stood so long that what is seen now
-/// was scanned after it came to rest. Then it asks for so many looks as are to be averaged.
+/// Cuts a way into steps of one ALTER cycle. Then it waits until the tool has stood long enough that a new
+/// profile was scanned at rest. Each such profile is a fresh look; the skill averages several.
 class Looking {
  public:
   /// mm and deg in a cycle.
@@ -26,7 +26,7 @@ class Looking {
   bool fresh_look(double taken);
 
  private:
-  // See the requirement fresh-look of the skills: after so many cycles a profile was scanned at rest.
+  // After this many cycles a profile was scanned at rest: see the requirement fresh-look of the skills.
   static constexpr int cycles_at_rest = 12;
 
   double most_length_ = 1;

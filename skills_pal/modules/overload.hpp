@@ -7,13 +7,13 @@ namespace pal::skills {
 /// of 65 N.
 inline constexpr double greatest_force = 60;  // N
 
-/// From a force to the end of the last motion that was decided before it was known: 6 ms of the sensor, 28 ms
-/// until the next request, 28 ms of motion, and 5 ms in which the arm comes to rest.
+/// From a force to the end of the last motion that was decided before it was known. The sensor takes 6 ms,
+/// the next request comes within 28 ms, the motion takes 28 ms, and the arm comes to rest within 5 ms.
 inline constexpr double reaction = 0.067;  // s
 
-/// Throws runtime::ParameterError, with the speed that would do, when a tool that goes on at `speed` (mm/s)
-/// until the force is `threshold` (N) may press with more than `greatest_force` on a contact of `stiffness`
-/// (N/mm).
+/// A tool goes on at `speed` (mm/s) until the force is `threshold` (N). Throws runtime::ParameterError if it
+/// may then press with more than `greatest_force` on a contact of `stiffness` (N/mm). The error names a speed
+/// that would do.
 void refuse_overload(double threshold, double speed, double stiffness);
 
 }  // namespace pal::skills

@@ -1,6 +1,6 @@
 // The types in a method of a generated interface. Each skill has message types of its own, generated from the
-// same PAL; activities that several skills share are templates over the interface, and find their messages by
-// these.
+// same PAL. Activities that several skills share are templates over the interface. They find their message
+// types with ResultOf and ArgumentOf.
 #pragma once
 
 #include <cstddef>

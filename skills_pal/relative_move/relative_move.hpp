@@ -1,4 +1,4 @@
-// Relative Move: by so much in the frame of the tool.
+// Relative Move: by given distances and angles in the frame of the tool.
 #pragma once
 
 #include <memory>

@@ -166,8 +166,8 @@ class Search {
   }
 
   // The range finder gives no point where it met something steep on the way from the point before. Going on
-  // to a nearer surface it makes an exception for a single leap. If the wall below that surface is in view
-  // there are two: the first is on to the wall, which shows as a point before the farther surface.
+  // to a nearer surface it makes an exception for a single jump. If the wall below that surface is in view,
+  // there are two jumps. The first leads to the wall, which shows as a point before the farther surface.
   std::optional<Point> wall_before(const Line& farther, std::size_t first) const {
     std::size_t i = points_.index[first] - 1;
     if (profile_.valid[i]) return std::nullopt;
@@ -179,10 +179,11 @@ class Search {
     return last;
   }
 
-  // How much of a point's spacing the nearer surface loses after such a wall. Seen from along the wall, all
-  // of its first point; the more of the wall is seen, the sooner that point follows one of the wall's upper
-  // end, from which the way to it is not too steep: it loses what is left of 1 - tan(steepest) · tan(ray to
-  // wall). Where the wall ends is known to half a point, so that much of the angle is not counted.
+  // How much of a point's spacing the nearer surface loses after such a wall. Seen from along the wall, it
+  // loses all of its first point. The more of the wall is seen, the nearer the ray before that point meets
+  // the wall's upper end. From there the way to the point is not too steep. So it loses 1 - tan(steepest) ·
+  // tan(ray to wall), but not less than nothing. Where the wall ends is known to half a point, so that much
+  // of the angle is not counted.
   static double lost_after(const Point& wall, const Point& first, double apart) {
     const double up = wall.z - first.z;
     const double across = std::abs(first.y - apart - wall.y + wall.y / wall.z * up);

@@ -25,10 +25,11 @@ struct Edge {
 };
 
 struct EdgeOptions {
-  /// Looked for in so many points on either side; an edge is at least `least_side` points away from the ends.
+  /// An edge is looked for in this many points on either side. It is at least `least_side` points away from
+  /// the ends.
   std::size_t window = 20;
   std::size_t least_side = 8;
-  /// Lines go on beyond the window as long as points lie on them, up to so many.
+  /// Lines go on beyond the window as long as points lie on them, up to this many points.
   std::size_t longest_side = 60;
   /// What counts as an edge: the angle between the two surfaces, or the height of the step.
   double least_angle = 5;  // deg
@@ -37,7 +38,7 @@ struct EdgeOptions {
   std::optional<double> expected;
 };
 
-/// The edge, or nothing if there is none. Two lines are fitted to the points on either side of each place; an
+/// The edge, or nothing if there is none. Two lines are fitted to the points on either side of each place. An
 /// edge is where two lines explain the points clearly better than one does.
 std::optional<Edge> find_edge(const Profile& profile, const EdgeOptions& options = {});
 

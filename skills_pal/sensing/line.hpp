@@ -33,8 +33,9 @@ struct LineOnStretch {
   Stretch stretch;
 };
 
-/// Fits a line to `seed` and goes on from its ends, at most to those of `bounds`, as long as points lie on it
-/// (within 3.5 deviations, but for up to two in a row); it is fitted anew with each.
+/// Fits a line to `seed`. Then it extends the stretch from both ends, as long as points lie on the line, and
+/// at most to the ends of `bounds`. A point is on the line within 3.5 deviations. Up to two others in a row
+/// are passed over. The line is fitted again with each point.
 LineOnStretch grow_line(const Points& points, Stretch seed, Stretch bounds, double noise);
 
 /// Sums over the points up to each one, from which the squares that any stretch leaves come in constant time.

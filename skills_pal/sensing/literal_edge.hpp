@@ -22,8 +22,8 @@ struct LiteralEdgeOptions {
   std::size_t far_point = 60;
 };
 
-/// The first step, or nothing if there is none. Only steps are found, no creases. What the thesis prints
-/// beside this is wrong and left out: the nearest of 26 points as the edge, validity the wrong way round, an
+/// The first step, or nothing if there is none. Only steps are found, no creases. Three defects of the
+/// program in the thesis are left out: the nearest of 26 points as the edge, validity the wrong way round, an
 /// answer without an edge.
 std::optional<LiteralEdge> find_literal_edge(const Profile& profile, const LiteralEdgeOptions& options = {});
 

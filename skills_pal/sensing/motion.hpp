@@ -41,10 +41,10 @@ class ToolMotion {
   std::size_t count_ = 0;
 };
 
-/// Puts the valid points of a profile whose scan began at `taken` (ms) where they were in space, seen from
-/// the tool as it stood at `instant`: a profile of a tool that moved becomes what one that stood still would
-/// have seen, but with an x. Gives back how many there are; `points` has room for all of the profile. Without
-/// any motion: all at x = 0.
+/// The valid points of a profile whose scan began at `taken` (ms), as seen from the tool's pose at `instant`.
+/// So the profile of a tool that moved becomes one as if the tool had stood still, but with an x for each
+/// point. Returns the number of points; `points` has room for all of the profile. Without any motion: all at
+/// x = 0.
 std::size_t compensate(const Profile& profile, double taken, const ToolMotion& motion, double instant,
                        std::span<Eigen::Vector3d> points);
 

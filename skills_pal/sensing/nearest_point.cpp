@@ -21,7 +21,7 @@ bool connects(const Points& points, std::size_t i, double noise) {  // with i + 
   return std::abs(points.z[i + 1] - points.z[i]) < allowed;
 }
 
-// The points around `i` without a gap, at most so many on either side.
+// The points around `i` without a gap, up to a limit on either side.
 Stretch around(const Points& points, std::size_t i, std::size_t left, std::size_t right, double noise) {
   Stretch stretch{i, i + 1};
   while (stretch.begin > 0 && i - stretch.begin < left && connects(points, stretch.begin - 1, noise)) {

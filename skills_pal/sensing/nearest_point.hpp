@@ -13,8 +13,8 @@ struct NearestPoint {
 };
 
 /// The place of least z, or nothing if no surface is in range. A single point that its neighbours contradict
-/// is no surface. z is that of a line through the points around, as far as they belong to the same surface:
-/// the least of 255 noisy values alone would lie three deviations too near.
+/// is no surface. z is that of a line through the points around it that belong to the same surface. The least
+/// of 255 noisy values alone would lie three deviations too near.
 std::optional<NearestPoint> find_nearest_point(const Profile& profile);
 
 }  // namespace pal::sensing

@@ -24,8 +24,8 @@ struct PlaneOptions {
   /// So many of all points (0 to 1) must belong to it, at least `least_points`.
   double least_share = 0.8;
   std::size_t least_points = 50;
-  /// The points must cover so much in their shorter direction, mm: one profile of a tool that stands still
-  /// shows a line, through which planes of any lean go.
+  /// What the points must cover at least in their shorter direction, mm. One profile of a tool that stands
+  /// still shows only a line, and planes of any lean contain it.
   double least_width = 5;
 };
 

@@ -35,9 +35,9 @@ Points without_spikes(const Points& points, double noise);
 /// one that is not valid. They belong to neither surface.
 Points without_wall_points(const Points& points, double noise);
 
-/// Standard deviation of the noise in z, mm: from how far each point lies off the middle between its
-/// neighbours, by their median, so that edges do not count. Never less than the range finder's own steps
-/// make.
+/// Standard deviation of the noise in z, mm. It is computed from how far each point lies off the middle
+/// between its neighbours. The median of these distances is taken, so edges do not count. Never less than the
+/// noise of the range finder's own steps.
 double noise_of(const Points& points);
 
 /// |fz| as the thesis counts it: the sensor feels a negative fz when the tool presses; this is how hard it

@@ -1,4 +1,4 @@
-// Programs in which it is hard to say what makes what run: each with figures drawn anew, asked everything.
+// Programs with tangled causes. Each gets random figures and requirements of every measure.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <random>

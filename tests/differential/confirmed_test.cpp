@@ -164,10 +164,10 @@ TEST_CASE(
   expect_confirmed_kinds(AnalysisChoice::automatic, {5, 5});
 }
 
-TEST_CASE("the referee confirms every run shown for kept skills, and explanations add up, part 1 of 2") {
+TEST_CASE("kept skills: the referee confirms every run, and explanations add up, part 1 of 2") {
   expect_confirmed_kept_skills({1, 2});
 }
 
-TEST_CASE("the referee confirms every run shown for kept skills, and explanations add up, part 2 of 2") {
+TEST_CASE("kept skills: the referee confirms every run, and explanations add up, part 2 of 2") {
   expect_confirmed_kept_skills({2, 2});
 }

@@ -1,5 +1,5 @@
-// Skills whose last round is unlike those before: it works or waits for longer, and passes by what comes
-// again and again in those.
+// Skills whose last round is unlike those before. It works or waits for longer, and leaves out what comes in
+// all others.
 #include <catch2/catch.hpp>
 
 #include "tests/differential/by_hand.hpp"
@@ -31,7 +31,7 @@ TEST_CASE("a condition keeps its value while the last round goes on") {
   CHECK(bound_of("blocks_last") == 180 * ms + ms / 2);
 }
 
-TEST_CASE("a condition that nobody has set yet keeps its value until the skill ends before the rounds") {
+TEST_CASE("a condition that is never set keeps its value until the skill ends") {
   CHECK(bound_of("at_start") == 200 * ms);
   CHECK(bound_of("unset") == 18 * ms);
   CHECK(bound_of("unset_by_other") == 90 * ms);

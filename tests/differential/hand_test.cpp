@@ -1,4 +1,4 @@
-// Programs that nobody would write, each with what docs/reference/execution-model.md says of it, worked out
+// Unusual programs, each with what docs/reference/execution-model.md says of it, worked out
 // by hand.
 #include "analyzer/analysis.hpp"
 #include "tests/differential/by_hand.hpp"
@@ -29,14 +29,15 @@ TEST_CASE("a block behind blocks that were stopped is not over when another one 
   CHECK(bound(program("hand/behind_stopped")) == 3);
 }
 
-TEST_CASE("a wait that only looks may come before the message of a sender that its own take has freed") {
-  // SM1 is always blocked in its send. The first wait of MC1 frees the slot and reaches the second, at one
-  // instant with the send: it may miss it, and hold for 3 ms.
+TEST_CASE("WITHIN 0 ms may miss the message of a sender that the thread itself has freed") {
+  // SM1 is always blocked in its send. The first wait of MC1 frees the slot and leads to the second, at one
+  // instant with the send. So the second may miss the message, and hold for 3 ms.
   CHECK(bound(program("hand/only_looks")) == 3);
 }
 
-TEST_CASE("a module that begins with blocks comes to their queues in any order with other modules") {
-  // SM1's block (3 ms), MC1 (1 ms) and nobody else are on P: c, from the start, is 4 ms old if MC1 was first.
+TEST_CASE("a module's first blocks join their queues in any order with other modules") {
+  // SM1's block (3 ms), MC1 (1 ms) and no other thread are on P: c, from the start, is 4 ms old if MC1 was
+  // first.
   CHECK(bound(program("hand/begins_with_blocks")) == 4);
 }
 
@@ -53,7 +54,7 @@ TEST_CASE("times near the limit do not overflow") {
   CHECK(verdict.state != Verdict::State::holds);
 }
 
-TEST_CASE("a thread that is interrupted for ever does not keep the exploration from its end") {
+TEST_CASE("the exploration ends although a thread is interrupted for ever") {
   // SM1 interrupts MC1 1 ms after that has begun to obey, and never lets it go on.
   CHECK(bound(program("hand/starved")) == 1);
   CHECK(bound(program("hand/starved_unevenly")) == 3);
@@ -88,13 +89,13 @@ TEST_CASE("a request whose answer was lost is not open any more") {
   CHECK(bound(program("hand/lost_answer")) == 8);
 }
 
-TEST_CASE("the parent of a stopped block may go on before a sender whose slot the withdrawal has freed") {
+TEST_CASE("one instant: the parent of a stopped block, and a sender freed by a withdrawal") {
   // At 2 ms the answer to the block is withdrawn, and the second message of SM1 put. Then SM1 and MC1 come to
   // P: if MC1 is first it holds for 1 ms, and SM1 has thought from 3 to 8.
   CHECK(bound(program("hand/parent_of_stopped")) == 8);
 }
 
-TEST_CASE("a thread that waits for its processor for ever does not take it in another processor's load") {
+TEST_CASE("load of another processor: a thread that never gets its own processor") {
   // MC2 never gives P0 to SM1, which would complete the skill at once; P1 is busy with MC1 all the time.
   const Verdict verdict = first_verdict("hand/waits_for_ever");
   CHECK(verdict.state == Verdict::State::fails);
@@ -102,7 +103,7 @@ TEST_CASE("a thread that waits for its processor for ever does not take it in an
   CHECK(verdict.bound == Duration(1'000'000'000));
 }
 
-TEST_CASE("nothing holds in a skill in which time may stand still, however early the proof is stopped") {
+TEST_CASE("where time may stand still no requirement holds, even after an early stop") {
   // MC1 and SM1 hand the one message on at one instant, for as long as c stays FALSE.
   const auto skill = meaningful_skill(program("hand/stands_still"));
   int asked = 0;
@@ -118,7 +119,7 @@ TEST_CASE("nothing holds in a skill in which time may stand still, however early
   }
 }
 
-TEST_CASE("what is not answered when the skill ends is not counted, however long it has grown") {
+TEST_CASE("an event that is unanswered at the end of the skill does not count") {
   // The event of MC1 is unanswered for eight rounds of 70 ms, more than is followed exactly; then the skill
   // ends, in every run.
   const Verdict verdict = first_verdict("hand/unanswered_at_end");
@@ -140,15 +141,15 @@ TEST_CASE("a value beyond the cap grows for ever when the skill stands still") {
   CHECK(verdict.state == Verdict::State::fails);
 }
 
-TEST_CASE("two blocks that take from one clock may answer its events in the other order") {
-  // The long block takes a tick at 0 and is done at 7 ms; the short one takes that of 5 ms and is done at 7
-  // ms too, perhaps before: the tick of 0 is overtaken. A microsecond later it is not, and all are done in 7
-  // ms.
+TEST_CASE("two blocks may answer the events of one clock in the other order") {
+  // The long block takes a tick at 0 and is done at 7 ms. The short one takes that of 5 ms and is done at 7
+  // ms too, perhaps before. Then the tick of 0 is overtaken. A microsecond later it is not, and all are done
+  // in 7 ms.
   CHECK(first_verdict("hand/overtaken").state == Verdict::State::fails);
   CHECK(bound(program("hand/not_overtaken")) == 7);
 }
 
-TEST_CASE("an inner block may begin its next activity at the instant at which all around it is cancelled") {
+TEST_CASE("an inner block may begin an activity at the instant of its cancellation") {
   // MC1.1 and the first activity of MC1.4 are over at 2 ms. If MC1.4 is earlier it has begun its second one.
   CHECK(bound(program("hand/inner_begins_last")) == 11);
 }
@@ -162,6 +163,6 @@ TEST_CASE("a chosen message stays the thread's, whatever else is withdrawn befor
   CHECK(bound(program("hand/both_withdrawn")) == 8);
 }
 
-TEST_CASE("where no arm of a CASE holds the skill ends with the first of its error completions") {
+TEST_CASE("no arm of a CASE holds: the skill ends with its first error completion") {
   CHECK(bound(program("hand/first_of_two_errors")) == 2);
 }

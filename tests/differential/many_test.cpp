@@ -1,4 +1,4 @@
-// Of one thing more than anybody would have.
+// Programs with very many of one thing.
 #include "analyzer/analysis.hpp"
 #include "tests/differential/by_hand.hpp"
 #include "tests/support/any_skill.hpp"
@@ -117,7 +117,7 @@ TEST_CASE("the order of answers is not explored if the waiting threads do not in
   CHECK(analysis.verdicts.front().bound == Duration(14'002'000));
 }
 
-TEST_CASE("a skill that can begin in more orders than can be tried is given up") {
+TEST_CASE("a skill that can begin in too many orders is given up") {
   // Twelve modules come to one queue: in 12! orders.
   std::string names;
   std::string bodies;

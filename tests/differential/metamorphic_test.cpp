@@ -14,6 +14,7 @@
 using namespace pal;
 using namespace pal::analyzer;
 using pal::test::setting;
+using test::replaced;
 
 namespace {
 
@@ -35,12 +36,6 @@ Known known(const Problem& problem) {
 Known known(const std::string& text) {
   const auto skill = test::any_skill(text);
   return skill->problem ? known(*skill->problem) : Known{};
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
 }
 
 /// The modules in another order, and the lines of the environment.
@@ -150,7 +145,7 @@ TEST_CASE(
   CHECK(compared > 0);
 }
 
-TEST_CASE("a device that answers on request is a module on a processor of its own") {
+TEST_CASE("a device on request equals a module on a processor of its own") {
   // Both serve one request at a time, and answer those that were withdrawn in vain.
   const std::string device = test::program("served/by_device");
   const std::string module = test::program("served/by_module");

@@ -196,14 +196,14 @@ void expect_monotone(test::Part part) {
 
 }  // namespace
 
-TEST_CASE("a program with more runs measures no less, and one written otherwise the same, part 1 of 3") {
+TEST_CASE("more runs measure no less, and another text measures the same, part 1 of 3") {
   expect_monotone({1, 3});
 }
 
-TEST_CASE("a program with more runs measures no less, and one written otherwise the same, part 2 of 3") {
+TEST_CASE("more runs measure no less, and another text measures the same, part 2 of 3") {
   expect_monotone({2, 3});
 }
 
-TEST_CASE("a program with more runs measures no less, and one written otherwise the same, part 3 of 3") {
+TEST_CASE("more runs measure no less, and another text measures the same, part 3 of 3") {
   expect_monotone({3, 3});
 }

@@ -52,7 +52,7 @@ TEST_CASE("a phase may be a loop of another module, with what it executes") {
                                                        {"loss-run", 0}});
 }
 
-TEST_CASE("a phase that begins at one instant with what is measured comes before it and behind it") {
+TEST_CASE("a phase may begin before or behind what is measured at the same instant") {
   CHECK(agreed_bounds("phases/one_instant") == Bounds{{"after-take", 8},
                                                       {"after-put", 8},
                                                       {"put-to-put", 4},

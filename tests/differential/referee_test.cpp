@@ -31,7 +31,7 @@ void set_both(Told& run) {
   run.say(Kind::block, "MC1", "WTM( m from SM1 )", "m");
 }
 
-/// The referee lets forty runs by chance pass.
+/// The referee lets forty random runs pass.
 void expect_simulated(const std::string& name) {
   const auto made = test::meaningful_skill(skill(name));
   const Watch nothing;
@@ -56,7 +56,7 @@ void complete(Told& run, const std::string& code) {
 }  // namespace
 
 // MC1 sets c1 and then c2; SM1 tests both on another processor. Nothing takes time.
-TEST_CASE("a test reads all its conditions at one instant: nobody sets one between") {
+TEST_CASE("a test reads all its conditions at one instant") {
   Told before(skill("two_conditions"));
   start_both(before);
   before.say(Kind::read, "SM1", "CASE", "c1", 0);
@@ -65,7 +65,7 @@ TEST_CASE("a test reads all its conditions at one instant: nobody sets one betwe
   set_both(before);
   CHECK(before.broken() == "");
 
-  // c2 is set after c1, so whoever reads TRUE of c2 reads TRUE of c1.
+  // c2 is set after c1, so a thread that reads TRUE of c2 reads TRUE of c1.
   Told between(skill("two_conditions"));
   start_both(between);
   between.say(Kind::read, "SM1", "CASE", "c1", 0);
@@ -86,7 +86,7 @@ TEST_CASE("a test reads each condition once") {
 }
 
 // MC1 receives for 1 ms; a tick comes each 1 ms.
-TEST_CASE("a thread that has taken a message comes to its next wait before another one can be there") {
+TEST_CASE("after a take a thread reaches its next wait before another message comes") {
   const std::string first = "WTM( tick from d )";
   const std::string second = "WTM( tick from d ) WITHIN 0 ms";
   const auto begun = [&] {
@@ -228,16 +228,16 @@ TEST_CASE("a thread's wait for its blocks is told once, where they begin") {
   CHECK(later.broken() == "at 1000000 ns: MC1 waits for its blocks already");
 }
 
-TEST_CASE("a message of a freed sender comes after its receiver has chosen the next one") {
+TEST_CASE("the message of a freed sender comes after its receiver's next choice") {
   // MC1 takes m, and finds a tick at its next wait; then SM1, which was blocked, puts the next m.
   expect_simulated("freed_sender");
 }
 
-TEST_CASE("frames that nobody asks for end in the order of time, whichever device they are of") {
+TEST_CASE("unrequested frames of several devices end in the order of time") {
   expect_simulated("two_frames");
 }
 
-TEST_CASE("a wait ends when its message is put, also if it is withdrawn at once") {
+TEST_CASE("a wait ends when its message is put, even if the message is then withdrawn") {
   // SM1.2 sends its request when SM1.1 has ended, and is stopped.
   const auto until_stopped = [] {
     Told run(skill("put_and_stopped"));

@@ -42,7 +42,7 @@ struct RunTally {
   std::map<std::string, Counts> of;
 };
 
-/// All runs if there are few, else single ones by chance, against a verdict. What contradicts it, or nothing.
+/// All runs if there are few, else single random ones, against a verdict. What contradicts it, or nothing.
 std::string contradiction(test::AllRuns& runs, const test::Wanted& wanted, const Verdict& verdict,
                           std::uint64_t seed, Counts& counts) {
   const std::uint64_t states = setting("PAL_STATES", 20'000);
@@ -112,7 +112,7 @@ void say(const RunTally& tally) {
   CHECK(tally.skills > 0);
 }
 
-/// Of so many skills, if no other number is set, or of a part of them.
+/// For `rounds` skills, if no other number is set, or for a part of them.
 void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text,
                       test::Part part = {}) {
   RunTally tally;

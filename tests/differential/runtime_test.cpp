@@ -1,4 +1,4 @@
-// The runtime against the analyzer: programs by chance, run as generated code would run them; every run keeps
+// The runtime against the analyzer: random programs, run as generated code would run them. Every run keeps
 // the rules, and measures no more than was proved.
 #include <catch2/catch.hpp>
 #include <iostream>
@@ -66,8 +66,8 @@ std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& p
                                        const Requirement& requirement) {
   std::vector<trace::StatementName> at;
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    if (!requirement.at[s] || problem.steps[s].statement < 0) continue;
-    const Statement& of = problem.statements[static_cast<std::size_t>(problem.steps[s].statement)];
+    if (!requirement.at[s] || !problem.steps[s].statement.valid()) continue;
+    const Statement& of = problem.statements[problem.steps[s].statement];
     at.push_back({of.module, of.text, of.line});
   }
   std::vector<trace::Occurrence> found;
@@ -154,7 +154,7 @@ TEST_CASE("runs of the runtime keep the rules, and exceed no bound") {
   CHECK(traces > 0);
 }
 
-TEST_CASE("blocks of a CONCURRENT in an endless loop can end or not, as their flow says") {
+TEST_CASE("a CONCURRENT in an endless loop: the flow says which blocks can end") {
   const auto skill = test::any_skill(R"(MESSAGE tick : SIGNAL
 DEVICE robot
 SKILL s

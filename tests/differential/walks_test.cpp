@@ -74,31 +74,31 @@ void expect_sound_kinds(test::Part part) {
 
 }  // namespace
 
-TEST_CASE("no run of a larger skill exceeds what either analysis proved, part 1 of 2") {
+TEST_CASE("larger skills: no run exceeds a bound of either analysis, part 1 of 2") {
   expect_sound_kinds({1, 2});
 }
 
-TEST_CASE("no run of a larger skill exceeds what either analysis proved, part 2 of 2") {
+TEST_CASE("larger skills: no run exceeds a bound of either analysis, part 2 of 2") {
   expect_sound_kinds({2, 2});
 }
 
-TEST_CASE("no run of a small skill, in whatever order it does things, exceeds what either analysis proved") {
+TEST_CASE("small skills in all orders: no run exceeds a bound of either analysis") {
   const auto small = [](std::uint64_t seed) { return test::SmallSkill(seed).text(); };
   expect_all_sound("small", small, setting("PAL_ROUNDS", 200), true);
 }
 
-TEST_CASE("no run of a method that has to do with devices only exceeds what either analysis proved") {
+TEST_CASE("methods with devices only: no run exceeds a bound of either analysis") {
   expect_all_sound("lone", test::kinds().at("lone"), setting("PAL_ROUNDS", 100), true);
 }
 
-TEST_CASE("no run of a larger skill with mistakes in it exceeds what either analysis proved") {
+TEST_CASE("larger skills with mistakes: no run exceeds a bound of either analysis") {
   expect_all_sound("mistakes", with_mistakes, setting("PAL_ROUNDS", 16));
 }
 
-TEST_CASE("no run of a skill that was kept, with mistakes in it, exceeds what either analysis proved") {
+TEST_CASE("kept skills with mistakes: no run exceeds a bound of either analysis") {
   expect_all_sound("kept", kept_with_mistakes, setting("PAL_ROUNDS", 60));
 }
 
-TEST_CASE("no run of a skill with other figures, asked everything, exceeds what either analysis proved") {
+TEST_CASE("skills with other figures: no run exceeds a bound of either analysis") {
   expect_all_sound("asked everything", asked_everything, setting("PAL_ROUNDS", 40), true);
 }

@@ -118,7 +118,7 @@ pan::Environment grown(const Tight& skill, const std::string& figure, Duration e
 
 }  // namespace
 
-TEST_CASE("with a slack no run breaks anything, and with a nanosecond more some run breaks what is named") {
+TEST_CASE("no run breaks a requirement at the slack, and a run does a nanosecond above") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   std::size_t held = 0;
   std::size_t failed = 0;
@@ -216,7 +216,7 @@ TEST_CASE("figures that are all 0 grow together by the same amount") {
   CHECK(together.fails == Duration(2'000'001));
 }
 
-TEST_CASE("a run refutes a skill of more threads than can be explored, and the referee confirms it") {
+TEST_CASE("a skill too large to explore is refuted by a run that the referee confirms") {
   Problem problem = test::problem_of(test::pairs_of_drivers(140));
   for (Requirement& each : problem.requirements) each.limit = 4'000'000;
   const pan::Network network;

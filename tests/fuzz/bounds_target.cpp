@@ -1,5 +1,5 @@
-// Whole skills, changed line by line by what they make the analyzer do: the compositional bounds against the
-// exact ones and against runs that are made without either.
+// Whole skills, mutated line by line towards new code of the analyzer. The compositional bounds are compared
+// with the exact ones, and with runs that are made without either.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Runs a fuzz target on files, for builds without a fuzzer: replay EXTENSION PATH …, where a folder stands
-// for all the files below it whose names end in EXTENSION (* for all files).
+// Runs a fuzz target on files, for builds without a fuzzer: replay EXTENSION PATH …. A folder stands for all
+// the files below it whose names end in EXTENSION (* for all files).
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

@@ -52,7 +52,7 @@ void expect_run(const Requirement& requirement, const Verdict& verdict, const Si
 std::vector<Watch> watches_of(const Problem& problem, const Requirement& requirement) {
   if (requirement.measure != Requirement::Measure::busy) return {watch_of(problem, requirement)};
   std::vector<Watch> watches;
-  for (const int processor : requirement.processors)
+  for (const ProcessorId processor : requirement.processors)
     watches.push_back(watch_of(problem, requirement, processor));
   return watches;
 }
@@ -152,7 +152,7 @@ TEST_CASE("the bound is what trying every run gives") {
   CHECK(compared > 0);
 }
 
-TEST_CASE("no simulated run keeps a processor busier for long than what was proved") {
+TEST_CASE("no simulated run exceeds a proved load in the long run") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
   std::size_t proved = 0;
@@ -168,8 +168,8 @@ TEST_CASE("no simulated run keeps a processor busier for long than what was prov
     ZoneGraph graph(machine, 0, true);
     const Limits limits{30'000, {}};
     if (!graph.explore(limits)) continue;
-    std::vector<int> processors;
-    for (std::size_t p = 0; p < problem.processors.size(); ++p) processors.push_back(static_cast<int>(p));
+    std::vector<ProcessorId> processors;
+    for (const ProcessorId p : problem.processors.ids()) processors.push_back(p);
     const std::vector<LoadBound> bounds = load_bounds(machine, graph, processors, limits);
     for (const LoadBound& bound : bounds) {
       proved += bound.proved ? 1 : 0;
@@ -186,17 +186,17 @@ TEST_CASE("no simulated run keeps a processor busier for long than what was prov
       const Simulation made = simulate(machine, options);
       if (made.trace.events.empty()) continue;
       const Nanoseconds end = made.trace.events.back().time_ns;
-      std::vector<Nanoseconds> busy(problem.processors.size());
+      Table<ProcessorId, Nanoseconds> busy(problem.processors.size());
       for (const trace::Slice& slice : trace::slices(made.trace)) {
         if (slice.state != trace::State::running) continue;
-        const int processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
-        busy[static_cast<std::size_t>(processor)] += slice.to_ns - slice.from_ns;
+        const ProcessorId processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+        busy[processor] += slice.to_ns - slice.from_ns;
       }
-      for (std::size_t p = 0; p < busy.size(); ++p) {
+      for (const ProcessorId p : busy.ids()) {
         // Beginnings and ends count for nothing in the long run; 100 ms are more than any of these skills'
         // rounds.
-        const LoadBound& bound = bounds[p];
-        INFO("run " << run << " processor " << p << " busy " << busy[p] << " of " << end << ", bound "
+        const LoadBound& bound = bounds[p.index()];
+        INFO("run " << run << " processor " << p.index() << " busy " << busy[p] << " of " << end << ", bound "
                     << bound.most.work << " / " << bound.most.time);
         const double most = static_cast<double>(bound.most.work) / static_cast<double>(bound.most.time);
         CHECK(static_cast<double>(busy[p]) <= most * static_cast<double>(end) + 100e6);
@@ -207,7 +207,7 @@ TEST_CASE("no simulated run keeps a processor busier for long than what was prov
   CHECK(exact > 0);
 }
 
-TEST_CASE("no unending run exceeds a bound by shares, whatever the common divisor of the times") {
+TEST_CASE("no unending run exceeds a bound by shares") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
   std::size_t proved = 0;
@@ -227,8 +227,7 @@ TEST_CASE("no unending run exceeds a bound by shares, whatever the common diviso
     ZoneGraph graph(machine, 0, true);
     if (!graph.explore({20'000, {}})) continue;
     for (const Recurrence& recurrence : recurrences(graph)) {
-      for (std::size_t p = 0; p < problem.processors.size(); ++p) {
-        const int processor = static_cast<int>(p);
+      for (const ProcessorId processor : problem.processors.ids()) {
         const auto most = share_bound(work_graph(machine, graph, recurrence, processor), {}, {});
         if (!most) continue;
         ++proved;
@@ -236,8 +235,8 @@ TEST_CASE("no unending run exceeds a bound by shares, whatever the common diviso
                                          [&most](const Fraction& load) { return !greater(*most, load); }, {});
         if (!run) continue;
         ++shown;
-        INFO("processor " << p << ": " << run->load.work << " / " << run->load.time << " shown, "
-                          << most->work << " / " << most->time << " proved");
+        INFO("processor " << processor.index() << ": " << run->load.work << " / " << run->load.time
+                          << " shown, " << most->work << " / " << most->time << " proved");
         CHECK_FALSE(greater(run->load, *most));
         equal += greater(*most, run->load) ? 0 : 1;
       }

@@ -1,4 +1,4 @@
-// Chains by chance: their bounds beside those of another analysis, and of their PAL text.
+// Random chains: their bounds beside those of another analysis, and of their PAL text.
 #include <catch2/catch.hpp>
 
 #include "analyzer/compositional/compositional.hpp"
@@ -22,7 +22,7 @@ TEST_CASE("a system of chains has the same bounds built directly and read from P
   }
 }
 
-TEST_CASE("bounds of chains are at or under those of the holistic analysis") {
+TEST_CASE("bounds of chains do not exceed those of the holistic analysis") {
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     const test::ChainSystem system = test::random_chains(seed, test::benchmark_shape(seed));
     const auto holistic = test::holistic(system);

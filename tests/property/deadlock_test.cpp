@@ -297,7 +297,7 @@ END
 }
 
 // The sensor answers in some runs and in others never, whereas the robot goes on in all of them.
-TEST_CASE("a wait whose end depends on a value is found by a search without values") {
+TEST_CASE("a search without values finds a wait whose end depends on a value") {
   const std::string text = R"(CONDITION gate
 MESSAGE raw : SIGNAL
 MESSAGE value : SIGNAL
@@ -362,7 +362,7 @@ END
   CHECK(seen.partial == 2);
 }
 
-TEST_CASE("withdrawn requests that are not counted change nothing of what is decided") {
+TEST_CASE("withdrawn requests beyond the count do not change what is decided") {
   const auto seeds = setting("PAL_ROUNDS", 50);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;

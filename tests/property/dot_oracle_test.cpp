@@ -1,4 +1,4 @@
-// DOT texts by chance, read by our reader and by Graphviz' own: both must see the same graph.
+// Random DOT texts, read by our reader and by Graphviz' own: both must see the same graph.
 #include <graphviz/cgraph.h>
 
 #include <algorithm>

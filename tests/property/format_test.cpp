@@ -1,5 +1,4 @@
-// The canonical layout keeps what people wrote: every word, every comment, the meaning; and it is a fixed
-// point.
+// The canonical layout keeps every word, every comment and the meaning. It is a fixed point.
 #include <catch2/catch.hpp>
 #include <cctype>
 #include <cstdint>
@@ -190,7 +189,7 @@ TEST_CASE("long lines keep every word and comment, and are broken as late as pos
   }
 }
 
-TEST_CASE("a program that comes from a tree is in the layout that people's programs get") {
+TEST_CASE("a program printed from a tree is in the canonical layout") {
   constexpr std::uint64_t first_seed = 7;
   for (std::uint64_t seed = first_seed; seed < first_seed + 200; ++seed) {
     CAPTURE(seed);

@@ -18,10 +18,11 @@ using pal::test::talking_skill;
 
 namespace {
 
-/// Walks through the states of a skill. In each, a set of threads is left alone by the others, or so it is
-/// said: what one of the set does after a few moves of others it can do before them, and they in some order
-/// then lead to the same state (Godefroid, Partial-Order Methods, 1996: persistent sets). Their order may be
-/// another one: of two blocks the one that ends last ends the CONCURRENT, and stops the others.
+/// Walks through the states of a skill. In each state the search has chosen a set of threads, which the
+/// others should not disturb. Take a move of the set after a few moves of others. It must be possible before
+/// them, and they must then lead to the same state in some order (Godefroid, Partial-Order Methods, 1996:
+/// persistent sets). Their order may be another one: of two blocks the one that ends last ends the
+/// CONCURRENT, and stops the others.
 class Walk {
  public:
   Walk(const Automata& automata, std::uint64_t seed)
@@ -69,7 +70,7 @@ class Walk {
       moves_.of(state, thread, after);
       REQUIRE_FALSE(after.empty());
       for (std::size_t t = 0; t < threads_; ++t) {
-        // One that was blocked and is then cancelled stops: nobody's move enables that but the cancelling.
+        // One that was blocked and is then cancelled stops: no move enables that but the cancelling.
         const bool stops = moves_.finishing(state, t) && !moves_.finishing(before, t);
         if (set.test(t) && !stops) compare(before, others, state, timely, t);
       }
@@ -114,7 +115,7 @@ class Walk {
     return result;
   }
 
-  /// The moves of a thread by chance, none of `but`, of those that can move.
+  /// The moves of a random thread, none of `but`, of those that can move.
   std::vector<Move> some(const State& state, const Threads& but) {
     std::vector<Move> result;
     const auto first = below(threads_);
@@ -147,7 +148,7 @@ std::size_t walk(const std::string& text, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("a move of a stubborn set after moves of others is also possible before them") {
+TEST_CASE("stubborn sets: a move that is possible after moves of others is so before them") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   std::size_t compared = 0;
   for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 100); ++seed) {

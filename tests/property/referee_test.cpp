@@ -38,7 +38,7 @@ std::string refused_runs(const std::string& text, SimulationOptions::Times times
 
 }  // namespace
 
-TEST_CASE("an age is explained by what the thread read, not by the messages that came since") {
+TEST_CASE("an age is explained by the value that was read, not by later messages") {
   const auto skill = test::sound_skill(referee("read_before_said"));
   Options options;
   options.max_states = 2'500;
@@ -49,7 +49,7 @@ TEST_CASE("an age is explained by what the thread read, not by the messages that
   CHECK(test::unexplained(age) == "");
 }
 
-TEST_CASE("a thread that goes on at the instant at which it ended keeps its processor busy") {
+TEST_CASE("a thread that goes on at the instant of its end keeps its processor busy") {
   const auto skill = test::sound_skill(referee("spinning"));
   const Analysis analysis = analyze_exactly(*skill->problem);
   const Verdict& pause = analysis.verdicts.front();
@@ -60,18 +60,18 @@ TEST_CASE("a thread that goes on at the instant at which it ended keeps its proc
 }
 
 // LS1 gives up while SD1 is receiving an event: the request that it withdraws is not what SD1 receives.
-TEST_CASE("a message that is withdrawn beside the one that is being taken leaves that alone") {
+TEST_CASE("withdrawing one message does not touch the one that is being taken") {
   CHECK(refused_runs(referee("withdrawn_beside"), SimulationOptions::Times::random) == "");
 }
 
 // LS1.1 takes the next request, of the instant at which the one before is withdrawn: it did not have that
 // one.
-TEST_CASE("a thread that takes the next message need not have had the one that was withdrawn") {
+TEST_CASE("a receiver may never have had the message that was withdrawn") {
   CHECK(refused_runs(referee("next_message"), SimulationOptions::Times::extremes) == "");
 }
 
 // SM1.1 takes a message, which frees LS1, and ends, which cancels SM1.2: LS1 or SM1 is the first in the
 // queue.
-TEST_CASE("a sender that was freed comes to its queue before or after the parent of who freed it") {
+TEST_CASE("one instant: a freed sender and the parent of who freed it join a queue") {
   CHECK(refused_runs(referee("freed_sender"), SimulationOptions::Times::worst) == "");
 }

@@ -26,7 +26,7 @@ namespace {
 
 constexpr Nanoseconds one_millisecond = 1'000'000;
 
-/// A skill by chance; every third one a timed one that is changed in a few places.
+/// A random skill; every third one a timed one that is changed in a few places.
 std::string program(std::uint64_t seed) {
   if (seed % 3 != 0) return test::RandomSkill(seed, 9).text();
   const auto sound = [](const std::string& text) { return test::skill_from_text(text)->problem.has_value(); };
@@ -115,7 +115,7 @@ TEST_CASE("every simulated run keeps the rules, and shows the same values") {
   expect_rules_kept(60, program);
 }
 
-TEST_CASE("runs in which devices do not answer keep the rules, and show the same values") {
+TEST_CASE("devices that do not answer: runs keep the rules and show the same values") {
   expect_rules_kept(30, [](std::uint64_t seed) { return test::with_silent_devices(program(seed)); });
 }
 
@@ -214,9 +214,8 @@ TEST_CASE("the referee confirms every witness, and no changed one") {
             << repeated.refused << " of " << repeated.made << " with one told twice, " << reordered.refused
             << " of " << reordered.made << " reordered\n";
   CHECK(witnesses > 0);
-  // What is left over are changes that give another run of the same skill: an event of a device that comes
-  // once, the end of an action whose time is not fixed, two things that happen at one instant apart from each
-  // other.
+  // Some changes give another run of the same skill. They move an event of a device that comes once, or the
+  // end of an action whose time is not fixed. Or they exchange two independent events of one instant.
   CHECK(moved.refused * 100 > moved.made * 95);
   CHECK(left_out.refused * 100 > left_out.made * 95);
   CHECK(repeated.refused == repeated.made);

@@ -164,7 +164,7 @@ TEST_CASE("the templates of logical sensors come back from PAN and from DOT") {
   }
 }
 
-TEST_CASE("DOT texts that are cut off, doubled or shuffled do no harm") {
+TEST_CASE("DOT texts that are cut off, doubled or shuffled are read safely") {
   constexpr std::uint64_t seed = 20260713;
   CAPTURE(seed);
   std::mt19937_64 random(seed);

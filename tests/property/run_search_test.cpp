@@ -77,7 +77,7 @@ TEST_CASE("runs found by the search are runs of the skill, within the bounds") {
   CHECK(10 * tally.worst > 7 * tally.exact);
 }
 
-TEST_CASE("a large system's requirement is refuted by a run where its bound is beyond the limit") {
+TEST_CASE("a large system: a run refutes a requirement whose bound is above the limit") {
   test::ChainShape shape;
   shape.processors = 3;
   shape.chains = 6;

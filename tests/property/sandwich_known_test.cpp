@@ -1,5 +1,4 @@
-// Programs of which simulation, the exact and the compositional analysis once came in another order, or did
-// not come to an end.
+// Programs for which simulated <= exact <= compositional was once violated, or an analysis did not end.
 #include <catch2/catch.hpp>
 #include <utility>
 

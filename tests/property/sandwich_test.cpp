@@ -48,7 +48,7 @@ std::vector<std::string> with_touch_modules(const std::string& skill) {
   return files;
 }
 
-/// What mutants are made of: skills and chains by chance, those of the repository and those that were
+/// What mutants are made of: random skills and chains, those of the repository and those that were
 /// published.
 std::string base(std::uint64_t seed) {
   static const std::vector<std::vector<std::string>> written = {

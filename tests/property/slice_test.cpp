@@ -1,4 +1,4 @@
-// Slices have all runs of the whole: what all runs of a slice keep, no run of the whole breaks.
+// A slice has all runs of the whole skill. So what all runs of a slice keep, no run of the skill breaks.
 #include <catch2/catch.hpp>
 #include <iostream>
 
@@ -31,7 +31,7 @@ bool is_timed(const Requirement& requirement) {
 /// `known`: exactly, with a run that shows it.
 void expect_sound_slice(const Problem& problem, const Requirement& requirement, const Verdict& known,
                         Reach reach, Relaxation relaxation, ZoneGraph::Merging merging, SliceTally& tally) {
-  const Cone cone = cone_of(problem, requirement, -1, reach);
+  const Cone cone = cone_of(problem, requirement, ProcessorId{}, reach);
   Limits limits;
   limits.classes = 3'000;
   const SliceBound found = bound_in(slice_of(problem, cone, relaxation), requirement,
@@ -99,7 +99,7 @@ void expect_sound_slice_seeds(const Text& text_of, std::uint64_t rounds, SliceTa
 
 }  // namespace
 
-TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
+TEST_CASE("small skills: no run exceeds a bound of a slice") {
   SliceTally tally;
   expect_sound_slice_seeds(
       [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }, 15, tally);
@@ -107,7 +107,7 @@ TEST_CASE("no run goes beyond what is proved of a slice: small skills") {
   CHECK(tally.equal > 0);
 }
 
-TEST_CASE("no run goes beyond what is proved of a slice: devices that may not answer") {
+TEST_CASE("devices that may not answer: no run exceeds a bound of a slice") {
   SliceTally tally;
   expect_sound_slice_seeds(
       [](std::uint64_t seed) { return test::with_silent_devices(test::RandomSkill(seed, 9).text()); }, 10,
@@ -115,7 +115,7 @@ TEST_CASE("no run goes beyond what is proved of a slice: devices that may not an
   CHECK(tally.bounds > 0);
 }
 
-TEST_CASE("no run goes beyond what is proved of a slice: skills of all kinds") {
+TEST_CASE("skills of all kinds: no run exceeds a bound of a slice") {
   SliceTally tally;
   expect_sound_slice_seeds(test::skill_of_any_kind, 24, tally);
   CHECK(tally.proper > 0);

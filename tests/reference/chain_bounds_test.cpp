@@ -1,4 +1,4 @@
-// Bounds of cause-effect chains, by numbers that can be reckoned by hand.
+// Bounds of cause-effect chains, by figures that can be worked out by hand.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -80,23 +80,22 @@ END ENVIRONMENT
 
 TEST_CASE("a value goes from a sensor by messages and a condition to a robot") {
   // A sensor sends every 10 ms, its force is there 2 ms later, and a robot asks for a motion every 25 ms.
-  // Nobody shares a processor.
-  // Compositional, exact. The first set comes at 12 ms, until when the value is as old as the skill; after
-  // that sets are 10 apart, and samples 2 old when they are set. A reaction waits for the next request, 25
-  // later.
+  // Nobody shares a processor. Compositional, exact. The first set comes at 12 ms. Until then the value is as
+  // old as the skill. After that sets are 10 apart, and samples are 2 old when they are set. A reaction waits
+  // for the next request, 25 later.
   expect_bounds(chain("sensor_and_robot"),
                 {{12, 12}, {12, 12}, {37, 37}, {37, 37}, {25, 25}, {25, 25}, {2, 2}});
 }
 
 TEST_CASE("blocks in each round of a module") {
-  // In each round two blocks: one asks for a force, which takes 4 to 6 ms, the other thinks for 5.
-  // The parent goes on when the slower block has ended. What the bound does not know is that a thinking block
-  // ends 5 after the request, so that the set may be 2 old at the end at most: 6 at the latest, 4 at the
-  // earliest. Rounds are 25 apart, the thinking ends 5 later in each.
+  // In each round two blocks: one asks for a force, which takes 4 to 6 ms, the other thinks for 5. The parent
+  // goes on when the slower block has ended. The bound does not know that a thinking block ends 5 after the
+  // request. It counts 6 at the latest and 4 at the earliest, so the set may be 2 old at the end. Rounds are
+  // 25 apart, the thinking ends 5 later in each.
   expect_bounds(chain("blocks_in_a_round"), {{2, 1}, {6, 6}, {6, 6}, {25, 25}, {0, 0}});
 }
 
-TEST_CASE("a response does not count the jitter of its event") {
+TEST_CASE("a response does not include the jitter of its event") {
   // Two clocks with jitter, each for a chain of two modules on two processors, the one always before the
   // other.
   expect_bounds(chain("late_events"), {{3, 3}, {6, 6}, {8, 8}, {15, 15}});
@@ -104,7 +103,7 @@ TEST_CASE("a response does not count the jitter of its event") {
 
 TEST_CASE("a reader of lower priority reads no old value while the setter works") {
   // Below the setter the reader does not get between its release and its set: 10 from one release to the
-  // next, or to the first. With its priority, or where nobody is preempted, it may have been at work before.
+  // next, or to the first. With its priority, or without preemption, it may have been at work before.
   // Elsewhere it reads until the value is set again.
   expect_bounds(setter_and_reader("", "P1 PRIORITY 1"), {{10, 10}, {13, 10}});
   expect_bounds(setter_and_reader("", "P1 PRIORITY 2"), {{17, 14}, {20, 14}});

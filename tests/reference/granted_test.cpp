@@ -34,7 +34,7 @@ void expect_age(const std::string& text, int exact_value) {
 
 }  // namespace
 
-TEST_CASE("what comes after a block waits for what that block has kept from the processor") {
+TEST_CASE("what follows a block waits for the work that the block has delayed") {
   // The controller obeys from 0; the block has the processor from 0.5 to 25.5. Then there are 8.5 ms of the
   // first tick left, and two more ticks have come.
   expect_bounds(granted("preempted"), {{87.5, 53.5}});
@@ -67,7 +67,7 @@ TEST_CASE("an answer may be taken by a block that has not asked for it") {
   expect_bounds(granted("taken_away"), {{-1, 21}});
 }
 
-TEST_CASE("a limit counts anew if what a thread is about to take is withdrawn") {
+TEST_CASE("a limit starts again if the message that a thread is about to take is withdrawn") {
   // SM1.1 gives up at 6 what SM1.2 is taking until 6.3. From then SM1.2 waits 5.5 again, and gives up in 1.
   expect_bounds(granted("withdrawn"), {{-1, 12.8}});
 }
@@ -77,13 +77,13 @@ TEST_CASE("an answer that a round leaves is taken by the next") {
   expect_bounds(granted("left"), {{-1, 20.5}, {-1, 1.5}});
 }
 
-TEST_CASE("what a round waits for may come twice, and be left to the next round") {
+TEST_CASE("a message that a job waits for may come twice") {
   // SM1 asks at 2 and, since MC1 moves till 6 and its answer is under way till 8, once more at 7. MC1 takes
   // that in the round of 11.5, before the gauge was asked again.
   expect_bounds(granted("asked_twice_for"), {{-1, 11.5}});
 }
 
-TEST_CASE("a set that is read before the same set is as old as the loop between them is long") {
+TEST_CASE("a value that is read before it is set again is as old as the loop") {
   // SM1 is at home in its second loop; the first one goes round with the beat.
   expect_bounds(granted("set_round_a_loop"), {{-1, 10}});
 }
@@ -109,13 +109,13 @@ TEST_CASE("a reaction goes on where another thread comes to its statement") {
   expect_no_bound(granted("elsewhere"));
 }
 
-TEST_CASE("what comes more than a period after its event meets a later event that takes its time") {
+TEST_CASE("more than a period after its event: meets a longer later event") {
   // SM1 thinks at 15 after an event. If the next comes no sooner SD1 looks then, too, and SD2 reacts after
   // both.
   expect_bounds(granted("drifting"), {{4, 4}});
 }
 
-TEST_CASE("what comes more than a period after its event is kept by a later event that takes its time") {
+TEST_CASE("more than a period after its event: delayed by a longer later event") {
   // SM1 is to think from 17 to 19. The next event comes at 17, and SD1 looks for 3 ms.
   expect_bounds(granted("drifting_itself"), {{22, 22}});
 }
@@ -126,7 +126,7 @@ TEST_CASE("a job is as short as its block needs") {
 }
 
 TEST_CASE("a thread that may end before it has come home takes nothing") {
-  // If c does not hold LS1 ends at once, and nobody takes what SD2 sends.
+  // If c does not hold LS1 ends at once, and no thread takes what SD2 sends.
   expect_no_bound(granted("ended"));
 }
 
@@ -163,8 +163,9 @@ TEST_CASE("a round that may send to one slot three times finds it full") {
 }
 
 TEST_CASE("what comes by one of two ways piles up on both") {
-  // Once the arm is there SM1 finds the tick of the clock, the one that SD1 cannot send, and on each way the
-  // one in the slot before the sensor, the one that this cannot hand on, and the one in the slot after it. If
-  // the arm is quick now these, and the next tick, keep SD2 for 9 times 0.5 ms.
+  // When the arm is there, SM1 finds the tick of the clock, and the one that SD1 cannot send. On each of the
+  // two ways there are three more. One is in the slot before the sensor, the sensor cannot hand on the
+  // second, and the third is in the slot after it. If the arm is quick now, these and the next tick keep SD2
+  // for 9 times 0.5 ms.
   expect_bounds(granted("piled_up"), {{5.1, 4.6}, {5.1, 4.6}});
 }

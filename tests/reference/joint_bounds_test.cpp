@@ -97,7 +97,7 @@ TEST_CASE("what delays two stages on one processor counts once for both") {
   CHECK(found.addends == 143 * ms);
 }
 
-TEST_CASE("the order of priorities does not matter if others stand above one of the stages") {
+TEST_CASE("joint window: other threads may stand above one of the stages") {
   for (const auto& [first, second, other] :
        {std::tuple{1, 2, 3}, std::tuple{3, 1, 2}, std::tuple{1, 3, 2}, std::tuple{1, 1, 1}}) {
     INFO(first << " " << second << " " << other);
@@ -114,7 +114,7 @@ TEST_CASE("no other work delays stages above it") {
   CHECK(found.exact == Duration(75 * ms));
 }
 
-TEST_CASE("a thread that asks two others and waits for both has a bound near the exact one") {
+TEST_CASE("asking two modules and waiting for both: the bound is near the exact one") {
   const Bounds found = bounds_of(R"(MESSAGE tick  : SIGNAL
 MESSAGE left  : REAL N
 MESSAGE right : REAL N

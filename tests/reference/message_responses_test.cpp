@@ -129,8 +129,8 @@ TEST_CASE("a request that is withdrawn before it is taken awaits no response") {
   expect_exact(*skill->problem, analyze_exactly(*skill->problem), 0, 1750us);  // 1 + 0.25 + 0.5
 }
 
-TEST_CASE("of a request to two parties the second is answered while the first is not") {
-  // LS1 thinks for 10 ms, LS2 answers at once: whoever asks next does so when it has both answers.
+TEST_CASE("a request to two parties: the second is answered, the first is not") {
+  // LS1 thinks for 10 ms, LS2 answers at once: the next thread asks when it has both answers.
   const auto skill = sound_skill(R"(MESSAGE tick : SIGNAL
 MESSAGE force : SIGNAL
 DEVICE robot

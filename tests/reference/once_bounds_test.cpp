@@ -1,4 +1,4 @@
-// Bounds of what a thread is sent once while it is at work, by numbers that can be reckoned by hand.
+// Bounds of what a thread is sent once while it is at work, by figures that can be worked out by hand.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -69,7 +69,7 @@ TEST_CASE("what a thread is sent next may come while it is still at work") {
                 {{9, 8}});
 }
 
-TEST_CASE("a thread that answers first and works then is at work when it is sent more") {
+TEST_CASE("a thread that answers before it works is busy when more comes") {
   expect_bounds(once(R"(
     WTM FIRST
       ( early from SM1 ):

@@ -67,7 +67,7 @@ int processor_of(const Placed& placed, const std::string& thread) {
 
 }  // namespace
 
-TEST_CASE("a processor that a requirement names is not like the others, even if there is no other yet") {
+TEST_CASE("a processor that a requirement names is not like the others") {
   const auto skill =
       two_loops("  REQUIREMENT quiet : LOAD OF P0 AT MOST 20 %\n", "  PROCESSOR P0\n" + slow_clocks);
   const auto all = fewest(*skill, false);
@@ -79,7 +79,7 @@ TEST_CASE("a processor that a requirement names is not like the others, even if 
   CHECK(processor_of(all.back().meet.front(), "SM1") == 1);
 }
 
-TEST_CASE("what one processor can do another kind of processor may do alone") {
+TEST_CASE("a processor of another kind may be the one that suffices") {
   const auto skill =
       two_loops("  REQUIREMENT soon : RESPONSE FROM tick OF MC1 TO heavy IN SM1 AT MOST 5 ms\n",
                 "  PROCESSOR P0 NONPREEMPTIVE\n  PROCESSOR P1\n" + slow_clocks);
@@ -91,7 +91,7 @@ TEST_CASE("what one processor can do another kind of processor may do alone") {
   CHECK(processor_of(all.front().meet.front(), "SM1") == 1);
 }
 
-TEST_CASE("of processors that are alike it does not matter which has what") {
+TEST_CASE("processors that are alike are interchangeable") {
   const auto skill =
       two_loops("  REQUIREMENT soon : RESPONSE FROM tick OF MC1 TO heavy IN SM1 AT MOST 5 ms\n",
                 "  PROCESSOR P0\n  PROCESSOR P1\n  PROCESSOR P2 NONPREEMPTIVE\n" + slow_clocks);

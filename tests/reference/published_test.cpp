@@ -125,7 +125,7 @@ bool is(const std::optional<Duration>& bound, Nanoseconds microseconds) {
 
 }  // namespace
 
-TEST_CASE("compositional bounds are at or under the published values") {
+TEST_CASE("compositional bounds do not exceed the published values") {
   std::string last;
   Analysis analysis;
   for (const Answer& answer : answers) {
@@ -146,7 +146,7 @@ TEST_CASE("compositional bounds are at or under the published values") {
   }
 }
 
-TEST_CASE("what runs attain is the published value, or less where that is a bound") {
+TEST_CASE("runs attain the published values, and do not exceed published bounds") {
   int found = 0;
   std::string last;
   Analysis analysis;
@@ -208,7 +208,7 @@ TEST_CASE("pyCPA's responses under jitter are attained") {
   CHECK(attained(of(analysis, "path-one")) == Duration(12'000'000));
 }
 
-TEST_CASE("what is published as schedulable holds, and what is not does not") {
+TEST_CASE("systems published as schedulable hold, and those published as not do not") {
   const auto set_a = published("burns_wellings_set_a");
   const Analysis a = analyze_compositionally(*set_a->problem);
   CHECK(of(a, "b").state == Verdict::State::holds);

@@ -25,7 +25,7 @@ void expect_refuted(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("what is sent to a block that is started again and again waits until it is there") {
+TEST_CASE("a message to a block that is started again waits for the block") {
   // LS1 has read what is 10 ms old, and waits 70 ms for the block to be there again. In each 100 ms the block
   // finds two messages more than come in its 5 ms.
   expect_bounds(pal::test::project_file("tests/reference/granted/nested_blocks.pal"), {{-1, 81}, {-1, 10}});
@@ -36,24 +36,24 @@ TEST_CASE("what is sent to a block that a message starts waits for that message"
   expect_bounds(pal::test::project_file("tests/reference/granted/nested_once.pal"), {{-1, 81}, {-1, 10}});
 }
 
-TEST_CASE("an event that waits for a block that is started again may be taken just before the next") {
+TEST_CASE("an event that waits for a restarted block may be taken just before the next event") {
   expect_bounds(pal::test::project_file("tests/reference/granted/nested_event.pal"), {{-1, 1}, {-1, 3}});
 }
 
-TEST_CASE("a block that is stopped in each round need not come to what it does") {
+TEST_CASE("a block that is cancelled in each round may never reach its statement") {
   expect_refuted("nested_stopped");
 }
 
-TEST_CASE("a message that is looked for now and then stays when the block that took it is gone") {
+TEST_CASE("a message that a block only looks for stays when the block is gone") {
   // LS1 sends every 30 ms, and SM1 looks every 100 ms.
   expect_refuted("taker_gone");
 }
 
-TEST_CASE("a message that is looked for at the start is not answered where it is waited for later") {
+TEST_CASE("an event that is taken at the start is not answered by a later wait") {
   expect_refuted("looked_for");
 }
 
-TEST_CASE("a request may be served by a wait that gives up when the block that served it is gone") {
+TEST_CASE("a wait WITHIN may serve a request after the block that served it is gone") {
   expect_refuted("served_late");
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("an event is lost with an answer that nobody wants any more") {
   expect_refuted("discarded");
 }
 
-TEST_CASE("a limit counts anew after what comes once") {
+TEST_CASE("a limit starts again after a message that comes once") {
   // MC1 holds at 30, is told to go at 60, and holds again at 91.
   expect_bounds(pal::test::project_file("tests/reference/granted/commanded.pal"), {{65, 61}});
 }
@@ -78,7 +78,7 @@ TEST_CASE("nothing is known of what a block within a block sends") {
   expect_refuted("sent_from_within");
 }
 
-TEST_CASE("what a thread brings about at its start may be taken in any of its rounds") {
+TEST_CASE("a message sent at the start of a thread may be taken in any round") {
   // Each is told to stop while it waits for something else, in a round or between two limits.
   expect_refuted("told_later");
   expect_refuted("told_between_limits");
@@ -89,7 +89,7 @@ TEST_CASE("a device that asks by itself asks again before it has its answer") {
   expect_refuted("asked_by_a_device");
 }
 
-TEST_CASE("what a device asks for between two blocks that answer waits for the second one") {
+TEST_CASE("a device's request between two blocks that answer waits for the second") {
   // A request of 15 ms or more waits for the second block, and the next one comes with it.
   expect_refuted("asked_in_between");
 }

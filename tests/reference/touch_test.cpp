@@ -29,7 +29,7 @@ TEST_CASE("touch meets its requirements in the workcell, exactly") {
   }
 }
 
-TEST_CASE("touch in the order of figure 3.6 moves on a force that is too old") {
+TEST_CASE("touch in the order of figure 3.6 decides on a force that is too old") {
   const Analysis analysis = analyze_touch("touch_read_first.pal");
   for (const Verdict& verdict : analysis.verdicts) {
     INFO(verdict.requirement << ": " << verdict.explanation);

@@ -35,8 +35,8 @@ Verdict::State with(const test::Skill& skill, const std::string& name, Duration 
   return worst;
 }
 
-/// A round of 10 ms in which one activity is done before and again after SPC( half ): late allows it 1.5 ms
-/// more, and the other 3 ms; early allows either 2 ms more.
+/// A round of 10 ms. One activity is done before and again after SPC( half ). `late` allows it 1.5 ms more,
+/// and the other 3 ms. `early` allows either 2 ms more.
 const char* const two_intervals = R"(MESSAGE tick : SIGNAL
 MESSAGE value : SIGNAL
 CONDITION half FROM value "half of a round is done"
@@ -103,7 +103,7 @@ TEST_CASE("slack of rate monotonic drivers is what the time demand leaves, to th
     CHECK(with(*skill, name, *slack.holds) == Verdict::State::holds);
     CHECK(with(*skill, name, *slack.fails) == Verdict::State::fails);
   }
-  CHECK(of("SEND").unlimited);  // nobody sends
+  CHECK(of("SEND").unlimited);  // no statement sends
   // All together: 5 ms is the longest; the others grow in proportion, rounded up.
   const Slack together = of("");
   CHECK(together.exact());
@@ -133,7 +133,7 @@ TEST_CASE("slack is nothing where a requirement does not hold as things are") {
   }
 }
 
-TEST_CASE("the slack of a load is known to the nanosecond, whatever the times have in common") {
+TEST_CASE("the slack of a load is exact for times without a common divisor") {
   const auto skill = test::sound_skill(R"(MESSAGE tick : SIGNAL
 SKILL s
   MACHINE CONTROLLER MC1
@@ -174,9 +174,9 @@ END ENVIRONMENT
   CHECK(seen == 2);
 }
 
-// Of what fails at different growths, runs of the one and of the other are known when the second figure is
-// looked at; the one that fails with less is named.
-TEST_CASE("a slack names what fails with a nanosecond more, not what fails with much more") {
+// Two requirements fail at different growths. When the second figure is searched, runs of both are already
+// known. The requirement that fails with less growth is named.
+TEST_CASE("a slack names the requirement that fails first") {
   const auto skill = test::sound_skill(two_intervals);
   const auto all =
       slacks(skill->specification.skills.front(), skill->specification.environments.front(), few_states());
@@ -320,7 +320,7 @@ TEST_CASE("an interrupted search says only what was proved") {
 
 // Section 3.3.2.1 says that the skill of figure 3.6 requires two processors. Who waits needs none; so one
 // does, unless the processor itself reads the sensor and cannot be interrupted.
-TEST_CASE("figure 3.6 needs two processors only if one of them is kept busy by reading") {
+TEST_CASE("figure 3.6 needs two processors only if reading keeps one of them busy") {
   const auto skill = figure("figure_3_6_places.pal");
   PlacementOptions how;
   how.priorities = true;
@@ -360,7 +360,7 @@ TEST_CASE("changes of figures: read, or refused with a reason") {
   }
 }
 
-TEST_CASE("an activity that is called as a cost is stays a figure of its own") {
+TEST_CASE("an activity with the name of a cost is a figure of its own") {
   const auto skill = figure("rate_monotonic.pal");
   pan::Environment environment = skill->specification.environments.front();
   pan::Network network = skill->specification.skills.front();

@@ -1,5 +1,5 @@
-// The generated skills on the runtime against what the analyzer proved of their PAL: nothing that a run
-// measures may exceed its bound, and the bound is near what runs attain.
+// The generated skills on the runtime against what the analyzer proved of their PAL. Nothing that a run
+// measures may exceed its bound, and runs come near the bound.
 #include <catch2/catch.hpp>
 #include <map>
 #include <sstream>

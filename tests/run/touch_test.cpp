@@ -175,7 +175,7 @@ TEST_CASE("nothing is allocated while the skill runs") {
   CHECK(counted_allocations() == 0);
 }
 
-TEST_CASE("parameters that may not be are refused before anything moves") {
+TEST_CASE("forbidden parameters are refused before anything moves") {
   Cell cell;
   const auto outcome = cell.run("touch", {{"approach-speed", 61}});
   CHECK(outcome.fault);

@@ -9,9 +9,9 @@
 
 namespace pal::test {
 
-/// As skill_from_text, but deadlocks, ends without a completion, conditions that are set twice or never, and
-/// requests that two blocks send are let pass: what such a skill does is as well defined as of any other.
-/// `refused` counts what else is wrong.
+/// As skill_from_text, but some errors are allowed: deadlocks, ends without a completion, conditions that are
+/// set twice or never, and requests that two blocks send. What such a skill does is as well defined as that
+/// of any other. `refused` counts what else is wrong.
 inline std::unique_ptr<Skill> any_skill(const std::string& text,
                                         std::map<std::string, int>* refused = nullptr) {
   static const char* const pass[] = {"PAL0307", "PAL0401", "PAL0402", "PAL0403",

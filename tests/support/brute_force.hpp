@@ -1,5 +1,5 @@
-// Every run with times that are whole multiples of a unit, one instant at a time: slow, simple, and built on
-// nothing that the zone graph is built on but the machine.
+// Every run with times that are whole multiples of a unit, one instant at a time. It is slow and simple. With
+// the zone graph it shares the machine and nothing else.
 #pragma once
 
 #include <algorithm>

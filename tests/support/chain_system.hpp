@@ -1,4 +1,4 @@
-// Distributed systems of event chains: described, drawn by chance, and as PAL and as the analyzer's model.
+// Distributed systems of event chains: described, drawn at random, and as PAL and as the analyzer's model.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace pal::test {
 /// Chains of modules, each started by a device's events, linked by messages of one slot.
 struct ChainSystem {
   struct Stage {
-    int processor = 0;
+    analyzer::ProcessorId processor{0};
     int priority = 0;
     analyzer::Nanoseconds best = 0;
     analyzer::Nanoseconds worst = 0;
@@ -56,7 +56,7 @@ inline ChainSystem random_chains(std::uint64_t seed, const ChainShape& shape) {
     std::size_t stage;
     double weight;
   };
-  std::vector<std::vector<Place>> on(static_cast<std::size_t>(shape.processors));
+  Table<analyzer::ProcessorId, std::vector<Place>> on(static_cast<std::size_t>(shape.processors));
   for (int c = 0; c < shape.chains; ++c) {
     ChainSystem::Chain chain;
     // 10 to 100 ms, as many short as long ones.
@@ -66,8 +66,8 @@ inline ChainSystem random_chains(std::uint64_t seed, const ChainShape& shape) {
                         below(static_cast<std::uint64_t>(shape.stages_most - shape.stages_least + 1));
     for (std::size_t s = 0; s < stages; ++s) {
       ChainSystem::Stage stage;
-      stage.processor = static_cast<int>(below(static_cast<std::uint64_t>(shape.processors)));
-      on[static_cast<std::size_t>(stage.processor)].push_back({made.chains.size(), s, 0.1 + real()});
+      stage.processor = analyzer::ProcessorId(below(static_cast<std::uint64_t>(shape.processors)));
+      on[stage.processor].push_back({made.chains.size(), s, 0.1 + real()});
       chain.stages.push_back(stage);
     }
     made.chains.push_back(std::move(chain));
@@ -111,7 +111,8 @@ inline ChainSystem small_chains(std::uint64_t seed) {
     chain.jitter = below(3) == 0 ? late * millisecond : 0;
     for (int stages = 1 + below(3); stages > 0; --stages) {
       const analyzer::Nanoseconds best = below(3) * millisecond;
-      chain.stages.push_back({below(processors), 1 + below(3), best, best + below(2) * millisecond});
+      chain.stages.push_back(
+          {analyzer::ProcessorId::of(below(processors)), 1 + below(3), best, best + below(2) * millisecond});
     }
     made.chains.push_back(std::move(chain));
   }
@@ -138,7 +139,7 @@ inline ChainSystem pairs_of_drivers(int chains) {
   for (int c = 0; c < chains; ++c) {
     ChainSystem::Chain chain;
     chain.period = 10 * millisecond;
-    chain.stages.push_back({c / 2, 1 + c % 2, 2 * millisecond, 3 * millisecond});
+    chain.stages.push_back({analyzer::ProcessorId::of(c / 2), 1 + c % 2, 2 * millisecond, 3 * millisecond});
     made.chains.push_back(std::move(chain));
   }
   return made;
@@ -169,8 +170,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     Statement of;
     of.module = module;
     of.text = text;
-    made.statements.push_back(std::move(of));
-    return static_cast<int>(made.statements.size()) - 1;
+    return made.statements.push_back(std::move(of));
   };
   for (std::size_t c = 0; c < system.chains.size(); ++c) {
     const ChainSystem::Chain& chain = system.chains[c];
@@ -194,16 +194,15 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     int last_work = -1;
     for (std::size_t s = 0; s < chain.stages.size(); ++s) {
       const ChainSystem::Stage& stage = chain.stages[s];
-      const int module = static_cast<int>(made.module_names.size());
       const std::string name = "M" + number + "-" + std::to_string(s + 1);
-      made.module_names.push_back(name);
+      const pan::ModuleId module = made.module_names.push_back(name);
       Channel in;
       in.message = "x" + number + "-" + std::to_string(s);
       in.receiver_module = module;
       if (s == 0) {
         in.sender_device = device_index;
       } else {
-        in.sender_module = module - 1;
+        in.sender_module = made.threads.back().module;
       }
       in.receiver_processors = {stage.processor};
       const int channel = static_cast<int>(made.channels.size());
@@ -248,9 +247,9 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
   return made;
 }
 
-/// Requires everything else of the chains, too: how far apart and how near the works of the last stage are,
-/// how old the event is there and until it reacts to one, that none is lost, how long what the first stage
-/// sends is under way; and of the processors how long they are busy.
+/// Requires everything else of the chains, too. Of the last stage: the greatest and least interval, the age
+/// of the event's sample, and the reaction. Of the event: no loss. Of the first stage: the response to its
+/// message. Of the processors: the busy period.
 inline void require_more(analyzer::Problem& problem) {
   using Measure = analyzer::Requirement::Measure;
   const std::vector<analyzer::Requirement> responses = problem.requirements;
@@ -273,7 +272,7 @@ inline void require_more(analyzer::Problem& problem) {
     // What the first stage sends on, and all that follows.
     const int second = response.events.front() + 1;
     if (second >= static_cast<int>(problem.channels.size())) continue;
-    if (problem.channels[static_cast<std::size_t>(second)].sender_module < 0) continue;
+    if (!problem.channels[static_cast<std::size_t>(second)].sender_module.valid()) continue;
     analyzer::Requirement& rest = add(Measure::response, "rest");
     rest.events = {second};
     rest.device = -1;
@@ -282,7 +281,7 @@ inline void require_more(analyzer::Problem& problem) {
   busy.name = "busy";
   busy.measure = Measure::busy;
   busy.limit = 1'000'000'000'000;
-  for (std::size_t p = 0; p < problem.processors.size(); ++p) busy.processors.push_back(static_cast<int>(p));
+  for (const analyzer::ProcessorId p : problem.processors.ids()) busy.processors.push_back(p);
   problem.requirements.push_back(busy);
 }
 
@@ -323,7 +322,7 @@ inline std::string text_of(const ChainSystem& system) {
       if (s + 1 < chain.stages.size())
         modules += "    TXM( x" + number + "-" + place + " to " + name(s + 1) + " )\n";
       modules += "  UNTIL( forever )\nEND\n";
-      environment += "  PLACE " + name(s) + " ON P" + std::to_string(stage.processor) + " PRIORITY " +
+      environment += "  PLACE " + name(s) + " ON P" + std::to_string(stage.processor.index()) + " PRIORITY " +
                      std::to_string(stage.priority) + "\n  TIME work OF " + name(s) + " : " +
                      std::to_string(stage.best) + " TO " + ns(stage.worst) + "\n";
       if (s + 1 == chain.stages.size()) {

@@ -1,4 +1,4 @@
-// What skills by chance are drawn with.
+// What random skills are drawn with.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace pal::test {
 
-/// Draws by chance. The same seed gives the same draws.
+/// Random draws. The same seed gives the same draws.
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : engine_(seed) {}
@@ -31,7 +31,7 @@ class Chance {
     std::shuffle(all.begin(), all.end(), engine_);
   }
 
-  /// A time from `low` to `high` as PAL has it, in milliseconds; one of so many is a range.
+  /// A time from `low` to `high` as PAL has it, in milliseconds; a range, one time in this many.
   std::string interval(int low, int high, int one_range_in = 2) {
     const int best = between(low, high);
     const int worst = (*this)(one_range_in) != 0 ? best : between(best, high);

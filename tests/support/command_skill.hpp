@@ -1,4 +1,4 @@
-// Skills by chance in which a controller is sent commands that come once, and is at work when they come.
+// Random skills in which a controller is sent commands that come once, and is at work when they come.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,15 @@
 
 namespace pal::test {
 
-/// The text of a skill with its environment: a method that sends commands, asks for motions, waits for them
-/// or gives up, and pauses, in some order and once; a controller that works for each of these in its own way,
-/// before it answers or after (if it is told so twice, both may wait for each other, and the skill is
-/// refused); a driver that shares a processor with one of them. All times are whole milliseconds. The same
-/// seed gives the same text.
+/// The text of a skill with its environment. It has three parts:
+///
+/// - a method that sends commands, asks for motions, waits for them or gives up, and pauses, in some order
+///   and once;
+/// - a controller that works for each of these in its own way, before it answers or after;
+/// - a driver that shares a processor with one of them.
+///
+/// If the controller gets a command twice, both may wait for each other, and the skill is refused. All times
+/// are whole milliseconds. The same seed gives the same text.
 class CommandSkill {
  public:
   explicit CommandSkill(std::uint64_t seed) : chance_(seed) {}

@@ -1,4 +1,4 @@
-// Cause-effect chains by chance whose stages talk by conditions alone.
+// Random cause-effect chains whose stages talk by conditions alone.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,10 @@
 
 namespace pal::test {
 
-/// The text of a skill with its environment: two or three modules, each with a clock of its own, of which
-/// each sets a condition that the next one reads, by RPC or in a test, before or after its work, some after
-/// they have asked a device. They share few processors, with few priorities. Of one in three the phases are
-/// given and the end, so that there are few runs. All times are whole milliseconds. The same seed gives the
-/// same text.
+/// The text of a skill with its environment. Two or three modules have a clock of their own each. Each sets a
+/// condition that the next one reads, by RPC or in a test, before or after its work. Some ask a device first.
+/// They share few processors, with few priorities. In one skill of three the phases and the end are given, so
+/// that there are few runs. All times are whole milliseconds. The same seed gives the same text.
 class ConditionChain {
  public:
   explicit ConditionChain(std::uint64_t seed) : chance_(seed) {}

@@ -43,8 +43,7 @@ inline std::string unconfirmed(const analyzer::Problem& problem, const analyzer:
   return {};
 }
 
-/// Why pieces do not follow each other from one instant to another without gaps, or why those inside one of
-/// them do not; empty: they do.
+/// Where the pieces between two instants have a gap, or those inside one of them. Empty: there is no gap.
 inline std::string gap_in(const std::vector<analyzer::Reason>& reasons, analyzer::Nanoseconds from,
                           analyzer::Nanoseconds to) {
   analyzer::Nanoseconds at = from;

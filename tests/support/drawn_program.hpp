@@ -1,4 +1,4 @@
-// Programs by chance for tests of the runtime: the same seed gives the same text.
+// Random programs for tests of the runtime: the same seed gives the same text.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What skills by chance are put together from whose modules ask, serve and send.
+// The parts of random skills whose modules ask, serve and send.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace pal::test {
 
-/// A skill that is being drawn: its modules and who of them talks to whom, the statements that they are made
-/// of, what can be required of these, and the processors of its workcell. Each kind of skill draws from it
-/// what a round of a module is.
+/// A random skill that is being made. It has the modules, their channels and statements, the possible
+/// requirements, and the processors of the workcell. Each kind of skill makes the rounds of its modules from
+/// it.
 class DrawnSkill {
  protected:
   struct Trigger {
@@ -29,7 +29,7 @@ class DrawnSkill {
     std::vector<Trigger> triggers = {};
     std::vector<Call> calls = {};
     std::vector<std::string> sends = {};
-    std::size_t called = 0;  // of calls: so many are in the text
+    std::size_t called = 0;  // how many calls are in the text
     std::size_t sent = 0;
   };
 
@@ -58,7 +58,7 @@ class DrawnSkill {
   static std::string concurrent(const std::vector<std::string>& blocks, const std::string& indent);
   static std::string forever(const std::string& inside, const std::string& indent);
 
-  /// The condition of the module, or, one time in so many, of any.
+  /// The condition of the module, or, one time in `one_time_in`, of any.
   std::string condition(const Module& in, int one_time_in);
   const std::string& any_module() { return chance_.one_of(modules_).name; }
   /// "statement IN module" of one that was said.
@@ -78,7 +78,7 @@ class DrawnSkill {
   };
 
   // The workcell.
-  /// One to three of them; one in so many is not preemptive.
+  /// One to three of them. One in `one_nonpreemptive_in` is not preemptive.
   std::string processors(int one_nonpreemptive_in);
   std::string place(const std::string& thread, int priorities);
   /// Of some of the blocks of a CONCURRENT that have names of their own.

@@ -1,4 +1,4 @@
-// Skills by chance that end in the middle of what they do.
+// Random skills that end in the middle of what they do.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace pal::test {
 
-/// Controllers that go on by themselves, by events of their own devices, or by what the method asks of them;
-/// a method, in one piece or in blocks, that answers them, and asks them and a logical sensor. Before its
-/// rounds, or in them, it may work for long and end the skill or leave a block. One controller reads what
-/// they set. The same seed gives the same text.
+/// Controllers and a method. A controller goes on by itself, by events of its own device, or by requests of
+/// the method. The method, in one piece or in blocks, answers the controllers, and asks them and a logical
+/// sensor. Before its rounds, or in them, it may work for long and end the skill or leave a block. One
+/// controller reads what they set. The same seed gives the same text.
 class EndingSkill {
  public:
   explicit EndingSkill(std::uint64_t seed) : chance_(seed) {}

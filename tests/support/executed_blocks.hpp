@@ -1,4 +1,4 @@
-// A contingency module with a CONCURRENT, for skills by chance that execute it in blocks of their own.
+// A contingency module with a CONCURRENT, for random skills that execute it in blocks of their own.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Skills by chance in which sends wait for their slots.
+// Random skills in which sends wait for their slots.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace pal::test {
 
-/// The text of a skill with its environment: a method takes a force, which its sensor sends by itself or when
-/// it is asked, by way of another module or none, and ends each round with a motion; the controller that
+/// The text of a skill with its environment. A method takes a force, and ends each round with a motion. The
+/// sensor sends the force by itself or on request, directly or by way of another module. The controller that
 /// takes the motions shares its processor with a driver that now and then has much to do. All times are whole
 /// milliseconds. The same seed gives the same text.
 class HeldSkill {

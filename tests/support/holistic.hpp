@@ -1,8 +1,8 @@
-// Holistic analysis, from the book: the baseline that the compositional analysis must be at or under.
+// Holistic analysis, from the book: the baseline that compositional bounds must not exceed.
 //
-// K. Tindell, J. Clark, Holistic schedulability analysis for distributed hard real-time systems, 1994, with
-// the jitter of a stage taken as what its predecessor's response varies by, and nothing known of offsets.
-// Shares no code with the analyzer.
+// K. Tindell, J. Clark, Holistic schedulability analysis for distributed hard real-time systems, 1994. The
+// jitter of a stage is the variation of its predecessor's response time. Nothing is known of offsets. Shares
+// no code with the analyzer.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ inline std::vector<std::optional<analyzer::Nanoseconds>> holistic(const ChainSys
   struct Task {
     std::size_t chain;
     std::size_t stage;
-    int processor;
+    analyzer::ProcessorId processor;
     int priority;
     Time period;
     Time cost;
@@ -42,7 +42,7 @@ inline std::vector<std::optional<analyzer::Nanoseconds>> holistic(const ChainSys
   }
   bool diverged = false;
   const auto response = [&](const Task& task) -> Time {
-    const bool preemptive = system.preemptive[static_cast<std::size_t>(task.processor)];
+    const bool preemptive = system.preemptive[task.processor.index()];
     Time blocking = 0;
     for (const Task& other : tasks) {
       if (!preemptive && other.processor == task.processor && other.priority < task.priority) {

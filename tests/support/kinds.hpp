@@ -1,4 +1,4 @@
-// Every kind of skill by chance that keeps within the execution model.
+// Every kind of random skill that keeps within the execution model.
 #pragma once
 
 #include <cstdint>

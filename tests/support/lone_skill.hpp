@@ -1,4 +1,4 @@
-// Skills whose method has to do with nobody but devices.
+// Skills whose method talks with devices only.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace pal::test {
 
-/// The method, in one life or in blocks of a life each, asks sensors that are devices, reads conditions that
-/// controllers set by events, and sets conditions that a controller reads. What it does before its rounds, in
-/// them, in rounds that end the skill and after them is drawn from one list. As nobody keeps it waiting, most
-/// of what it is asked has bounds. The same seed gives the same text.
+/// The method is one sequence, or blocks with a sequence each. It asks sensors that are devices, reads
+/// conditions that controllers set by events, and sets conditions that a controller reads. One list has what
+/// it may do before its rounds, in them, in rounds that end the skill, and after them. No module keeps it
+/// waiting, so most of its requirements have bounds. The same seed gives the same text.
 class LoneSkill {
  public:
   explicit LoneSkill(std::uint64_t seed);

@@ -1,4 +1,4 @@
-// Skills by chance in which many have to do with one message.
+// Random skills in which many threads send and take one message.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,11 @@
 namespace pal::test {
 
 /// A skill method and two controllers, each one loop or several blocks on processors of their own. Any block
-/// of them sends any message of its module, and takes any, with limits and without; so several wait to send
-/// one message and several to take it, and one wait may take the same message from two parties. Each
-/// controller has a device: events at known phases, at unknown ones or sporadic, answers, or frames, with
-/// periods that are equal or multiples more often than not. Loops and blocks end early. What is required is
-/// about statements that stand in the text, of each measure. All times are whole milliseconds; the same seed
-/// gives the same text.
+/// sends any message of its module, and takes any, with limits and without. So several threads wait to send
+/// one message, and several to take it. One wait may take the same message from two parties. Each controller
+/// has a device. It has events at known phases, at unknown ones or sporadic, or answers, or frames. Most
+/// periods are equal or multiples. Loops and blocks end early. The requirements are of each measure, about
+/// statements that stand in the text. All times are whole milliseconds; the same seed gives the same text.
 class ManyParties {
  public:
   explicit ManyParties(std::uint64_t seed) : chance_(seed) {}

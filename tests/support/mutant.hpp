@@ -1,4 +1,4 @@
-// Skills that somebody meant otherwise: a few lines and figures of a right skill changed by chance.
+// Skills with mistakes: a few lines and figures of a right skill changed at random.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,12 @@
 
 namespace pal::test {
 
-/// Changes a skill step by step, and keeps each step that `accepts` takes: lines and stretches of them left
-/// out, written twice, moved or wrapped in another statement, figures and names that become others,
-/// processors and devices that behave otherwise. The same seed and text give the same mutant.
+/// Changes a skill step by step, and keeps each step that `accepts` takes. A step changes one of these:
+/// - lines: left out, written twice, moved, or wrapped in another statement;
+/// - figures and names: replaced by others;
+/// - processors and devices: given another behaviour.
+///
+/// The same seed and text give the same mutant.
 class Mutant {
  public:
   using Accepts = std::function<bool(const std::string&)>;

@@ -1,4 +1,4 @@
-// Skills by chance whose modules take, ask and send in blocks within blocks.
+// Random skills whose modules take, ask and send in blocks within blocks.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 
 namespace pal::test {
 
-/// Four to six modules with one loop each, on one to three processors. What a module takes besides what
-/// begins its rounds, what it asks for and what it sends stands anywhere in its round, or before: in blocks
-/// within blocks, which end, go round until a condition holds, or are cancelled in the middle, in branches,
-/// with limits, and in several places at once. The method completes with several codes, in the middle of its
-/// rounds and of its blocks. The same seed gives the same text.
+/// Four to six modules with one loop each, on one to three processors. One message begins the rounds of a
+/// module. What else the module takes, asks for and sends stands anywhere in its round, or before. It may
+/// stand in branches, with limits, in several places at once, and in blocks within blocks. The blocks end, go
+/// round until a condition holds, or are cancelled in the middle. The method completes with several codes, in
+/// the middle of its rounds and of its blocks. The same seed gives the same text.
 class NestedSkill {
  public:
   explicit NestedSkill(std::uint64_t seed) : chance_(seed) {

@@ -1,4 +1,4 @@
-// Skills by chance whose modules take what others send in the middle of their rounds, and give up.
+// Random skills whose modules take what others send in the middle of their rounds, and give up.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,16 @@
 
 namespace pal::test {
 
-/// A method, one or two controllers with events far apart, a sensor that is asked, and messages between them
-/// of which a module takes one at the beginning of its rounds and the others somewhere else: within a limit,
-/// as one of several, in a block beside, or before its rounds. Clients give up or are cancelled while they
-/// are answered; blocks leave their rounds and end the skill; a module is executed in several places; slots
-/// are filled before anybody takes from them.
-/// Calm ones have one trigger a module and little that is odd, so that more is bounded: clients that wait for
-/// one another, or a sensor that asks before it has finished what it does, and sends to a slow method.
+/// A method, one or two controllers with events far apart, and a sensor that is asked. A module takes one
+/// message at the beginning of its rounds. It takes the others somewhere else: within a limit, as one of
+/// several, in another block, or before its rounds. Odd things happen:
+/// - clients give up or are cancelled while they are answered;
+/// - blocks leave their rounds and end the skill;
+/// - a module is executed in several places;
+/// - slots are filled before a thread takes from them.
+///
+/// Calm skills have one trigger a module and little that is odd, so that more is bounded. Their clients wait
+/// for one another. Or a sensor asks before it has finished its work, and sends to a slow method.
 class OddSkill : DrawnSkill {
  public:
   explicit OddSkill(std::uint64_t seed, bool calm = false);

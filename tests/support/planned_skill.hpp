@@ -1,5 +1,5 @@
-// A skill run by the runtime without C++ of its own: what generated code would await is awaited as the plan
-// of the code generator has it.
+// A skill that the runtime runs without C++ of its own. It awaits what generated code would await, as the
+// plan of the code generator says.
 #pragma once
 
 #include <map>

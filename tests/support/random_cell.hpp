@@ -1,5 +1,5 @@
-// Skills by chance that nobody would write: every statement of the language in every place, and workcells of
-// every kind with times so small that all of their runs can be tried.
+// Random skills that no person would write, with every statement of the language in every place. The
+// workcells are of every kind, with times so small that all runs can be tried.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Programs by chance, of every form of statement: for what must hold of any program, sensible or not.
+// Random programs, of every form of statement: for what must hold of any program, sensible or not.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Small skills by chance, for properties that must hold of all of them.
+// Small random skills, for properties that must hold of all of them.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Small skills by chance whose modules talk in any order, so that many of them get stuck.
+// Small random skills whose modules talk in any order, so that many of them get stuck.
 #pragma once
 
 #include <cstdint>
@@ -169,9 +169,8 @@ END SKILL
   bool blocks_ = false;
 };
 
-/// The text of a skill whose method asks one or two sensors a few times and mostly gives up, where the
-/// sensors do not answer every request once: requests are withdrawn that are yet to be answered, so many and
-/// no more.
+/// The text of a skill whose method asks one or two sensors a few times and mostly gives up. The sensors do
+/// not answer every request once. So a limited number of requests are withdrawn and not yet answered.
 class RandomPolling {
  public:
   explicit RandomPolling(std::uint64_t seed) : chance_(seed) {}
@@ -223,9 +222,9 @@ class RandomPolling {
   Chance chance_;
 };
 
-/// The text of a skill whose method asks two or three sensors from blocks within blocks, of which some end
-/// and cancel others again and again, and tests what they set. Some sensors answer only if a condition allows
-/// it.
+/// The text of a skill whose method asks two or three sensors from blocks within blocks. Some blocks end and
+/// cancel others again and again. The method tests the conditions that they set. Some sensors answer only if
+/// a condition allows it.
 class RandomNest {
  public:
   explicit RandomNest(std::uint64_t seed) : chance_(seed) {}

@@ -8,8 +8,8 @@
 namespace pal::test {
 
 /// A skill with other figures: times, costs, limits, periods, phases, latencies, places and priorities drawn
-/// from so few that many are equal. Some of them, or all. What the lines of a text are is seen by how they
-/// begin; of one that is out of the ordinary the result may have no meaning.
+/// from so few that many are equal. Some of them, or all. The kind of a line is seen from its beginning. If a
+/// text has an unusual layout, the result may have no meaning.
 std::string refigured(const std::string& text, std::mt19937_64& engine);
 
 /// A skill with up to `most` other requirements than its own: of each measure, at whatever statements,

@@ -8,9 +8,9 @@
 
 namespace pal::test {
 
-/// Tells a problem in another way, by chance: everything numbered otherwise, statements in two parts,
-/// statements that stand twice, another kind of processor for a single thread, something that has nothing to
-/// do with the rest. No measure changes. Says what was done.
+/// Tells a problem in another way, at random. It may number everything again, split a statement in two, or
+/// write statements twice. It may give a lone thread another kind of processor, or add something that has
+/// nothing to do with the rest. No measure changes. Says what was done.
 std::string retell(analyzer::Problem& problem, std::mt19937_64& engine);
 
 }  // namespace pal::test

@@ -1,4 +1,4 @@
-// How long tests by chance go on.
+// How long random tests go on.
 #pragma once
 
 #include <cstdint>

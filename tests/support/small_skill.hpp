@@ -10,9 +10,9 @@
 namespace pal::test {
 
 /// A controller and the method, one of which asks the other in every round. Around that, the rounds of each
-/// do up to three things of a short list, and the seed counts through all orders of them; what else there is,
-/// and all times, are drawn with it. Small enough for the exact analysis, with bounds of the compositional
-/// one. The same seed gives the same text.
+/// do up to three things of a short list. The seed counts through all orders of them. It also draws the rest
+/// of the skill, and all times. Small enough for the exact analysis, with bounds of the compositional one.
+/// The same seed gives the same text.
 class SmallSkill {
  public:
   explicit SmallSkill(std::uint64_t seed);

@@ -1,4 +1,4 @@
-// Skills by chance whose blocks are stopped while others wait for what they have asked for.
+// Random skills whose blocks are stopped while others wait for what they have asked for.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace pal::test {
 
 /// A skill method of CONCURRENTs within one another and behind one another, also as the first thing that it
-/// does. Their blocks wait for the answers of two controllers, which any of them may have asked for, with
-/// limits and without; some never end, and some are over at once. The same seed gives the same text.
+/// does. Their blocks wait for the answers of two controllers, with limits and without. Any of the blocks may
+/// have sent the request. Some never end, and some are over at once. The same seed gives the same text.
 class StoppedBlocks {
  public:
   explicit StoppedBlocks(std::uint64_t seed) : chance_(seed) {}

@@ -23,8 +23,8 @@ std::optional<std::size_t> Talk::answered(const State& state, std::size_t answer
   return std::nullopt;
 }
 
-/// Open requests, all or those of one thread: out of the slot, or the answer out of its slot, or the answer
-/// that is to come is not wanted.
+/// Withdraws the open requests, all or those of one thread. A request is removed from its slot, or its answer
+/// is. Or the answer that is still to come is marked as not wanted.
 void Talk::withdraw(State& state, std::size_t request, const std::optional<std::string>& owner) const {
   const auto back = answer_to(request);
   if (!back) return;

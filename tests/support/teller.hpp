@@ -1,4 +1,4 @@
-// Runs told by chance, event by event: whatever the referee lets pass, sense or nonsense.
+// Random runs, told event by event: whatever the referee lets pass, sense or nonsense.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace pal::test {
 
-/// Tells runs of one problem. Of what might be said next something is drawn that breaks no rule yet, whether
-/// the skill could do it or not; time goes on a millisecond when the referee lets it. What no machine would
-/// do is tried as readily as what it does.
+/// Tells runs of one problem. The next event is a random one that breaks no rule yet, whether the skill could
+/// do it or not. Time goes on by a millisecond when the referee allows it. Events that no machine would make
+/// are as likely as others.
 class Teller {
  public:
   /// `empty`: a run of the problem without events.
@@ -26,7 +26,7 @@ class Teller {
     entries_ = after_;
   }
 
-  /// A run of so many events at most, in which all is told up to `until()`.
+  /// A run of at most `events` events, in which all is told up to `until()`.
   const trace::Trace& tell(std::size_t events) {
     while (run_.events.size() < events && rewinds_ < 50 && now_ < longest) {
       if (one_of(3) == 0 && pass()) continue;
@@ -123,7 +123,7 @@ class Teller {
     std::set<int> next;
     for (int step : after_[static_cast<std::size_t>(event.actor)]) {
       const Step& at = problem_.steps[static_cast<std::size_t>(step)];
-      if (at.statement != event.statement) continue;
+      if (at.statement.value != event.statement) continue;
       for (int each : at.next) lead_to(next, each);
     }
     // A block may begin again.
@@ -162,7 +162,7 @@ class Teller {
   }
 
   void statement(std::vector<trace::Event>& all, int thread, const Step& at) const {
-    const int is = at.statement;
+    const int is = at.statement.value;
     for (Kind kind : {Kind::ready, Kind::start, Kind::stop, Kind::done, Kind::cancel})
       say(all, kind, thread, is);
     for (int channel : at.channels) {

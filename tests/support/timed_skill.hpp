@@ -1,4 +1,4 @@
-// Skills by chance that keep pace, so that there is something to say about each measure.
+// Random skills that keep pace, so that there is something to say about each measure.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,13 @@
 
 namespace pal::test {
 
-/// The text of a skill with its environment: a robot that asks for motions at a steady pace, a sensor that is
-/// asked, runs in frames or sends by itself, a courier or none between them, and a skill method in one of
-/// several shapes: one round, two loops at a time of which one may end, blocks within each round, blocks at
-/// the start, or straight to the completion. All times are whole milliseconds. The same seed gives the same
-/// text.
+/// The text of a skill with its environment:
+/// - a robot that asks for motions at a steady pace;
+/// - a sensor that is asked, runs in frames or sends by itself, with or without a courier;
+/// - a skill method in one of several shapes: one round, two loops at a time of which one may end, blocks
+///   within each round, blocks at the start, or straight to the completion.
+///
+/// All times are whole milliseconds. The same seed gives the same text.
 class TimedSkill {
  public:
   explicit TimedSkill(std::uint64_t seed) : chance_(seed), executed_(seed, 4) {}

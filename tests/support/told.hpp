@@ -29,7 +29,7 @@ class Told {
     return *this;
   }
 
-  /// `actor`: "-" is nobody; `subject`: a condition or a message; `value`: of a condition, the number of a
+  /// `actor`: "-" is none; `subject`: a condition or a message; `value`: of a condition, the number of a
   /// message, or a code.
   Told& say(trace::Kind kind, const std::string& actor, const std::string& statement = {},
             const std::string& subject = {}, int value = 0) {

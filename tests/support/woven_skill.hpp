@@ -1,4 +1,4 @@
-// Skills by chance whose modules ask, serve and send in many ways at a time.
+// Random skills whose modules ask, serve and send in many ways at a time.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 namespace pal::test {
 
 /// Two to six modules with events of several periods, on one to three processors of both kinds. A module has
-/// one loop, a loop for each of its triggers in blocks of their own, or waits for the first of them; it asks
-/// before, in, or a round after it takes, in blocks that go on beside others, and in branches; it sends what
-/// nobody need take in time.
+/// one loop, or a loop for each of its triggers in blocks of their own, or waits for the first of them. It
+/// sends its requests before, in, or a round after it takes a message, in blocks that go on beside others,
+/// and in branches. It also sends messages that need not be taken in time.
 class WovenSkill : DrawnSkill {
  public:
   /// `calm`: events are far apart, and more is set and read, so that more is bounded.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <type_traits>
 
 namespace pal::analyzer::compositional {
 namespace {
@@ -76,8 +77,8 @@ class Ways {
 
 /// Nodes by source and what `key_of` says of them.
 template <class KeyOf>
-std::map<std::pair<int, int>, std::vector<int>> together_by(const Forest& forest, const KeyOf& key_of) {
-  std::map<std::pair<int, int>, std::vector<int>> together;
+auto together_by(const Forest& forest, const KeyOf& key_of) {
+  std::map<std::pair<std::invoke_result_t<KeyOf, int>, int>, std::vector<int>> together;
   for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
     const int node = static_cast<int>(n);
     together[{key_of(node), forest.nodes[n].source}].push_back(node);

@@ -8,9 +8,9 @@
 
 namespace pal::analyzer::compositional {
 
-/// Whether an occurrence of their source triggers at most one of the nodes: the paths to any two of them
-/// branch at a test, at a wait, or at a message that is received in one of several places. False for nodes of
-/// several sources.
+/// Whether an occurrence of their source triggers at most one of the nodes. Then the paths to any two of them
+/// branch. They branch at a test, at a wait, or at a message that is received in one of several places. False
+/// for nodes of several sources.
 bool are_alternatives(const Problem& problem, const Forest& forest, const std::vector<int>& nodes);
 
 /// Disjoint groups of mutually exclusive nodes of one thread. After `stop` has returned true, the groups
@@ -19,7 +19,7 @@ std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Fore
                                               const std::function<bool()>& stop);
 
 /// By node, ascending: nodes of any thread on its processor that never overlap with it within one occurrence
-/// of its source: they are mutually exclusive, or one is done before the other is released. After `stop` has
+/// of its source. They are mutually exclusive, or one is done before the other is released. After `stop` has
 /// returned true, those found so far.
 std::vector<std::vector<int>> never_together(const Problem& problem, const Forest& forest,
                                              const std::function<bool()>& stop);

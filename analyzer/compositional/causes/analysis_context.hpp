@@ -25,8 +25,8 @@ struct AnalysisContext {
   int nearest(int n, int thread) const {
     return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
   }
-  /// Nodes that may end the skill or a thread before `thread` is idle for the first time: those of `thread`,
-  /// of its parents, and of the threads they wait for.
+  /// Nodes that may end the skill or a thread before `thread` is idle for the first time. They belong to
+  /// `thread`, to its parents, or to the threads that these wait for.
   std::vector<int> endings_before_idle(int thread) const;
   /// The same before the first job of a loop. An event has none.
   std::vector<int> endings_before_first(int loop) const;

@@ -11,8 +11,8 @@
 
 namespace pal::analyzer::compositional {
 
-/// The source of a chain of causes: an event of a device, the start of a module, a job of a free-running
-/// thread, or the end of blocks that end at an unknown time.
+/// The source of a chain of causes. It is an event of a device, the start of a module, a job of a
+/// free-running thread, or the end of blocks that end at an unknown time.
 struct Source {
   enum class Kind { event, start, loop, joined };
   Kind kind = Kind::start;

@@ -193,7 +193,7 @@ class ForestBuilder {
     }
   }
 
-  /// What comes after a CONCURRENT, once in a skill's life, of which a block ends in an unknown job.
+  /// What comes after a CONCURRENT, once in a skill's life, if one of its blocks ends in an unknown job.
   bool begins_anew(int fork) const {
     const Step& step = step_at(fork);
     if (step.kind != Kind::fork) return false;
@@ -336,8 +336,8 @@ class ForestBuilder {
            !std::all_of(circle.begin(), circle.end(), [this](int index) { return takes_request(index); });
   }
 
-  /// The segment of a circle of causes that its jobs are counted at: one of a thread that in this circle
-  /// only waits for what it asked for, if there is one.
+  /// The segment of a cycle of causes at which its jobs are counted. If there is one, it belongs to a client:
+  /// a thread that in this cycle only waits for answers to its requests.
   int cut(const std::vector<int>& circle) {
     const auto asks_only = [this](int index) {
       const Beginning& begins = forest_.segment_of(node(index)).beginning;

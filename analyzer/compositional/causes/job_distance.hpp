@@ -19,9 +19,9 @@ bool ends_straight(const Problem& problem, int block);
 /// Least time between the starts of two jobs of one thread that begin in this way.
 Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginning);
 
-/// Whether a free-running thread, whose jobs begin so, always has to wait between two jobs: its time-out
-/// takes time, or it is idle sooner after each request than the answer can arrive. Interference does not
-/// matter: the thread sends the request while it has its processor. `owned`: its steps.
+/// Whether a free-running thread, whose jobs begin so, always has to wait between two jobs. It has to if its
+/// time-out takes time, or if it is idle after each request before the answer can arrive. Interference does
+/// not matter: the thread sends the request while it has its processor. `owned`: its steps.
 bool waits_between_jobs(const Problem& problem, const Beginning& job, const std::vector<bool>& owned);
 
 /// Least time between two effects of the steps `at` of one thread, on the shortest path; 0 if its blocks

@@ -39,7 +39,7 @@ class Precedence {
   bool is_over() const { return stop_ && stop_(); }
 
   void in_programs() {
-    std::map<int, std::vector<int>> by_module;
+    std::map<pan::ModuleId, std::vector<int>> by_module;
     for (std::size_t n = 0; n < later_.size(); ++n)
       by_module[context_.thread_of(static_cast<int>(n)).module].push_back(static_cast<int>(n));
     Sequence sequence(context_.problem);

@@ -9,12 +9,12 @@ namespace pal::analyzer::compositional {
 
 /// By node, ascending.
 struct Order {
-  /// Nodes that are released only after this one is done, in every run: those that come later in a module's
-  /// program, and loops that something triggers which happens once in a skill's life.
+  /// Nodes that are released only after this one is done, in every run. They come later in a module's
+  /// program, or in a loop whose trigger happens once in a skill's life.
   std::vector<std::vector<int>> later;
-  /// Nodes whose runs are each done before a run of this one is released, or released after it is done: its
-  /// causes, the blocks that it comes after, and nodes of the same cycle if only one message circulates in
-  /// it.
+  /// Nodes whose runs are each done before a run of this one is released, or released after it is done. These
+  /// are its causes, the blocks that it comes after, and nodes of the same cycle if only one message
+  /// circulates in it.
   std::vector<std::vector<int>> never_overlapping;
 };
 

@@ -50,7 +50,7 @@ class Answers {
         request_(problem.channels[static_cast<std::size_t>(answer)].answers) {}
 
   bool once() {
-    const int module = problem_.channels[static_cast<std::size_t>(answer_)].sender_module;
+    const pan::ModuleId module = problem_.channels[static_cast<std::size_t>(answer_)].sender_module;
     for (const Thread& thread : problem_.threads) {
       if (thread.module == module && thread.parent < 0) reach(thread.entry, none);
     }
@@ -225,7 +225,7 @@ std::set<int> takers_of_answer(const Problem& problem, int send) {
 }
 
 std::string out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop) {
-  // Also of what nobody comes to ask for: its answer counts as one all the same.
+  // Also for a request that no thread comes to send: its answer counts as one all the same.
   for (std::size_t c = 0; c < problem.channels.size(); ++c) {
     const Channel& request = problem.channels[c];
     if (request.answer < 0) continue;

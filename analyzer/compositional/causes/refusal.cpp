@@ -36,8 +36,8 @@ bool talks_or_sets(const Step& step) {
 }
 
 /// A channel from which several waits take; -1: there is none. Requests of modules are served wherever their
-/// server is, and of an answer it is known where it is taken; of other messages nobody knows who gets them.
-/// What a device sends by itself, be it called a request, may come between two of them.
+/// server is. Of an answer it is known which wait takes it. Of other messages this is unknown. What a device
+/// sends by itself, be it called a request, may come between two of them.
 int taken_anywhere(const Problem& problem, const Segments& segments) {
   std::vector<int> waits(problem.channels.size());
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
@@ -59,7 +59,8 @@ std::string refusal_of_step(const Problem& problem, int index, int thread) {
     return who + " starts blocks again and again, some of which loop";
   if (talks_or_sets(step) && is_nested(problem, thread))
     return who + " waits, sends or sets in a block within a block";
-  // The limit counts anew when what the thread is about to take is withdrawn, and others may take it, too.
+  // The limit starts again when the message that the thread is about to take is withdrawn. Others may take
+  // it, too.
   const bool serves = std::any_of(step.channels.begin(), step.channels.end(), [&problem](int channel) {
     return problem.channels[static_cast<std::size_t>(channel)].answer >= 0;
   });

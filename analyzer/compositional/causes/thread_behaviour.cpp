@@ -53,8 +53,8 @@ class Observer {
   ThreadBehaviour& thread(int index) { return made_.threads[static_cast<std::size_t>(index)]; }
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
   std::string text(int step) const {
-    const int statement = step_at(step).statement;
-    return statement < 0 ? "a wait" : problem_.statements[static_cast<std::size_t>(statement)].text;
+    const StatementId statement = step_at(step).statement;
+    return !statement.valid() ? "a wait" : problem_.statements[statement].text;
   }
 
   /// Released by something that the thread did not bring about itself.
@@ -153,8 +153,8 @@ class Observer {
     }
   }
 
-  /// Whether a thread that has passed one of the steps `from` takes a message, or withdraws it, before it
-  /// passes another, returns to its idle wait, or ends and may begin again.
+  /// A thread has passed one of the steps `from`. Whether it takes a message, or withdraws it, before one of
+  /// these: it passes another such step, returns to its idle wait, or ends and may begin again.
   bool is_taken(int t, int channel, const std::set<int>& from) {
     const bool answer = problem_.channels[static_cast<std::size_t>(channel)].answers >= 0;
     const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
@@ -289,7 +289,7 @@ class Observer {
     made_.never_full.assign(problem_.channels.size(), false);
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& channel = problem_.channels[c];
-      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module >= 0);
+      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module.valid());
     }
   }
 
@@ -314,8 +314,8 @@ class Observer {
     }
   }
 
-  /// A server whose jobs wait may still be at work when somebody asks, unless there is one client, who
-  /// waits for each answer without limit, and nothing is left to do after it.
+  /// A server whose jobs wait may still be at work when a request comes. It is idle if its only client waits
+  /// for each answer without limit, and it has nothing left to do after the answer.
   void servers(ThreadBehaviour& of) {
     if (of.job_starts.empty()) return;
     int request = -1;

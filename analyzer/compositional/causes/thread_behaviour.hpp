@@ -1,7 +1,7 @@
 // How each thread behaves: it waits at its idle wait, does a job, and returns there.
 //
 // A job of a thread is what it does from one message, or time-out, at its idle wait until it is back there.
-// It consists of one or more segments (nodes of the forest), each of which is a task of the busy windows.
+// It consists of one or more segments (nodes of the forest), each a task of the busy windows.
 #pragma once
 
 #include <functional>
@@ -40,8 +40,8 @@ struct ThreadBehaviours {
   /// By node: it runs before the first job of its thread, which begins once. What makes jobs unbounded does
   /// not concern it.
   std::vector<bool> early;
-  /// By node: the message that begins its job has no latency, and while its slot is full the thread is busy
-  /// or itself blocked in a send. So a sender that is blocked on the slot does not delay the thread.
+  /// By node: the message that begins its job has no latency. While its slot is full the thread is busy or
+  /// itself blocked in a send. So a sender that is blocked on the slot does not delay the thread.
   std::vector<bool> drains;
   std::vector<std::vector<int>> alternatives;  // alternatives_of()
   /// By source: nodes that may end the skill or their thread. Whoever depends on them waits until that end.

@@ -14,12 +14,12 @@ using Release = Node::Release;
 constexpr int most_freshness_rounds = 60;
 using Known = DataFreshness::Known;
 
-/// `known`, if anything, so much earlier.
+/// `known`, if anything, earlier by `by`.
 Known earlier(const Known& known, const Sum& by) {
   return known && by.bounded() ? Known(*known - by) : std::nullopt;
 }
 
-/// What is known if both are, and if one of them is, nobody knows which.
+/// What is known when both apply; also when one of them applies, and it is unknown which.
 Known both(const Known& one, const Known& other) {
   if (!one || !other) return one ? one : other;
   return greater(*one, *other);
@@ -149,7 +149,7 @@ DataFreshness::State DataFreshness::begin(int node) const {
   }
   if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
     state.set = both(state.set, set_by_blocks(of));
-  // At time 0 nobody knows more, and a condition has the value that it is born with.
+  // At time 0 no more is known, and a condition has its first value.
   if (view_.forest.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start) {
     state.known = both(state.known, Sum());
     state.set = both(state.set, Sum());

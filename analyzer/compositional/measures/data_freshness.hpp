@@ -1,5 +1,5 @@
-// How fresh the data of a thread are: the least recent sample of a device, or set of a condition, that it may
-// work with.
+// How fresh the data of a thread are. It is the least recent sample of a device, or set of a condition, that
+// the thread may work with.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@ namespace pal::analyzer::compositional {
 
 /// Data only get fresher: a read or a message never replaces data of a thread by older ones. So each path by
 /// which data must arrive gives a lower bound of the instant of their sample. It counts from the nominal
-/// instant of the node's source. Where that instant plus the bound is not after time 0, the thread may have
-/// no data yet; data that it has are younger than the skill.
+/// instant of the node's source. If that instant plus the bound is not after time 0, the thread may have no
+/// data yet. Data that it has are younger than the skill.
 ///
-/// M. Günzel and others, Timing analysis of asynchronized distributed cause-effect chains, 2021: the chains
+/// M. Günzel and others, Timing analysis of asynchronized distributed cause-effect chains, 2021. The chains
 /// are followed backward, from the statement to the last message or read before it.
 class DataFreshness {
  public:

@@ -12,33 +12,19 @@ using Kind = Step::Kind;
 /// From the end of a block's jobs to the end of the skill.
 class Ending {
  public:
-  Ending(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours, const Times& times,
-         const std::vector<bool>& lively)
-      : problem_(problem), forest_(forest), behaviours_(behaviours), times_(times), lively_(lively) {}
+  Ending(const Problem& problem, const Forest& forest, const Times& times)
+      : problem_(problem), forest_(forest), times_(times) {}
 
   Sum after(int fork, int leaver) const {
-    Sum others;    // latest end of the other blocks, from time 0
-    Sum stopping;  // of those that cannot end
+    Sum stopping;
     for (int block : problem_.steps[static_cast<std::size_t>(fork)].threads) {
-      const auto b = static_cast<std::size_t>(block);
       if (block == leaver) continue;
-      if (!problem_.threads[b].can_end) {
-        const Nanoseconds within = stops_within(problem_, times_.interference->windows(), block);
-        stopping =
-            greater(stopping,
-                    {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});
-        continue;
-      }
-      if (behaviours_.threads[b].idle_wait >= 0 || !lively_[b] || !ends_straight(problem_, block))
-        return Sum::unbounded();
-      for (int n : behaviours_.threads[b].nodes) {
-        const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
-        const bool at_start =
-            forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::start;
-        others = greater(others, at_start ? finish(n) : Sum::unbounded());
-      }
+      if (problem_.threads[static_cast<std::size_t>(block)].can_end) return Sum::unbounded();
+      const Nanoseconds within = stops_within(problem_, times_.interference->windows(), block);
+      stopping = greater(
+          stopping, {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});
     }
-    return others + stopping + to_completion(fork);
+    return stopping + to_completion(fork);
   }
 
  private:
@@ -67,9 +53,7 @@ class Ending {
 
   const Problem& problem_;
   const Forest& forest_;
-  const ThreadBehaviours& behaviours_;
   const Times& times_;
-  const std::vector<bool>& lively_;
 };
 
 }  // namespace
@@ -79,7 +63,7 @@ Endurance endurance_of(const Problem& problem, const Forest& forest, const Threa
   Endurance made;
   made.always = threads_that_endure(problem, forest, behaviours, times, false);
   made.steady = threads_that_endure(problem, forest, behaviours, times, true);
-  const Ending ending(problem, forest, behaviours, times, made.always.lively);
+  const Ending ending(problem, forest, times);
   for (std::size_t t = 0; t < problem.threads.size(); ++t) {
     const int thread = static_cast<int>(t);
     if (!behaviours.threads[t].leaves) continue;

@@ -22,13 +22,6 @@ bool EventPropagation::certain(int n) {
   // A device is closed until somebody waits for its event.
   const bool opens = node(view_.behaviours.job_start[static_cast<std::size_t>(n)]).release == Release::root;
   if (view_.lasts(static_cast<int>(thread)) && (view_.begun[thread] || opens)) return true;
-  // A block that the event itself starts, and that ends.
-  const Thread& block = problem_.threads[thread];
-  const bool started = node(view_.behaviours.job_start[static_cast<std::size_t>(n)]).release == Release::fork;
-  if (started && block.can_end && view_.lively[thread] &&
-      !view_.behaviours.threads[static_cast<std::size_t>(block.parent)].may_be_cancelled) {
-    return true;
-  }
   if (why_.empty()) {
     why_ = view_.times.unbounded_reason[thread];
     if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its job, or wait in it for ever";

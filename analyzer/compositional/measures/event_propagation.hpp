@@ -11,7 +11,7 @@
 namespace pal::analyzer::compositional {
 
 /// Follows an event, or a message, from node to node and thread to thread, as far as every run must propagate
-/// it: until one of the statements `at` takes effect or the skill ends.
+/// it. It ends when one of the statements `at` takes effect, or when the skill ends.
 class EventPropagation {
  public:
   /// What times count from.

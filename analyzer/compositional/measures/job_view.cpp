@@ -10,16 +10,6 @@ bool in_job(const View& view, int node) {
   return in_job(view.forest, view.behaviours, node);
 }
 
-int source_of_jobs(const View& view, int thread) {
-  int source = -1;
-  for (int n : view.behaviours.threads[static_cast<std::size_t>(thread)].job_starts) {
-    const int of = view.forest.nodes[static_cast<std::size_t>(n)].source;
-    if (source >= 0 && source != of) return -1;
-    source = of;
-  }
-  return source;
-}
-
 bool starts_in_jobs(const View& view, int thread) {
   const ThreadBehaviour& of = view.behaviours.threads[static_cast<std::size_t>(thread)];
   const Thread& block = view.problem.threads[static_cast<std::size_t>(thread)];

@@ -8,9 +8,6 @@ namespace pal::analyzer::compositional {
 /// Whether a node belongs to a job of its thread. What a thread does before its first job does not.
 bool in_job(const View& view, int node);
 
-/// The source of a thread's jobs; -1: there is none, or there are several.
-int source_of_jobs(const View& view, int thread);
-
 /// Whether a thread is a block that its parent starts in each of its jobs. Each start is then a job of the
 /// block.
 bool starts_in_jobs(const View& view, int thread);
@@ -27,8 +24,9 @@ bool in_recurring_job(const View& view, int node);
 /// Whether every occurrence of the recurring source triggers a job, as long as the thread is idle.
 bool regular(const View& view, int thread);
 
-/// Whether a thread's jobs come in the order of the occurrences of its recurring source: there is only one
-/// path from the source to the job. On one of several paths a later occurrence may overtake an earlier one.
+/// Whether a thread's jobs come in the order of the occurrences of its recurring source. They do if there is
+/// only one path from the source to the job. On one of several paths a later occurrence may overtake an
+/// earlier one.
 bool in_order(const View& view, int thread);
 
 /// Nodes of the step's thread that contain it.

@@ -22,12 +22,6 @@ bool over_before_next(const View& view, int device, const Sum& over) {
   });
 }
 
-/// Whether the statements are in one thread, and that is the only one to leave its loop.
-bool only_in_leaver(const View& view, const Endurance& endurance, const Requirement& requirement) {
-  const std::set<int> threads = owners(view, requirement.at);
-  return endurance.leavers.size() == 1 && threads.size() == 1 && threads.contains(endurance.leavers.front());
-}
-
 }  // namespace
 
 Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
@@ -41,31 +35,13 @@ Bound until_left(const View& always, const Endurance& endurance, const Requireme
                     endurance.steady.begun,
                     true};
   const Bound strict = bound_of(always, requirement);
-  if (endurance.leavers.empty()) return strict;
-  switch (requirement.measure) {
-    case Measure::age:
-      // Once its thread has left its loop a statement has no effect any more.
-      return only_in_leaver(always, endurance, requirement) ? bound_of(steady, requirement) : strict;
-    case Measure::reaction:
-    case Measure::interval: {
-      if (requirement.at_least) return strict;
-      Bound bound = bound_of(steady, requirement);
-      if (!only_in_leaver(always, endurance, requirement)) bound.sum = bound.sum + endurance.over;
-      return bound.known() ? bound : strict;
-    }
-    case Measure::response:
-    case Measure::loss: {
-      if (!over_before_next(always, requirement.device, endurance.over)) return strict;
-      Bound bound = bound_of(steady, requirement);
-      if (requirement.measure == Measure::response) bound.sum = bound.sum + endurance.over;
-      return bound.known() ? bound : strict;
-    }
-    case Measure::load:
-    case Measure::busy:
-    case Measure::duration:
-      break;
-  }
-  return strict;
+  const bool of_events = requirement.measure == Measure::response || requirement.measure == Measure::loss;
+  if (endurance.leavers.empty() || !of_events ||
+      !over_before_next(always, requirement.device, endurance.over))
+    return strict;
+  Bound bound = bound_of(steady, requirement);
+  if (requirement.measure == Measure::response) bound.sum = bound.sum + endurance.over;
+  return bound.known() ? bound : strict;
 }
 
 }  // namespace pal::analyzer::compositional

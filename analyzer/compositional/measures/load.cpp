@@ -29,7 +29,7 @@ Bound load_bound(const View& view, const Requirement& requirement) {
   constexpr Nanoseconds second = 1'000'000'000;
   const std::string whole_time = "the rates that are known add up to the whole time";
   const Sum whole(second, {Term::Kind::said, -1, -1, -1, whole_time});
-  std::vector<Sum> busy(view.problem.processors.size());
+  Table<ProcessorId, Sum> busy(view.problem.processors.size());
   const std::vector<bool> replaced = replaced_by_longer(view);
   for (std::size_t n = 0; n < view.forest.nodes.size(); ++n) {
     const Node& node = view.forest.nodes[n];
@@ -37,7 +37,7 @@ Bound load_bound(const View& view, const Requirement& requirement) {
     const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
     if (source.period == never || segment.worst == 0 || replaced[n]) continue;
     const auto thread = static_cast<std::size_t>(segment.beginning.thread);
-    Sum& sum = busy[static_cast<std::size_t>(view.problem.threads[thread].processor)];
+    Sum& sum = busy[view.problem.threads[thread].processor];
     // More than the whole time is the whole time.
     const Nanoseconds share =
         segment.worst < source.period ? per_second({segment.worst, source.period}) : second;
@@ -47,14 +47,13 @@ Bound load_bound(const View& view, const Requirement& requirement) {
     if (sum.value() >= second) sum = whole;
   }
   Sum most;
-  for (int processor : requirement.processors)
-    most = greater(most, busy[static_cast<std::size_t>(processor)]);
+  for (ProcessorId processor : requirement.processors) most = greater(most, busy[processor]);
   return {most, most.value() == second ? whole_time : ""};
 }
 
 namespace {
 
-Sum busy_without_pause(const View& view, int processor) {
+Sum busy_without_pause(const View& view, ProcessorId processor) {
   const Nanoseconds busy = view.windows().busy(processor);
   if (busy >= never) return Sum::unbounded();
   Sum all;
@@ -70,7 +69,7 @@ Sum busy_without_pause(const View& view, int processor) {
 
 Bound busy_bound(const View& view, const Requirement& requirement) {
   Sum longest;
-  for (int processor : requirement.processors)
+  for (ProcessorId processor : requirement.processors)
     longest = greater(longest, busy_without_pause(view, processor));
   return {longest, "a processor may have work without end"};
 }

@@ -29,13 +29,13 @@ struct View {
   const std::vector<bool>& lively;
   /// By thread: it begins in every run.
   const std::vector<bool>& begun;
-  /// Covers only the time before the first block leaves its loop. Nobody is cancelled until then.
+  /// Covers only the time before the first block leaves its loop.
   bool steady = false;
 
   const BusyWindows& windows() const { return times.interference->windows(); }
   bool lasts(int thread) const {
     const auto t = static_cast<std::size_t>(thread);
-    return (steady || !behaviours.threads[t].may_be_cancelled) && reliable[t];
+    return !behaviours.threads[t].may_be_cancelled && reliable[t];
   }
 };
 
@@ -57,7 +57,7 @@ Bound response_bound(const View& view, const Requirement& requirement);
 std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement);
 /// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
 bool always_comes(const View& view, int source, const std::vector<bool>& at);
-/// Number of events, answers or frames lost of any so many in a row.
+/// Number of events or answers lost in any row of the length that the requirement names.
 Bound loss_bound(const View& view, const Requirement& requirement);
 Bound event_loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);
@@ -69,8 +69,6 @@ Bound reaction_bound(const View& view, const Requirement& requirement);
 Sum least_distance(const View& view, const std::vector<bool>& at);
 /// Of a least interval: no run falls below the value.
 Bound interval_bound(const View& view, const Requirement& requirement);
-/// Greatest time from one effect of statements to the next, or until the skill has ended.
-Bound pause_bound(const View& view, const std::vector<bool>& at);
 Bound duration_bound(const View& view, const Requirement& requirement);
 /// Nanoseconds of work in a second; of the processor that has most.
 Bound load_bound(const View& view, const Requirement& requirement);
@@ -89,8 +87,8 @@ struct Endurance {
   Sum over;                  // from then until the skill has ended; unbounded: it may go on
 };
 
-/// A bound for skills that end when a block leaves its loop: `bound_of` for the time before, plus what the
-/// time until the end of the skill may add.
+/// A bound for skills that end when a block leaves its loop. It is `bound_of` for the time before, plus what
+/// the time until the end of the skill may add.
 Bound until_left(const View& always, const Endurance& endurance, const Requirement& requirement,
                  const std::function<Bound(const View&, const Requirement&)>& bound_of);
 

@@ -17,60 +17,6 @@ bool of_start(const View& view, int node) {
   return view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
 }
 
-/// From what one effect reflects to the next effect of the same thread.
-/// `alone`: no other thread comes to it, so that nothing goes on once this one does not any more.
-Bound in_thread(const View& view, const DataFreshness& freshness, const Requirement& requirement, int thread,
-                bool alone) {
-  const auto t = static_cast<std::size_t>(thread);
-  const std::string& name = view.problem.threads[t].name;
-  StatementOccurrences occurrences(view, thread, requirement.at);
-  if (occurrences.in_jobs().empty()) {
-    // Once each, at the start.
-    const Bound none{Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
-    const Way way = occurrences.from_entry();
-    if (!alone || !view.lively[t] || !view.begun[t] || way.ends_job || way.lost) return none;
-    Sum longest = way.latest;
-    for (const StepEffect& effect : occurrences.before_jobs()) {
-      const Way next = occurrences.after(effect);
-      if (!of_start(view, effect.node) || next.ends_job || next.lost) return none;
-      longest = greater(longest, since_known(freshness, effect, next.latest));
-    }
-    return {longest, none.why};
-  }
-  if (!goes_on(view, thread) || !occurrences.in_every_job()) {
-    return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
-  }
-  // The first may come on a path that never returns to the idle wait, and so may the next after any.
-  const Bound none{
-      Sum::unbounded(),
-      with_unbounded_reason("nothing bounds how old what " + name + " knows can be", view, thread)};
-  const auto before = [&](const Way& way, const Sum& job) {
-    return way.lost ? Sum::unbounded() : greater(way.latest, job);
-  };
-  // Others may come to it until the skill has ended.
-  const Sum first =
-      alone ? occurrences.first() + occurrences.latest() : occurrences.first_or_end(occurrences.latest());
-  const Sum next =
-      alone ? occurrences.gap() + occurrences.latest() : occurrences.next_or_end(occurrences.latest());
-  // What is known before the jobs is no older than the skill.
-  Sum longest = before(occurrences.from_entry(), first);
-  for (const StepEffect& effect : occurrences.before_jobs()) {
-    const Sum until = before(occurrences.after(effect), Sum());
-    longest = greater(longest, of_start(view, effect.node) ? until : since_known(freshness, effect, until));
-  }
-  Sum end;
-  for (int n : view.behaviours.threads[t].nodes) {
-    if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
-  }
-  for (const StepEffect& effect : occurrences.in_jobs()) {
-    longest = greater(longest, since_known(freshness, effect, before(occurrences.after(effect), next)));
-    // A statement that a cancelled block finishes.
-    if (view.behaviours.threads[t].may_be_cancelled)
-      longest = greater(longest, since_known(freshness, effect, end));
-  }
-  return {longest, none.why};
-}
-
 }  // namespace
 
 Bound known_age_bound(const View& view, const Requirement& requirement) {
@@ -90,20 +36,44 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
   return {oldest, why};
 }
 
+/// From what one effect reflects to the next effect, in the one thread that comes to it.
 Bound reaction_bound(const View& view, const Requirement& requirement) {
   const std::set<int> threads = owners(view, requirement.at);
+  if (threads.size() != 1)
+    return {Sum::unbounded(), threads.empty() ? "no thread comes to it" : "several threads come to it"};
+  const int thread = *threads.begin();
+  const auto t = static_cast<std::size_t>(thread);
+  const std::string& name = view.problem.threads[t].name;
+  StatementOccurrences occurrences(view, thread, requirement.at);
+  if (occurrences.in_jobs().empty())
+    return {Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
+  if (!goes_on(view, thread) || !occurrences.in_every_job())
+    return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
+  const auto before = [&](const Way& way, const Sum& job) {
+    return way.lost ? Sum::unbounded() : greater(way.latest, job);
+  };
   const DataFreshness freshness(view, requirement);
-  Bound least{Sum::unbounded(), threads.empty() ? "no thread comes to it"
-                                                : "none of the threads that come to it surely goes on"};
-  for (int thread : threads) {
-    // One of several must go on for as long as any of them.
-    const auto t = static_cast<std::size_t>(thread);
-    const ThreadBehaviour& of = view.behaviours.threads[t];
-    if (threads.size() > 1 && (of.leaves || of.may_be_cancelled || !goes_on(view, thread))) continue;
-    const Bound bound = in_thread(view, freshness, requirement, thread, threads.size() == 1);
-    if (bound.sum.value() < least.sum.value() || !least.known()) least = bound;
+  const Sum first = occurrences.first() + occurrences.latest();
+  const Sum next = occurrences.gap() + occurrences.latest();
+  // The first may come on a path that never returns to the idle wait, and so may the next after any. What is
+  // known before the jobs is no older than the skill.
+  Sum longest = before(occurrences.from_entry(), first);
+  for (const StepEffect& effect : occurrences.before_jobs()) {
+    const Sum until = before(occurrences.after(effect), Sum());
+    longest = greater(longest, of_start(view, effect.node) ? until : since_known(freshness, effect, until));
   }
-  return least;
+  Sum end;
+  for (int n : view.behaviours.threads[t].nodes) {
+    if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
+  }
+  for (const StepEffect& effect : occurrences.in_jobs()) {
+    longest = greater(longest, since_known(freshness, effect, before(occurrences.after(effect), next)));
+    // A statement that a cancelled block finishes.
+    if (view.behaviours.threads[t].may_be_cancelled)
+      longest = greater(longest, since_known(freshness, effect, end));
+  }
+  return {longest,
+          with_unbounded_reason("nothing bounds how old what " + name + " knows can be", view, thread)};
 }
 
 }  // namespace pal::analyzer::compositional

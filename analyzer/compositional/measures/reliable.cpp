@@ -63,23 +63,8 @@ class Reliability {
  private:
   const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
 
-  /// Whether the thread is not cancelled; in the steady state, before another block has left its loop.
   bool lasts(int thread) const {
-    if (!behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled) return true;
-    if (!steady_) return false;
-    for (int block = thread; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
-         block = problem_.threads[static_cast<std::size_t>(block)].parent) {
-      if (problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
-      bool ending = false;
-      bool leaving = false;
-      for (int other : step_at(fork_of(problem_, block)).threads) {
-        ending = ending || problem_.threads[static_cast<std::size_t>(other)].can_end;
-        leaving = leaving || (behaviours_.threads[static_cast<std::size_t>(other)].leaves &&
-                              made_.reliable[static_cast<std::size_t>(other)]);
-      }
-      if (ending && !leaving) return false;
-    }
-    return true;
+    return !behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled;
   }
 
   /// Whether no way through a thread ends, or comes to blocks that never do, before it has returned to its
@@ -106,8 +91,8 @@ class Reliability {
     });
   }
 
-  /// Whether a thread begins at the start of the skill, or on every path of its parent before its first job,
-  /// if those that it relies on go on.
+  /// Whether a thread begins at the start of the skill, or on every path of its parent before its first job.
+  /// The threads that it relies on must go on.
   bool comes_to_begin(int thread, std::vector<int>& relies) const {
     const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
     if (parent < 0) return true;
@@ -186,7 +171,7 @@ class Reliability {
     for (int n : of.nodes) {
       const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
       for (int effect : node.effects) {
-        // A message that nobody takes would stop its sender, sooner or later.
+        // A message that no thread takes would stop its sender, sooner or later.
         const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
         if (taker.release != Node::Release::message || taker.device >= 0) continue;
         const int channel = step_at(taker.sends.front()).channels.front();

@@ -12,7 +12,7 @@ Bound unknown(std::string why) {
   return {Sum::unbounded(), std::move(why)};
 }
 
-/// Of the events of a device; -1: nobody waits for them.
+/// The source of a device's events; -1: no thread waits for them.
 int source_of(const View& view, int device) {
   for (std::size_t s = 0; s < view.forest.sources.size(); ++s) {
     const Source& of = view.forest.sources[s];
@@ -21,8 +21,8 @@ int source_of(const View& view, int device) {
   return -1;
 }
 
-/// Whether events cannot overtake one another although several are on their way: every thread that they
-/// meet serves them alone, in one job each, and one thread answers.
+/// Whether events cannot overtake one another although several are on their way. They cannot if every thread
+/// that they meet serves them alone, in one job each, and if one thread answers.
 bool in_order(const View& view, const Requirement& requirement, int source) {
   std::set<int> answering;
   for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
@@ -66,13 +66,14 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
   return {greater(Sum(), answer), ""};
 }
 
-/// Whether the statements are all sends of the answer to a request that is made only when the answer to the
-/// one before has been taken. Of one that goes to several parties one may be made before another is answered.
+/// Whether the statements are all the sends of the answer to one request, and each request follows the take of
+/// the answer before. Of a request to several parties one may be made before another is answered.
 bool answered_in_turn(const View& view, const Requirement& requirement) {
   if (requirement.events.size() != 1) return false;
   const int request = requirement.events.front();
   const int answer = view.problem.channels[static_cast<std::size_t>(request)].answer;
-  if (answer < 0 || view.problem.channels[static_cast<std::size_t>(answer)].sender_module < 0) return false;
+  if (answer < 0 || !view.problem.channels[static_cast<std::size_t>(answer)].sender_module.valid())
+    return false;
   if (may_give_up(view.problem, request)) return false;
   const auto& steps = view.problem.steps;
   for (std::size_t s = 0; s < steps.size(); ++s) {

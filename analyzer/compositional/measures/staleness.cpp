@@ -126,11 +126,8 @@ class Staleness {
 
 bool outlasts(const View& view, int thread, int reader) {
   if (!goes_on(view, thread)) return false;
-  if (thread == reader || view.steady) return true;
-  if (starts_in_jobs(view, thread))
-    return outlasts(view, view.problem.threads[static_cast<std::size_t>(thread)].parent, reader);
   const auto behaviour = [&view](int of) { return view.behaviours.threads[static_cast<std::size_t>(of)]; };
-  if (!behaviour(thread).may_be_cancelled) return true;
+  if (thread == reader || !behaviour(thread).may_be_cancelled) return true;
   const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
   const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
   // Blocks that end are over before those beside them are cancelled.
@@ -142,7 +139,7 @@ const Sum& replaced(const View& view, const StatementOccurrences& sets, int sett
   const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
   const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
   const bool gives_way = sets_it.processor == reads_it.processor &&
-                         view.problem.processors[static_cast<std::size_t>(sets_it.processor)].preemptive &&
+                         view.problem.processors[sets_it.processor].preemptive &&
                          reads_it.priority < sets_it.priority;
   return gives_way ? sets.released() : sets.latest();
 }

@@ -11,9 +11,10 @@ Bound value_age(const View& view, int condition, int reader);
 /// Whether `thread` continues with its jobs for as long as `reader` does.
 bool outlasts(const View& view, int thread, int reader);
 
-/// Until when `reader` may read what was set in the previous job, from the nominal instant of a job of
-/// `setter` on: until it is set again, or only until its segment is released, if the reader runs on the same
-/// processor, which is preemptive, and only when the setter has nothing to do (M. Dürr and others, 2019).
+/// Until when `reader` may read what was set in the previous job, counted from the nominal instant of a job
+/// of `setter`. Usually it is until the next set. It is earlier, at the release of the setting segment, in
+/// one case: the reader runs on the same preemptive processor, and only when the setter has nothing to do (M.
+/// Dürr and others, 2019).
 const Sum& replaced(const View& view, const StatementOccurrences& sets, int setter, int reader);
 
 }  // namespace pal::analyzer::compositional

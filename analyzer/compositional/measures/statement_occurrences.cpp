@@ -62,40 +62,20 @@ StatementOccurrences::StatementOccurrences(const View& view, int thread, const s
 
 void StatementOccurrences::find_ends(int source) {
   const AnalysisContext context{view_.problem, view_.forest, view_.behaviours};
-  const auto after_one = [&](int n) {
-    for (; n >= 0; n = context.node(n).cause) {
-      if (view_.forest.thread_of(n) == thread_ && surely_occurs(n)) return true;
-    }
-    return false;
+  const auto latest_of = [&](Sum& ended, const std::vector<int>& endings) {
+    for (int n : endings) ended = greater(ended, finish(view_, n));
   };
-  for (int n : view_.behaviours.endings[static_cast<std::size_t>(source)]) {
-    ended_ = greater(ended_, finish(view_, n));
-    if (!after_one(n)) ended_before_ = greater(ended_before_, finish(view_, n));
-  }
-  const auto instead = [&](const std::vector<int>& endings) {
-    for (int n : endings) ended_at_start_ = greater(ended_at_start_, finish(view_, n));
-  };
-  instead(context.endings_before_idle(thread_));
-  instead(context.endings_before_first(source));
+  latest_of(ended_, view_.behaviours.endings[static_cast<std::size_t>(source)]);
+  latest_of(ended_at_start_, context.endings_before_idle(thread_));
+  latest_of(ended_at_start_, context.endings_before_first(source));
 }
 
 Sum StatementOccurrences::next_or_end(const Sum& effect) const {
-  return greater(gap_ + greater(effect, ended_before_), ended_);
+  return gap_ + greater(effect, ended_);
 }
 
 Sum StatementOccurrences::first_or_end(const Sum& effect) const {
-  return greater(first_ + greater(effect, ended_before_), ended_at_start_);
-}
-
-/// Whether all ways through the node's segment pass one.
-bool StatementOccurrences::surely_occurs(int node) const {
-  const std::optional<int> first = opening(node);
-  return !first || !follow(view_.problem, {*first}, [this](int at) {
-    const Step& step = view_.problem.steps[static_cast<std::size_t>(at)];
-    if (at_[static_cast<std::size_t>(at)]) return Course::ends;
-    const bool over = step.kind == Kind::wait || step.kind == Kind::fork || step.next.empty();
-    return over || may_match_nothing(step) ? Course::found : Course::goes_on;
-  });
+  return greater(first_ + greater(effect, ended_), ended_at_start_);
 }
 
 void StatementOccurrences::merge(Way& into, const Way& other) const {

@@ -44,8 +44,8 @@ class StatementOccurrences {
   /// Greatest inter-arrival time of jobs, between nominal instants, and of the first from time 0.
   const Sum& gap() const { return gap_; }
   const Sum& first() const { return first_; }
-  /// With in_every_job: from the nominal instant of one job to the effect in the next one, which comes by
-  /// `effect` after its own nominal instant, or to the end of the skill.
+  /// With in_every_job: from the nominal instant of one job to the effect in the next one, or to the end of
+  /// the skill. The effect comes by `effect` after its own nominal instant.
   Sum next_or_end(const Sum& effect) const;
   /// With in_every_job: from time 0 to the effect in the first job, or to the end of the skill.
   Sum first_or_end(const Sum& effect) const;
@@ -59,7 +59,6 @@ class StatementOccurrences {
   /// The first step of a node's segment behind the wait that begins it; nothing: that wait is one of the
   /// statements.
   std::optional<int> opening(int node) const;
-  bool surely_occurs(int node) const;
   void find_ends(int source);
   void merge(Way& into, const Way& other) const;
 
@@ -75,10 +74,8 @@ class StatementOccurrences {
   bool may_skip_ = false;
   Sum latest_;
   Sum released_;
-  /// Latest end of the skill or of a thread: in a job; in a job where the effect may not have come yet;
-  /// before the first job.
+  /// Latest end of the skill or of a thread: in a job; before the first job.
   Sum ended_;
-  Sum ended_before_;
   Sum ended_at_start_;
   Sum gap_ = Sum::unbounded();
   Sum first_ = Sum::unbounded();

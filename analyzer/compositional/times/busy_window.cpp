@@ -27,9 +27,9 @@ Nanoseconds least_window(Nanoseconds fixed, double share, double carried) {
 int BusyWindows::add(Transaction transaction) {
   const int index = static_cast<int>(transactions_.size());
   by_processor_.resize(preemptive_.size());
-  std::set<int> processors;
+  std::set<ProcessorId> processors;
   for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
-    auto& groups = by_processor_[static_cast<std::size_t>(transaction.tasks[t].processor)];
+    auto& groups = by_processor_[transaction.tasks[t].processor];
     const Task& task = transaction.tasks[t];
     if (processors.insert(task.processor).second) {
       const int first = static_cast<int>(t);
@@ -41,8 +41,8 @@ int BusyWindows::add(Transaction transaction) {
     const bool once = transaction.period == never;
     groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
   }
-  for (const int processor : processors) {
-    auto& groups = by_processor_[static_cast<std::size_t>(processor)];
+  for (const ProcessorId processor : processors) {
+    auto& groups = by_processor_[processor];
     const auto above = [](const Group& one, const Group& other) { return one.priority > other.priority; };
     const auto place = std::upper_bound(groups.begin(), groups.end() - 1, groups.back(), above);
     std::rotate(place, groups.end() - 1, groups.end());
@@ -55,7 +55,7 @@ void BusyWindows::set_jitter(int transaction, int task, Nanoseconds jitter, Nano
   Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   of.set_jitter(task, jitter, most);
   const Task& changed = of.tasks[static_cast<std::size_t>(task)];
-  auto& groups = by_processor_[static_cast<std::size_t>(changed.processor)];
+  auto& groups = by_processor_[changed.processor];
   const auto before = [&](const Group& group, int priority) {
     return group.priority != priority ? group.priority > priority : group.transaction < transaction;
   };
@@ -186,7 +186,7 @@ BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const 
   };
   Load load;
   std::vector<Longest> longest;  // by alternatives
-  for (const Group& group : by_processor_[static_cast<std::size_t>(self.processor)]) {
+  for (const Group& group : by_processor_[self.processor]) {
     if (group.priority < self.priority) break;
     const bool foreign = group.transaction != transaction;
     const auto add = [&](bool once, double share, Nanoseconds cost, Nanoseconds jitter) {
@@ -232,8 +232,8 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
                                                  Nanoseconds blocking, Since since, const Load& load) const {
   const Task& self =
       transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)];
-  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
-  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
+  const auto& groups = by_processor_[self.processor];
+  const bool preemptive = preemptive_[self.processor];
   const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
   Nanoseconds window = least_window(fixed, load.share, load.carried);
   for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
@@ -248,29 +248,28 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
   return {never};
 }
 
-Nanoseconds BusyWindows::stretch(int processor, int priority, Nanoseconds cost) const {
-  if (!preemptive_[static_cast<std::size_t>(processor)]) return cost;
+Nanoseconds BusyWindows::stretch(ProcessorId processor, int priority, Nanoseconds cost) const {
+  if (!preemptive_[processor]) return cost;
   return window(processor, priority + 1, cost);
 }
 
-Nanoseconds BusyWindows::level(int processor, int priority) const {
-  return preemptive_[static_cast<std::size_t>(processor)] ? window(processor, priority, 0) : busy(processor);
+Nanoseconds BusyWindows::level(ProcessorId processor, int priority) const {
+  return preemptive_[processor] ? window(processor, priority, 0) : busy(processor);
 }
 
-Nanoseconds BusyWindows::busy(int processor) const {
+Nanoseconds BusyWindows::busy(ProcessorId processor) const {
   return window(processor, std::numeric_limits<int>::min(), 0);
 }
 
-std::vector<Share> BusyWindows::work(int processor, Nanoseconds busy) const {
+std::vector<Share> BusyWindows::work(ProcessorId processor, Nanoseconds busy) const {
   Shares shares;
-  of_others(by_processor_[static_cast<std::size_t>(processor)], -1, nullptr, std::numeric_limits<int>::min(),
-            busy, &shares);
+  of_others(by_processor_[processor], -1, nullptr, std::numeric_limits<int>::min(), busy, &shares);
   return shares;
 }
 
 /// The least time in which `cost`, and all that is released in it with at least `priority`, is done.
-Nanoseconds BusyWindows::window(int processor, int priority, Nanoseconds cost) const {
-  const auto& groups = by_processor_[static_cast<std::size_t>(processor)];
+Nanoseconds BusyWindows::window(ProcessorId processor, int priority, Nanoseconds cost) const {
+  const auto& groups = by_processor_[processor];
   for (const Group& group : groups) {
     if (group.priority < priority) break;
     const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
@@ -295,8 +294,8 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
   if (blocking >= never || self.jitter >= never) return {never};
-  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
-  const bool preemptive = preemptive_[static_cast<std::size_t>(self.processor)];
+  const auto& groups = by_processor_[self.processor];
+  const bool preemptive = preemptive_[self.processor];
   const Load load = load_of(transaction, self);
   if (!load.bounded || load.whole >= 1) return {never};
   if (of.period == never) return critical_once(transaction, task, part, blocking, since, load);
@@ -363,7 +362,7 @@ FinishBreakdown BusyWindows::breakdown(int transaction, int task, Nanoseconds pa
                                        Since since) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
-  const auto& groups = by_processor_[static_cast<std::size_t>(self.processor)];
+  const auto& groups = by_processor_[self.processor];
   const Critical worst = critical(transaction, task, part, blocking, since);
   FinishBreakdown breakdown;
   breakdown.blocking = blocking;
@@ -385,8 +384,8 @@ FinishBreakdown BusyWindows::breakdown(int transaction, int task, Nanoseconds pa
   return breakdown;
 }
 
-const BusyWindows::Group* BusyWindows::group_of(int transaction, int processor) const {
-  for (const Group& group : by_processor_[static_cast<std::size_t>(processor)]) {
+const BusyWindows::Group* BusyWindows::group_of(int transaction, ProcessorId processor) const {
+  for (const Group& group : by_processor_[processor]) {
     if (group.transaction == transaction) return &group;
   }
   return nullptr;

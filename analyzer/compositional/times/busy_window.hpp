@@ -2,9 +2,10 @@
 // compositional analysis, without anything of PAL.
 //
 // J. C. Palencia and M. González Harbour, Schedulability analysis for tasks with static and dynamic offsets,
-// RTSS 1998 (the approximation of section 4: one candidate a foreign transaction, all candidates of one's
-// own). What follows a job within its own transaction does not delay it: the same authors, Exploiting
-// precedence relations in the schedulability analysis of distributed real-time systems, RTSS 1999.
+// RTSS 1998. This is the approximation of section 4: one candidate for each foreign transaction, all
+// candidates of one's own. What follows a job within its own transaction does not delay it. Source: the same
+// authors, Exploiting precedence relations in the schedulability analysis of distributed real-time systems,
+// RTSS 1999.
 #pragma once
 
 #include <functional>
@@ -27,8 +28,8 @@ enum class Since {
 struct FinishBreakdown {
   std::vector<Share> others;    // work that goes first, the task's own earlier jobs included
   Nanoseconds blocking = 0;     // by lower priority
-  Nanoseconds done_before = 0;  // of all that, so much is over when the job is released, at its latest or
-                                // (if it counts from the release) at its earliest
+  Nanoseconds done_before = 0;  // the part of all that which is over when the job is released, at its latest
+                                // or (if it counts from the release) at its earliest
 };
 
 class BusyWindows {
@@ -50,7 +51,8 @@ class BusyWindows {
   const Transaction& transaction(int index) const { return transactions_[static_cast<std::size_t>(index)]; }
 
   /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the
-  /// latest, if `blocking` is the longest that work of lower priority keeps the processor. `never`: no bound.
+  /// latest. `blocking` is the longest time for which work of lower priority keeps the processor. `never`: no
+  /// bound.
   ///
   /// Work of the same priority counts as if it went first. What is released at the very instant at which the
   /// work ends comes before that end: PAL leaves the order at one instant open.
@@ -73,16 +75,16 @@ class BusyWindows {
   /// What else than the chain's own work adds up to a joint_finish() that is bounded.
   std::vector<Share> joint_breakdown(int transaction, const std::vector<int>& chain, Nanoseconds part) const;
 
-  /// How long `cost` takes at most for somebody of `priority` who has the processor: what is of higher
-  /// priority has nothing left to do when that begins.
-  Nanoseconds stretch(int processor, int priority, Nanoseconds cost) const;
+  /// How long `cost` takes at most for a thread of `priority` that has the processor. When it begins, nothing
+  /// of higher priority is left to do.
+  Nanoseconds stretch(ProcessorId processor, int priority, Nanoseconds cost) const;
 
   /// How long a thread of `priority` that is ready may take at most to do what it has begun.
-  Nanoseconds level(int processor, int priority) const;
+  Nanoseconds level(ProcessorId processor, int priority) const;
 
   /// The longest that a processor has something to do without a pause, and the work that adds up to it.
-  Nanoseconds busy(int processor) const;
-  std::vector<Share> work(int processor, Nanoseconds busy) const;
+  Nanoseconds busy(ProcessorId processor) const;
+  std::vector<Share> work(ProcessorId processor, Nanoseconds busy) const;
 
  private:
   /// Tasks of one transaction on one processor.
@@ -107,8 +109,8 @@ class BusyWindows {
     bool bounded = true;
   };
 
-  /// The job that is asked about, and what is known to come after it: its followers of the occurrence at
-  /// `occurrence`, from the beginning of the window, and of later ones.
+  /// The job that is asked about, and what is known to come after it. These are its followers of the
+  /// occurrence at `occurrence`, counted from the beginning of the window, and of later ones.
   struct Asked {
     const Task* asker = nullptr;  // whose `without` does not count
     int task = -1;
@@ -134,9 +136,9 @@ class BusyWindows {
   /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
   Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
-  /// Whether tasks can come nearer together than occurrences a period apart let them: those are further apart
-  /// at times, and one of the tasks comes more than a period later after its occurrence than another. Then
-  /// each counts by itself.
+  /// Whether tasks can come nearer together than occurrences a period apart allow. This needs occurrences
+  /// that are sometimes further apart. And one of the tasks must come more than a period later after its
+  /// occurrence than another. Then each counts by itself.
   bool drifts(const Group& group, const Task* asker, int priority) const;
   /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
   bool drifts_from(const Group& group, int task) const;
@@ -145,7 +147,7 @@ class BusyWindows {
   Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
   Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since,
                          const Load& load) const;
-  const Group* group_of(int transaction, int processor) const;
+  const Group* group_of(int transaction, ProcessorId processor) const;
 
   /// A chain of tasks, taken as one.
   struct JointTasks {
@@ -160,14 +162,14 @@ class BusyWindows {
   Nanoseconds of_own(const JointTasks& joint, Nanoseconds length, bool in_whole,
                      std::vector<Share>* shares) const;
   Nanoseconds joint_window(const JointTasks& joint, Nanoseconds fixed, bool in_whole) const;
-  Nanoseconds window(int processor, int priority, Nanoseconds cost) const;
+  Nanoseconds window(ProcessorId processor, int priority, Nanoseconds cost) const;
 
   bool stops() const { return stop_ && stop_(); }
 
-  std::vector<bool> preemptive_;
+  Table<ProcessorId, bool> preemptive_;
   std::function<bool()> stop_;
   std::vector<Transaction> transactions_;
-  std::vector<std::vector<Group>> by_processor_;  // the greatest priority first
+  Table<ProcessorId, std::vector<Group>> by_processor_;  // the greatest priority first
 };
 
 }  // namespace pal::analyzer::compositional

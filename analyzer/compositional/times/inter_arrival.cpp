@@ -54,7 +54,7 @@ class Loop {
 
  private:
   /// How much later the wait gives up if what comes once is taken there before: a job goes by, and the
-  /// limit counts anew.
+  /// limit starts again.
   Nanoseconds put_off(const Source::Feed& feed) const {
     if (!context_.in_job(feed.node)) return 0;
     const Nanoseconds back = latest(feed).at;
@@ -110,8 +110,8 @@ Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTim
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
     if (context.in_job(n)) continue;
-    // What an event brings about, or comes after blocks that end in an unknown job, has no instant that
-    // jobs of other sources could be compared with.
+    // What an event triggers has no instant that jobs of other sources could be compared with. The same holds
+    // behind blocks that end in an unknown job.
     const bool known = context.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(context, nodes, n, of.idle_wait) : never);
   }

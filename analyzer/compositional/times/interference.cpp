@@ -61,12 +61,10 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
   }
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
-    threads_on_[static_cast<std::size_t>(context.problem.threads[t].processor)].push_back(
-        static_cast<int>(t));
+    threads_on_[context.problem.threads[t].processor].push_back(static_cast<int>(t));
   nodes_on_.resize(context.problem.processors.size());
   for (std::size_t n = 0; n < nodes.size(); ++n)
-    nodes_on_[static_cast<std::size_t>(context.thread_of(static_cast<int>(n)).processor)].push_back(
-        static_cast<int>(n));
+    nodes_on_[context.thread_of(static_cast<int>(n)).processor].push_back(static_cast<int>(n));
   for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
     pauses_.push_back(pauses(static_cast<int>(t)));
 }
@@ -75,7 +73,7 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
 /// on.
 bool Interference::pauses(int thread) const {
   const Thread& of = context_.thread_at(thread);
-  if (context_.problem.processors[static_cast<std::size_t>(of.processor)].preemptive) return true;
+  if (context_.problem.processors[of.processor].preemptive) return true;
   std::vector<bool> owned;
   for (int n : context_.behaviour_of(thread).job_starts) {
     const Source& source = context_.source(n);
@@ -103,14 +101,14 @@ void Interference::precede(const AnalysisContext& context, int node,
   }
 }
 
-/// What comes later never counts. Nor does, on a preemptive processor, what is over before the node is
-/// released, if nothing that counts has its priority or a lower one (down to the node's): while it had the
-/// processor nothing that counts was waiting, so a window that begins when it ends has all that can delay the
-/// node.
+/// What comes later never counts. Nor does, on a preemptive processor, work that is over before the node is
+/// released. The condition: nothing that counts has its priority, or one between its own and the node's.
+/// While it had the processor, nothing that counts was waiting. So a window that begins when it ends has all
+/// that can delay the node.
 ///
 /// A thread's own segments are one after the other. Those of the node's job are over when it is released.
-/// Another job may still be at work then, also in what occurs once: its thread was sent something else
-/// before, or serves a request that was withdrawn.
+/// Another job may still be at work then, also in what occurs once. Its thread may have got another message
+/// before, or may serve a request that was withdrawn.
 void Interference::exclude(int node, bool done_before_next, bool in_turn) {
   const Thread& mine = context_.thread_of(node);
   const auto n = static_cast<std::size_t>(node);
@@ -129,8 +127,8 @@ void Interference::exclude(int node, bool done_before_next, bool in_turn) {
            (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
            std::binary_search(order_.never_overlapping[n].begin(), order_.never_overlapping[n].end(), other);
   };
-  const auto& here = nodes_on_[static_cast<std::size_t>(mine.processor)];
-  const bool preemptive = context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive;
+  const auto& here = nodes_on_[mine.processor];
+  const bool preemptive = context_.problem.processors[mine.processor].preemptive;
   int nearest = preemptive ? std::numeric_limits<int>::max() : mine.priority;  // least priority that counts
   for (int other : here) {
     const int priority = context_.thread_of(other).priority;
@@ -195,14 +193,14 @@ void Interference::announce(int node, const NodeTimes& times) {
                       greatest_jitter(node));
 }
 
-/// Who was held in a send may find what it asked for before that when it returns to its idle wait, and go on
-/// for one job more.
+/// A thread that was blocked in a send may find an earlier answer when it returns to its idle wait. Then it
+/// goes on for one job more.
 void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
                                const std::vector<bool>& blocked) {
   burst_.assign(context_.problem.threads.size(), 0);
   for (std::size_t t = 0; t < burst_.size(); ++t) {
-    const int processor = context_.problem.threads[t].processor;
-    if (context_.problem.processors[static_cast<std::size_t>(processor)].preemptive) continue;
+    const ProcessorId processor = context_.problem.threads[t].processor;
+    if (context_.problem.processors[processor].preemptive) continue;
     const Nanoseconds found = burst(static_cast<int>(t), nodes, done_before_next[t] && pauses_[t]);
     burst_[t] = blocked[t] ? plus(found, found) : found;
   }
@@ -252,9 +250,9 @@ Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes,
 
 int Interference::blocking_thread(int node) const {
   const Thread& mine = context_.thread_of(node);
-  if (context_.problem.processors[static_cast<std::size_t>(mine.processor)].preemptive) return -1;
+  if (context_.problem.processors[mine.processor].preemptive) return -1;
   int longest = -1;
-  for (int t : threads_on_[static_cast<std::size_t>(mine.processor)]) {
+  for (int t : threads_on_[mine.processor]) {
     if (context_.thread_at(t).priority >= mine.priority) continue;
     if (longest < 0 || burst_[static_cast<std::size_t>(t)] > burst_[static_cast<std::size_t>(longest)])
       longest = t;

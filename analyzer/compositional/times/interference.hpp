@@ -17,14 +17,14 @@ class Interference {
 
   /// Sets the release jitter of the node.
   void announce(int node, const NodeTimes& times);
-  /// A bound of the release jitter however late a node's causes are: one message in each slot and one in each
-  /// thread can be queued on the way to it.
+  /// A bound of the release jitter, however late a node's causes are. One message in each slot and one in
+  /// each thread can be queued on the way to it.
   Nanoseconds greatest_jitter(int node) const;
   /// The same for alternatives taken together, whose paths may share slots and threads.
   Nanoseconds piled_up(const std::vector<int>& alternatives) const;
   /// Removes interference between nodes that never overlap. `done_before_next`, by thread: each job ends
   /// before the next is released, so jobs of the thread do not delay one another. `in_turn`, by source: all
-  /// that an occurrence triggers ends before the next occurrence, so its nodes that follow or exclude one
+  /// that an occurrence triggers ends before the next occurrence. So its nodes that follow or exclude one
   /// another do not delay one another.
   void find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
                   const std::function<bool()>& stop);
@@ -39,8 +39,8 @@ class Interference {
   Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking, Since since = Since::occurrence) const;
   /// What goes into finish() besides the latest release and the work itself.
   FinishBreakdown breakdown(int node, Nanoseconds part, Since since = Since::occurrence) const;
-  /// The same for nodes of one occurrence that keep a processor busy one after the other (joint_chain()),
-  /// from the release of the first one; `part` of the last one.
+  /// The same for nodes of one occurrence that keep a processor busy one after the other (joint_chain()). The
+  /// time counts from the release of the first one to `part` of the last one.
   Nanoseconds joint_finish(const std::vector<int>& chain, Nanoseconds part) const;
   std::vector<Share> joint_breakdown(const std::vector<int>& chain, Nanoseconds part) const;
   /// The thread of lower priority that blocks the node longest.
@@ -63,11 +63,11 @@ class Interference {
 
   AnalysisContext context_;
   BusyWindows windows_;
-  std::vector<int> task_;                     // by node
-  std::vector<std::vector<int>> nodes_of_;    // by transaction and task
-  std::vector<std::vector<int>> threads_on_;  // by processor
-  std::vector<std::vector<int>> nodes_on_;    // by processor
-  std::vector<Nanoseconds> burst_;            // by thread
+  std::vector<int> task_;                            // by node
+  std::vector<std::vector<int>> nodes_of_;           // by transaction and task
+  Table<ProcessorId, std::vector<int>> threads_on_;  // by processor
+  Table<ProcessorId, std::vector<int>> nodes_on_;    // by processor
+  std::vector<Nanoseconds> burst_;                   // by thread
   Order order_;
   std::vector<std::vector<int>> never_together_;  // by node
   std::vector<bool> done_before_next_;            // by thread, as given

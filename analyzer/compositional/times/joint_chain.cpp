@@ -16,7 +16,7 @@ class Chains : private AnalysisContext {
 
   std::vector<int> to(int last) const {
     std::vector<int> chain{last};
-    const pan::Processor& on = problem.processors[static_cast<std::size_t>(thread_of(last).processor)];
+    const pan::Processor& on = problem.processors[thread_of(last).processor];
     if (!on.preemptive || source(last).period == never) return chain;
     while (chain.size() < most_in_chain && follows_at_once(chain.front())) {
       const int cause = node(chain.front()).cause;

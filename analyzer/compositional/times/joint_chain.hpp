@@ -10,8 +10,8 @@ namespace pal::analyzer::compositional {
 /// sends. `times` has its nodes, its unbounded and its blocked threads.
 std::vector<int> joint_chain(const AnalysisContext& context, const Times& times, int node);
 
-/// The end of a chain that is done first: its beginning, and the time from that one's release until the first
-/// `part` of the last node's work is done.
+/// The end (suffix) of a chain whose bound is the earliest. `after` is the time from the release of its first
+/// node until the first `part` of the last node's work is done.
 struct JointEnd {
   std::vector<int> chain;
   Nanoseconds after = never;

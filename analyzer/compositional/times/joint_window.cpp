@@ -29,7 +29,7 @@ Nanoseconds BusyWindows::of_own(const JointTasks& joint, Nanoseconds length, boo
 Nanoseconds BusyWindows::joint_window(const JointTasks& joint, Nanoseconds fixed, bool in_whole) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(joint.transaction)];
   const Task& first = of.tasks[static_cast<std::size_t>(joint.tasks.front())];
-  const auto& groups = by_processor_[static_cast<std::size_t>(first.processor)];
+  const auto& groups = by_processor_[first.processor];
   Nanoseconds length = fixed;
   while (length < of.period - first.jitter) {
     if (stops()) return never;
@@ -58,8 +58,8 @@ Nanoseconds BusyWindows::joint_finish(int transaction, const std::vector<int>& c
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& first = of.tasks[static_cast<std::size_t>(chain.front())];
   const JointTasks joint = joint_tasks(transaction, chain);
-  const bool known = of.period < never && first.jitter < of.period && !first.piles_up &&
-                     preemptive_[static_cast<std::size_t>(first.processor)];
+  const bool known =
+      of.period < never && first.jitter < of.period && !first.piles_up && preemptive_[first.processor];
   if (!known || joint.cost >= never) return never;
   // The chain of the next occurrence must not come before the processor has nothing of this level to do.
   if (joint_window(joint, joint.cost, true) >= never) return never;
@@ -72,10 +72,9 @@ std::vector<Share> BusyWindows::joint_breakdown(int transaction, const std::vect
   const JointTasks joint = joint_tasks(transaction, chain);
   const Nanoseconds length = joint_finish(transaction, chain, part);
   const auto& tasks = transactions_[static_cast<std::size_t>(transaction)].tasks;
-  const int processor = tasks[static_cast<std::size_t>(chain.front())].processor;
+  const ProcessorId processor = tasks[static_cast<std::size_t>(chain.front())].processor;
   Shares shares;
-  of_others(by_processor_[static_cast<std::size_t>(processor)], transaction, nullptr, joint.priority, length,
-            &shares);
+  of_others(by_processor_[processor], transaction, nullptr, joint.priority, length, &shares);
   of_own(joint, length, false, &shares);
   return shares;
 }

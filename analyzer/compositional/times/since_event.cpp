@@ -13,8 +13,8 @@ namespace {
 
 constexpr int most_event_rounds = 20;
 
-/// Begins with the times from the nominal instants and lowers them: each iteration follows the ways from
-/// bounds to bounds, so it may stop after any.
+/// Begins with the times from the nominal instants and lowers them. Each iteration follows the ways from
+/// bounds to bounds, so the search may stop after any iteration.
 class SinceEvents : private AnalysisContext {
  public:
   SinceEvents(const AnalysisContext& context, const Times& times, const Interference& interference)

@@ -5,9 +5,10 @@
 
 namespace pal::analyzer::compositional {
 
-/// For nodes that an event triggers: the sum along the path from the event, where each segment counts from
-/// its own release, or with those that share a window with it (joint_chain()) from the release of the first;
-/// at most the time from the event's nominal instant, which is earlier. For all other nodes: `times.nodes`.
+/// For nodes that an event triggers: the sum along the path from the event. Each segment counts from its own
+/// release. Segments that share a window (joint_chain()) count together from the release of the first. The
+/// result is at most the time from the event's nominal instant, which is earlier. For all other nodes:
+/// `times.nodes`.
 std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times,
                                     const Interference& interference);
 

@@ -120,8 +120,8 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
                      [&](const StepEffect& put) { return is_taken_in_time(nodes, put, soonest, one_node); });
 }
 
-/// Whether a put of a job is taken before the job after it puts, at `soonest` at the earliest, or it is
-/// known what that waits for.
+/// Whether a put of a job is taken before the put of the next job, which comes at `soonest` at the earliest.
+/// Also true if it is known what that put waits for.
 bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                              bool may_hold) const {
   bool known = false;
@@ -155,12 +155,11 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
   for (std::size_t c = 0; c < puts_.size(); ++c) {
     if (is_free(times.nodes, c)) continue;
     for (const StepEffect& put : puts_[c]) {
-      const int statement = context_.step_at(put.step).statement;
+      const StatementId statement = context_.step_at(put.step).statement;
       found.push_back(
           {context_.forest.thread_of(put.node), true,
            "may find the slot full at " +
-               (statement < 0 ? std::string("a send")
-                              : context_.problem.statements[static_cast<std::size_t>(statement)].text),
+               (!statement.valid() ? std::string("a send") : context_.problem.statements[statement].text),
            takers_of(put)});
     }
   }

@@ -125,20 +125,20 @@ class Solver : private AnalysisContext {
     return false;
   }
 
-  /// The greatest priority of those that a change of a node's release can delay: they stand on its processor,
-  /// and if that is not preemptive they may be of any.
+  /// The greatest priority of the threads that a change of a node's release can delay. They run on its
+  /// processor. If that is not preemptive, they may have any priority.
   int delays_up_to(const Thread& thread) const {
-    const bool preemptive = problem.processors[static_cast<std::size_t>(thread.processor)].preemptive;
+    const bool preemptive = problem.processors[thread.processor].preemptive;
     return preemptive ? thread.priority : everybody;
   }
 
   void solve() {
     for (std::size_t n = 0; n < forest.nodes.size(); ++n)
       interference_.announce(static_cast<int>(n), nodes_[n]);
-    std::vector<int> dirty(problem.processors.size(), everybody);  // by processor: delays_up_to()
+    Table<ProcessorId, int> dirty(problem.processors.size(), everybody);  // delays_up_to()
     for (int iteration = 0; iteration < most_rounds; ++iteration) {
       find_overlaps(dirty);
-      std::vector<int> now = dirty;
+      Table<ProcessorId, int> now = dirty;
       dirty.assign(dirty.size(), nobody);
       bool changed = false;
       for (std::size_t i = 0; i < forest.nodes.size(); ++i) {
@@ -148,7 +148,7 @@ class Solver : private AnalysisContext {
           return;
         }
         const Thread& thread = thread_of(n);
-        const auto processor = static_cast<std::size_t>(thread.processor);
+        const ProcessorId processor = thread.processor;
         const Nanoseconds latest = std::max(times(n).latest, latest_release(n));
         const bool delayed = thread.priority <= now[processor];
         if (!delayed && latest == times(n).latest && !held_longer(n)) continue;
@@ -173,7 +173,7 @@ class Solver : private AnalysisContext {
 
   /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may
   /// delay anybody there.
-  void find_overlaps(std::vector<int>& dirty) {
+  void find_overlaps(Table<ProcessorId, int>& dirty) {
     std::vector<bool> done_before_next;
     for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
       done_before_next.push_back(is_done_before_next(*this, nodes_, static_cast<int>(t)));
@@ -185,7 +185,7 @@ class Solver : private AnalysisContext {
     }
     for (std::size_t n = 0; n < forest.nodes.size() && !in_turn_.empty(); ++n) {
       const auto source = static_cast<std::size_t>(forest.nodes[n].source);
-      const auto processor = static_cast<std::size_t>(thread_of(static_cast<int>(n)).processor);
+      const ProcessorId processor = thread_of(static_cast<int>(n)).processor;
       if (in_turn_[source] != in_turn[source]) dirty[processor] = everybody;
     }
     interference_.find_order(done_before_next, in_turn, stop_);

@@ -12,7 +12,7 @@ namespace pal::analyzer::compositional {
 /// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
 /// after the occurrence.
 struct Task {
-  int processor = 0;
+  ProcessorId processor{0};
   int priority = 0;
   Nanoseconds cost = 0;
   Nanoseconds offset = 0;
@@ -25,7 +25,7 @@ struct Task {
   bool piles_up = false;  // it may come later: its jitter says how many can have piled up on the way
 };
 
-/// Tasks on one processor, of one priority, of which each occurrence releases one at most.
+/// Tasks on one processor, of one priority. Each occurrence releases at most one of them.
 struct Alternatives {
   std::vector<int> tasks;
   Nanoseconds piled = 0;   // what the jitter counts besides if one of them piles up
@@ -56,8 +56,8 @@ inline bool counts(const Task* asker, int transaction, int task) {
 /// Whether `task` comes, in one occurrence, only after `before` is done.
 bool follows(const Transaction& of, int before, int task);
 
-/// When, in a window that begins with `scenario`'s release after its whole jitter, the next release of what
-/// is released from `offset` on is due: in (0, period].
+/// A window begins with `scenario`'s release after its whole jitter. In this window, when the next release of
+/// what is released from `offset` on is due: in (0, period].
 inline Nanoseconds phase(const Transaction& of, const Task& scenario, Nanoseconds offset) {
   const Nanoseconds since = (scenario.offset + scenario.jitter - offset) % of.period;
   return of.period - (since < 0 ? since + of.period : since);

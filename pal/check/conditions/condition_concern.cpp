@@ -36,7 +36,7 @@ void Concern::enter(const pan::Content& content) {
 }
 
 /// Does reaching the statement at `place` and what it does concern no condition, and is there one way on?
-/// Then nobody can tell whether a thread is there or already behind it.
+/// Then it is unknown whether a thread is there or already behind it.
 bool Concern::is_silent(const Place& place) const {
   const auto& content = node(place).content;
   if (const auto* set = std::get_if<pan::Set>(&content)) return !sets(set->condition);

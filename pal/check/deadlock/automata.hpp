@@ -25,7 +25,7 @@ struct Step {
     set,       // condition; value or both
     latch,     // condition
     test,      // next[i]: guards[i] holds; of a loop the last one: no guard holds
-    enter,     // a module that is executed; passed by whoever gets there
+    enter,     // a module that is executed; passed by the thread that comes there
     fork,      // next[i]: first step of block i, then the join; passed likewise
     join,      // next[0]: when the blocks have ended or stopped; none: they never do
     end,       // of a block, or of a module
@@ -75,8 +75,8 @@ struct Automata {
   std::vector<bool> unknown;  // by condition
 };
 
-/// Whether other threads may be cancelled at the instant at which this thread, a block, ends: its siblings,
-/// or those of a block that ends with it.
+/// Whether other threads may be cancelled at the instant at which this thread, a block, ends. These are its
+/// siblings, or those of a block that ends with it.
 bool end_may_cancel(const Automata& automata, std::size_t thread);
 
 /// Automata with more steps are too large to explore, and are incomplete.

@@ -44,10 +44,10 @@ struct Frame {
   std::size_t next = 0;
 };
 
-/// Depth first, with Tarjan's strong components: what is left out must not be left out for ever, so of a
-/// component that no run leaves every move is followed somewhere (Valmari). Ways and components are those of
-/// moves that are not guessed, which every state that a blurred one stands for has: a thread that they move
-/// can move.
+/// Depth first, with Tarjan's strong components. What is left out must not be left out for ever. So of a
+/// component that no run leaves, every move is followed somewhere (Valmari). Ways and components are those of
+/// moves that are not guessed. Every state that a blurred one stands for has these moves, so a thread that
+/// they move can move.
 class Decider {
  public:
   Decider(const Automata& automata, const Moves& moves, const Independence& independence, std::size_t most,

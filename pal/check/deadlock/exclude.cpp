@@ -8,8 +8,8 @@ namespace pal::checker::deadlock {
 
 namespace {
 
-/// Runs by chance, the same ones each time, until each of the wanted messages was taken: with the conditions
-/// unknown it may be taken only on runs that the skill does not have.
+/// Random runs, the same ones each time, until each of the wanted messages was taken. With the conditions
+/// unknown a message may be taken only in runs that the skill does not have.
 class Walks {
  public:
   Walks(const Automata& automata, int withdrawn, std::vector<bool> wanted, const std::function<bool()>& stop)
@@ -44,7 +44,7 @@ class Walks {
     }
   }
 
-  /// The moves of a thread by chance of those that can move.
+  /// The moves of a random thread of those that can move.
   std::vector<Move> next(const State& state) {
     std::vector<Move> result;
     const auto first = below(threads_);

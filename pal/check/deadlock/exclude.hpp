@@ -9,10 +9,10 @@
 
 namespace pal::checker::deadlock {
 
-/// Decides the skill with its conditions unknown. The result holds for the skill itself if it has no dead end
-/// and takes every message that is put, and if some runs of the skill itself are seen to take each of them.
-/// It may have more undelivered commands than the skill itself. `withdrawn`: requests that are counted.
-/// `most_states` and `stop`: as for decide.
+/// Decides the skill with its conditions unknown. The result holds for the skill itself on two conditions. It
+/// has no dead end and takes every message that is put. And some runs of the skill itself are seen to take
+/// each of them. It may have more undelivered commands than the skill itself. `withdrawn`: requests that are
+/// counted. `most_states` and `stop`: as for decide.
 std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::size_t most_states,
                                 const std::function<bool()>& stop);
 

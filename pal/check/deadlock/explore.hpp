@@ -25,8 +25,7 @@ struct DeadEnd {
   bool total = false;   // nothing moves any more; otherwise other modules go on
   bool timely = false;  // only if some wait gives up, or a device loses an answer, at the right time
   std::vector<Action> run;
-  std::size_t decided =
-      0;  // after so many actions it can never end; what follows only brings others to a stop
+  std::size_t decided = 0;  // from this action on it can never end; what follows only brings others to a stop
   std::vector<Stuck> stuck;
   std::size_t culprit = 0;  // index in `stuck`: of the skill method
 };

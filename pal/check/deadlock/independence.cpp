@@ -122,7 +122,7 @@ bool Independence::concerns_all(const State& state, std::size_t thread,
   return false;
 }
 
-/// Whether the block were cancelled before all of these moves or after them, what is left is the same: the
+/// Whether the block is cancelled before all of these moves or after them, the result is the same. The
 /// requests that it has open, and their answers, are withdrawn.
 bool Independence::undone_by_cancelling(const State& state, std::size_t thread,
                                         const std::vector<Move>& moves) const {
@@ -160,7 +160,7 @@ void Independence::add_users(const State& state, Use use, std::size_t index, std
   }
 }
 
-/// Those that may withdraw the request: its sender by giving up, or whoever may have its sender cancelled.
+/// Those that may withdraw the request: its sender by giving up, or a thread that may cancel its sender.
 void Independence::add_withdrawers(const State& state, std::size_t request, std::size_t thread,
                                    Threads& result) const {
   add_users(state, Use::withdraw, request, thread, result);
@@ -238,9 +238,9 @@ std::optional<std::size_t> Independence::helper(const State& state, std::size_t 
   return found;
 }
 
-/// A server that takes a request which may yet be withdrawn: if, should that happen, it comes back to where
-/// it is now with what it has of its own, then taking first is as good. Gives those that may disturb it on
-/// its way, or nothing if it is no such server.
+/// For a server that takes a request which may be withdrawn later. Then it may come back to where it is now,
+/// with what it has of its own. If it does, taking first is as good. Returns the threads that may disturb it
+/// on its way, or nothing if it is no such server.
 std::optional<Threads> Independence::disturbing_service(const State& state, std::size_t thread,
                                                         const std::vector<Move>& moves) const {
   constexpr std::size_t most_moves = 64;
@@ -273,7 +273,7 @@ std::optional<Threads> Independence::disturbing_service(const State& state, std:
     }
     result |= disturbing_step(at, worker, true) | cancellers_[worker];
     at = std::move(next.front().state);
-    // Whoever was helped goes on as soon as it can.
+    // A thread that was helped goes on as soon as it can.
     if (at_work.size() > 1) {
       next.clear();
       moves_.of(at, at_work[at_work.size() - 2], next);

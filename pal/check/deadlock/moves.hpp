@@ -1,5 +1,5 @@
 // What can happen next in a skill, without times (docs/reference/execution-model.md). Every wait that can
-// give up may do so at any moment. A device sends its events whenever somebody waits for them, and answers
+// give up may do so at any moment. A device sends its events whenever a thread waits for them, and answers
 // every request at some time.
 #pragma once
 
@@ -54,7 +54,7 @@ struct Move {
   State state;
   bool ended = false;   // the skill has completed
   bool timely = false;  // only the right times bring this about: giving up, an answer that is lost
-  /// One of several moves of a thread, of which only one is real. The state before does not say which: its
+  /// One of several moves of a thread. Only one of them is real. The state before does not say which: its
   /// count is blurred, or a condition is unknown.
   bool guessed = false;
   bool cancels = false;   // blocks are stopped, or are to finish what they have begun
@@ -112,7 +112,8 @@ class Moves {
     bool full = false;
     bool answers = false;  // of an answer: what is in the slot answers the oldest request
     int asked = 0;         // of a request: how many have no answer yet that was taken
-    /// To which thread, from 1, each of them belongs, the oldest first; nobody: it is withdrawn.
+    /// The thread, from 1, to which each of them belongs, the oldest first; `nobody`: the request is
+    /// withdrawn.
     std::array<int, most_asked> by{};
 
     void push(std::size_t thread);

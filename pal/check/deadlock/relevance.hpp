@@ -35,7 +35,7 @@ class StepSets {
 /// By step: the conditions (by bit) whose value some run of the thread from there on reads before it sets it.
 StepSets conditions_to_be_read(const Automata& automata);
 
-/// By step: the conditions (by bit) that the next test from there on reads without reading them anew.
+/// By step: the conditions (by bit) that the next test from there on uses without reading them again.
 StepSets latches_to_be_read(const Automata& automata);
 
 /// Adds to every step what the steps that can follow it have. For a CONCURRENT these are the steps of the

@@ -130,7 +130,7 @@ class Simplifier {
     for (auto& thread : automata_.threads) thread.first = target(thread.first);
   }
 
-  /// Steps keep their numbers; what nobody gets to says and reads nothing.
+  /// Steps keep their numbers. A step that no flow reaches sends and reads nothing.
   void remove() {
     for (std::size_t i = 0; i < automata_.steps.size(); ++i) {
       if (!passed_[i]) continue;

@@ -65,7 +65,7 @@ const WaysOn::Way& WaysOn::way(const State& state, std::size_t thread) {
   complete_ = complete_ && found.complete;
   std::vector<Action> run;
   if (found.way) run = std::move(found.way->run);
-  // The search may have entered other states, and this one anew.
+  // The search may have entered other states, and this one again.
   auto& entry = ways_[state][thread];
   entry = run.empty() ? std::make_shared<const Way>(Way{{}, {}, found.complete})
                       : described(state, thread, std::move(run));

@@ -32,7 +32,7 @@ class WaysOn {
   bool never_moves(const State& state, std::size_t thread);
   /// The first thread can never come to its end.
   bool dead(const State& state);
-  /// Threads of which one must move before the first thread is dead.
+  /// One of these threads must move before the first thread is dead.
   Threads in_the_way(const State& state);
   /// Most ways are still valid after `move` from `before` to `after`.
   void inherit(const State& before, const Move& move);

@@ -14,7 +14,7 @@ namespace pal::checker {
 
 namespace {
 
-/// As whom a module talks: whoever executes it, or itself.
+/// The module under whose name a module talks: the one that executes it, or itself.
 pan::ModuleId speaker_of(pan::ModuleId module, const pan::Network& network) {
   // In a circle, an error that is reported elsewhere, any of them will do.
   for (std::size_t steps = network.modules.size(); steps > 0; --steps) {

@@ -70,11 +70,11 @@ void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) 
       } else if (!module.executed_by.valid()) {
         network.modules[called.index()].executed_by = caller;
       } else if (module.executed_by != caller) {
-        auto& finding =
-            diagnostics.report(Code::PAL0211, name.where,
-                               quoted(name.text) + " is executed from " + quoted(unit->name.text) +
-                                   " and from " + quoted(network.modules[module.executed_by.index()].name),
-                               "give each its own module: a module talks as the one that executes it");
+        auto& finding = diagnostics.report(
+            Code::PAL0211, name.where,
+            quoted(name.text) + " is executed from " + quoted(unit->name.text) + " and from " +
+                quoted(network.modules[module.executed_by.index()].name),
+            "give each its own module: an executed module sends and receives as its caller");
         finding.notes.push_back(
             {network.modules[module.executed_by.index()].where, "it is executed here too"});
       }

@@ -20,7 +20,7 @@ std::string difference(const units::Unit& left, const units::Unit& right) {
   if (left.dimension != right.dimension) return "they measure different things";
   if (left.from_zero != right.from_zero) return "their zeros differ";
   if (left.power_of_pi != right.power_of_pi)
-    return "one is so many times pi of the other, which is no fraction";
+    return "the factor between them has pi in it, so it is no fraction";
   return "the value is too great";
 }
 

@@ -74,13 +74,13 @@ class RequirementBuilder {
     if (load || std::holds_alternative<pan::BusyPeriod>(measure)) {
       diagnostics_.report(Code::PAL0823, phase.where,
                           std::string(load ? "a load" : "a busy period") +
-                              " is of a processor, whatever its threads are at: it has no phase",
+                              " measures a processor, not one of its threads: it has no phase",
                           "leave this out, or measure a RESPONSE or an INTERVAL in the phase");
       return false;
     }
     if (std::holds_alternative<pan::Completing>(measure) && phase.kind == syntax::Phase::Kind::during) {
       diagnostics_.report(Code::PAL0823, phase.where,
-                          "a duration lasts until the skill completes, not while a loop is run",
+                          "a duration lasts until the skill completes: a loop cannot limit it",
                           "write AFTER and the statement from which the duration counts");
       return false;
     }
@@ -166,7 +166,7 @@ class RequirementBuilder {
     if (channels.empty()) {
       diagnostics_.report(
           Code::PAL0819, sample.message.where,
-          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " + from,
+          "no module waits for " + quoted(network_.messages[message->index()].name) + " from " + from,
           "name a message of a device that a module of the skill waits for");
       return std::nullopt;
     }
@@ -181,9 +181,9 @@ class RequirementBuilder {
     std::vector<pan::ChannelId> of = channels_of(*message, *sender);
     if (of.empty()) {
       diagnostics_.report(Code::PAL0803, response.event.where,
-                          "nobody waits for " + quoted(network_.messages[message->index()].name) + " from " +
-                              quoted(response.of.name.text),
-                          "name a message that somebody waits for");
+                          "no module waits for " + quoted(network_.messages[message->index()].name) +
+                              " from " + quoted(response.of.name.text),
+                          "name a message that a module waits for");
       return std::nullopt;
     }
     if (at.empty()) return std::nullopt;

@@ -70,7 +70,7 @@ void check_idle_modules(const pan::Network& network, Diagnostics& diagnostics) {
     auto& finding =
         diagnostics.report(Code::PAL0215, network.skill.where,
                            "skill " + quoted(network.skill.name) + " lists " + kind_text(module.kind) + " " +
-                               quoted(module.name) + ", but nobody talks to it",
+                               quoted(module.name) + ", but exchanges no messages with it",
                            "remove it from the template, or use it");
     finding.notes.push_back({module.where, "it is declared here"});
   }

@@ -88,7 +88,7 @@ void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnos
   const auto begin = "skill " + quoted(network.skill.name);
   if (findings.stopped) {
     diagnostics.report(Code::PAL0525, network.skill.where,
-                       begin + " was not searched for deadlocks to the end: it was time to stop",
+                       begin + " was not searched for deadlocks to the end: the time ran out",
                        "give a longer --timeout; the search takes half of it at most");
   } else if (findings.overflowed) {
     diagnostics.report(Code::PAL0525, network.skill.where,

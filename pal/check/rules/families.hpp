@@ -11,7 +11,7 @@ namespace pal::checker {
 
 /// Which modules may communicate (thesis, figure 3.3).
 void check_layers(const pan::Network& network, Diagnostics& diagnostics);
-/// Messages that nobody sends or takes, requests that nobody answers, modules that exchange no messages.
+/// Messages that no module sends or takes, requests that no module answers, modules without messages.
 void check_channels(const pan::Network& network, Diagnostics& diagnostics);
 /// Requests for one answer in two blocks at once.
 void check_askers(const pan::Network& network, Diagnostics& diagnostics);

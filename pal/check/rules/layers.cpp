@@ -82,7 +82,7 @@ void check_layers(const pan::Network& network, Diagnostics& diagnostics) {
     if (channel.sender == channel.receiver) {
       diagnostics.report(Code::PAL0305, channel.where,
                          quoted(party_name(network, channel.sender)) + " sends itself a message",
-                         "remove it: what a module knows it need not be told");
+                         "remove it: a module can use its own values and conditions directly");
       continue;
     }
     const auto from = layer(network, channel.sender);

@@ -12,7 +12,7 @@ namespace pal::checker {
 
 namespace {
 
-/// A condition that somebody reads, before which `set` may or must have been.
+/// A condition that is read, before which `set` may or must have been.
 struct SetBefore {
   bool reached = false;
   bool may = false;   // on some way here it was set

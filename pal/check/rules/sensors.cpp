@@ -70,7 +70,7 @@ void check_sensors(const Names& names, const pan::Network& network, Diagnostics&
     if (unit == nullptr || !unit->sensor.where.valid()) continue;
     if (unit->kind != pan::ModuleKind::logical_sensor) {
       diagnostics.report(Code::PAL0640, unit->sensor.where, "only a logical sensor has this slot",
-                         "write DESCRIPTION for a text; what a module uses is seen from its body");
+                         "write DESCRIPTION for a text; the body shows what a module uses");
       continue;
     }
     if (!unit->has_body) continue;

@@ -1,4 +1,5 @@
-// Conditions whose values are known along a way through a module, because nobody else sets them meanwhile.
+// Conditions whose values are known along a way through a module, because no other thread sets them
+// meanwhile.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // A DOT text as nodes, edges and the attributes that PAL gives them, each with its place.
 //
 // Graphviz' own cgraph, which writes the SVG, is not used for reading. It keeps no places, so no error could
-// name a line; it reports errors to one function for the whole program; and it is made for trusted texts
+// name a line. It reports errors to one function for the whole program. And it is made for trusted texts
 // (docs/reference/pan.md).
 #pragma once
 

@@ -81,7 +81,7 @@ class StructureReader {
 
   void visit(std::size_t i) {
     if (visited_[i]) {
-      fail(i, "ways meet here that did not part, or a loop closes without 'repeat' and 'until'",
+      fail(i, "two ways meet here that no split began, or a loop closes without 'repeat' and 'until'",
            "let branches meet in a node of kind 'merge' or 'join', and loops go from 'until' back to "
            "'repeat'");
     }

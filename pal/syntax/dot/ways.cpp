@@ -29,9 +29,9 @@ std::size_t DotWays::single(std::size_t from, const Edges& edges) const {
     throw Reported{};
   }
   if (edges.size() > 1) {
-    auto& finding =
-        diagnostics_.report(Code::PAL0116, edges[1]->where, "a second way on from a node that does not split",
-                            "split with a node of kind 'case' or 'concurrent'");
+    auto& finding = diagnostics_.report(Code::PAL0116, edges[1]->where,
+                                        "a second edge leaves this node, but the node does not split",
+                                        "split with a node of kind 'case' or 'concurrent'");
     finding.notes.push_back({edges[0]->where, "the first one is here"});
     throw Reported{};
   }

@@ -17,7 +17,7 @@ namespace {
 
 using Lexer = grammar::PalLexer;
 
-/// Longer texts are no names that anybody gave.
+/// Longer texts are not names.
 constexpr std::size_t longest_shown = 60;
 
 std::string shown_word(const std::string& text) {

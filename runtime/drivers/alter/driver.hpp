@@ -22,13 +22,15 @@ struct AlterDriverOptions {
   Time silent_for = std::chrono::milliseconds(60);
 };
 
-/// Ports: `tick` from the device, one for each request of the controller; `correction` to it (dx, dy, dz in
-/// mm, rx, ry, rz in deg); `request position` to it, answered at once by `position` (x, y, z in mm, rx, ry,
-/// rz in deg: the tool's tip in frame 0, as the controller's last request gave it).
+/// Ports:
+/// - `tick` from the device, one for each request of the controller;
+/// - `correction` to it: dx, dy, dz in mm, rx, ry, rz in deg;
+/// - `request position` to it, answered at once by `position`: x, y, z in mm, rx, ry, rz in deg. This is the
+///   tool's tip in frame 0, as the controller's last request gave it.
 ///
 /// prepare() opens ALTER, release() closes it. While it is open each request is answered: in a session by the
 /// skill's correction, otherwise by no motion. The part of a correction that is lost by rounding to the
-/// line's resolution is added to the next one, so thousands of small corrections do not drift.
+/// line's resolution is added to the next one. So thousands of small corrections do not drift.
 class AlterDriver final : public Driver, private LinkUser {
  public:
   /// What is given outlives the driver.

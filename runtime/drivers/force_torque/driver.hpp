@@ -20,8 +20,8 @@ struct ForceTorqueDriverOptions {
 
 /// Ports: `request wrench` to the device; `wrench` from it (fx, fy, fz in N, tx, ty, tz in N*m; pressing
 /// gives a negative fz). `request record` and `record` are the same with a seventh field, `overload`
-/// (BOOLEAN): an axis has left its range of 65 N or 5 N*m, and its value stays at the limit. An overload is
-/// not a fault.
+/// (BOOLEAN). It says that an axis has left its range of 65 N or 5 N*m, and that its value stays at the
+/// limit. An overload is not a fault.
 ///
 /// prepare() restarts the sensor; the load of that moment is the zero. Requests are served one at a time, in
 /// the order in which they come. A missing or wrong record is a fault.

@@ -17,7 +17,7 @@ struct RangeFinderDriverOptions {
 };
 
 /// Ports: `request profile` to the device; `profile` from it (x and z in mm, REAL[255]; valid, BOOLEAN[255];
-/// taken, the instant at which the scan began, in ms of the run). A point that is not valid has x and z 0.
+/// taken, in ms of the run). The scan began at `taken`. A point that is not valid has x and z 0.
 ///
 /// The mirror swings by itself, a scan every 78 ms. A request gets the next scan that begins, 76 ms after its
 /// beginning. prepare() starts the range finder and discards its first profile. A missing or wrong profile is

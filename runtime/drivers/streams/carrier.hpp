@@ -7,7 +7,7 @@
 
 namespace pal::runtime {
 
-/// Each parcel of a wire goes in at one side of a pseudo-terminal, and must come out at the other side before
+/// Each parcel of a wire goes in at one side of a pseudo-terminal. It must come out at the other side before
 /// the wire goes on. So there are real descriptors, and still the same run each time. Both functions throw
 /// std::system_error if the system does not give what is needed. carry() throws std::runtime_error if bytes
 /// do not come out within a second.

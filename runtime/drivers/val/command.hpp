@@ -18,7 +18,7 @@ enum class Verb : std::int64_t {
   close_hand = 6,          // CLOSEI
   speed = 7,               // [a: per cent] of all motions
   set = 8,                 // [location, second] location becomes second
-  drive = 9,               // [a: joint, b: deg, c: per cent] one joint by so much
+  drive = 9,               // [a: joint, b: deg, c: per cent] turns one joint
   depart = 10,             // [a: mm] back along the tool
   depart_straight = 11,    // [a: mm]
   approach = 12,           // [location, a: mm] so far before it

@@ -96,7 +96,7 @@ void ValDriver::submit(Command command, Done done) {
 
 bool ValDriver::withdraw(std::size_t port) {
   if (port != request_port) return false;
-  // What is under way is answered; the youngest that waits is not carried out.
+  // The command that is carried out is answered. The newest one that waits is not carried out.
   for (std::size_t i = queue_.size(); i-- > (carries_out() ? 1U : 0U);) {
     if (!queue_[i].of_skill) continue;
     queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -186,7 +186,7 @@ void ValDriver::on_bytes(Bytes bytes) {
       return wait(quiet_for, &ValDriver::quiet);
     case State::unknown:
     case State::idle:
-      heard_.clear();  // nobody has asked
+      heard_.clear();  // it was not requested
   }
 }
 
@@ -287,7 +287,7 @@ void ValDriver::quiet() {
     return next();
   }
   if (++tries_ < most_tries) {
-    if (tries_ == most_tries - 1) send("ABORT\r");  // a DO may be under way that nobody here has sent
+    if (tries_ == most_tries - 1) send("ABORT\r");  // a DO may be active that this driver has not sent
     return wait(options_.answer_within, &ValDriver::quiet);
   }
   state_ = State::unknown;

@@ -25,14 +25,16 @@ struct ValOptions {
   Time at_least = std::chrono::milliseconds(20);
 };
 
-/// Ports: `command` to the device (verb: val::Verb; location, second: texts; a to f); `request answer` to it,
-/// which has the last command carried out; `answer` from it (ok; code: val::Error; error: the first 24
-/// characters of its text; values: 12 numbers). A request that comes while a command is carried out waits.
+/// Ports:
+/// - `command` to the device: verb (val::Verb), location and second (texts), a to f;
+/// - `request answer` to it, which has the last command carried out;
+/// - `answer` from it: ok, code (val::Error), error (the first 24 characters of its text), values (12
+///   numbers). A request that comes while a command is carried out waits.
 ///
 /// A line goes out without its Return. The Return follows when the echo matches, so no garbled line is
 /// carried out. Unasked output of VAL is ignored. When an answer does not come, the arm is stopped (ABORT)
-/// and the next command begins anew. close() stops what is under way, and what the skill began and left
-/// running: a program, ALTER.
+/// and the next command starts from a new prompt. close() stops the motion that is being made, and what the
+/// skill has left running: a program, ALTER.
 class ValDriver final : public Driver, public LinkUser {
  public:
   using Done = std::function<void(const val::Answer&)>;
@@ -103,7 +105,7 @@ class ValDriver final : public Driver, public LinkUser {
   std::vector<PortSpec> ports_;
   DeviceHost* host_ = nullptr;
   State state_ = State::unknown;
-  std::deque<Waiting> queue_;            // the first is under way if carries_out()
+  std::deque<Waiting> queue_;            // the first is carried out if carries_out()
   std::optional<val::Command> command_;  // that the skill has sent, and not asked an answer to
   std::string line_;                     // of the first
   std::string heard_;                    // since the line, or its Return, was sent

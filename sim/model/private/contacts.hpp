@@ -25,7 +25,7 @@ Grip grip(const Physics& physics);
 using Collision = std::pair<int, int>;
 
 /// Finds collisions. Collisions that exist at a call of forgive() do not count until the parts have
-/// separated, so that an arm can be moved away from what it hit.
+/// separated. So an arm can be moved away from what it hit.
 class CollisionWatch {
  public:
   std::optional<Collision> look(const Physics& physics);

@@ -18,8 +18,11 @@ struct MjcfFile {
   std::map<std::string, std::string> custom;  // the same of the fields in <custom>, by their names
 };
 
-/// Throws SceneError, with file and line: the file is not XML, an element or an attribute is none of MJCF, a
-/// name is given twice, or the scene changes the physics or the arm.
+/// Throws SceneError, with file and line, in these cases:
+/// - the file is not XML;
+/// - an element or an attribute is none of MJCF;
+/// - a name is given twice;
+/// - the scene changes the physics or the arm.
 MjcfFile read_mjcf(const Scene& scene);
 
 /// Why MuJoCo does not take the text, in plain words and with the place in the scene's files.

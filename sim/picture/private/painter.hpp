@@ -34,7 +34,7 @@ class Painter {
 
   /// Contract: not larger than the options said.
   Image paint(Stage& stage, const View& view, const Focus& focus, int width, int height);
-  /// Who draws: "EGL" or "OSMesa".
+  /// What draws: "EGL" or "OSMesa".
   const std::string& name() const { return name_; }
 
  private:

@@ -1,6 +1,6 @@
 // bench_runtime [ROUNDS]; bench_runtime none|last|all, for a profiler: 20,000 round trips of a skill with
 // such a trace. What a Send, Receive, Reply round trip costs, beside other ways to pass a message and its
-// answer. All are measured in turns in one run, in processor time, or by the wall where it says so; figures
+// answer. All are measured in turns in one run, in processor time, or by the wall where it says so. Figures
 // are medians (docs/internals/benchmarks.md).
 #include <time.h>
 

@@ -9,7 +9,7 @@
 namespace pal::benchmark {
 namespace {
 
-/// A coroutine without a result, which whoever made it destroys.
+/// A coroutine without a result, which its maker destroys.
 struct Routine {
   struct promise_type {
     Routine get_return_object() { return {std::coroutine_handle<promise_type>::from_promise(*this)}; }

@@ -1,6 +1,6 @@
-// bench_real_time [ROUNDS | loop CYCLES]: real time (docs/internals/benchmarks.md). Without an argument, or
-// with a number of rounds: Send, Receive, Reply between two processors beside two threads with a mutex and a
-// condition variable, in turns in one run, by the wall. `loop`: a loop of 28 ms, and how late it was.
+// bench_real_time [ROUNDS | loop CYCLES]: real time (docs/internals/benchmarks.md). Without `loop`: Send,
+// Receive, Reply between two processors. It is measured beside two threads with a mutex and a condition
+// variable, in turns in one run, by the wall. With `loop`: a loop of 28 ms, and how late it was.
 #include <algorithm>
 #include <charconv>
 #include <condition_variable>

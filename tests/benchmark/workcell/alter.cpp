@@ -8,7 +8,7 @@
 namespace pal::bench {
 
 /// After a skill the driver answers with no motion. One request that is not answered stops the arm and closes
-/// the port; so it is enough to see at the end that the port is open.
+/// the port. So it is enough that the port is open at the end.
 std::vector<Row> alter_rows() {
   constexpr int cycles = 100'000;
   sim::CellOptions options;

@@ -1,5 +1,5 @@
-// Physics alone against physics with servos, devices and a skill that runs: the same model, the same free
-// air, in turns.
+// Physics alone against physics with servos, devices and a skill that runs. Both have the same model in free
+// air, and take turns.
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 

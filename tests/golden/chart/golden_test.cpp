@@ -1,4 +1,5 @@
-// Charts against files that a person has looked at. PAL_GOLDEN_REWRITE=1 in the environment writes them anew.
+// Charts against files that a person has looked at. PAL_GOLDEN_REWRITE=1 in the environment writes them
+// again.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>

@@ -1,5 +1,5 @@
-// The generated code of at_a_time.pal, compiled and run: each block that executes a module with a CONCURRENT
-// has threads of its own for it.
+// The generated code of at_a_time.pal, compiled and run. Each block that executes a module with a CONCURRENT
+// has its own threads for it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <memory>
@@ -79,7 +79,7 @@ Told told(const trace::Trace& trace, trace::Kind kind, const std::vector<std::st
 
 }  // namespace
 
-TEST_CASE("blocks that execute one module at a time have threads of their own in it") {
+TEST_CASE("blocks that execute one module at one time have their own threads in it") {
   auto mend = std::make_unique<Mend>();
   auto finish = std::make_unique<Finish>(*mend);
   const auto skill = made::make_at_a_time(std::move(finish), std::move(mend));
@@ -106,7 +106,7 @@ TEST_CASE("blocks that execute one module at a time have threads of their own in
   }
 }
 
-TEST_CASE("a generated skill is told of a broken promise, and what relies on it is known") {
+TEST_CASE("a generated skill is told of a broken promise and of the requirements at risk") {
   auto owned = std::make_unique<Mend>();
   Mend& mend = *owned;
   auto finish = std::make_unique<Finish>(mend);

@@ -1,5 +1,5 @@
-// The generated code of executed.pal, compiled and run: a module and those that it executes keep their
-// messages together.
+// The generated code of executed.pal, compiled and run. A module and those that it executes share their
+// messages.
 #include <catch2/catch.hpp>
 #include <memory>
 #include <vector>
@@ -56,7 +56,7 @@ class Note final : public made::NoteActivities {
 
 }  // namespace
 
-TEST_CASE("a module that is executed has the messages of its caller, and the caller has its") {
+TEST_CASE("an executed module and its caller share their messages") {
   Seen seen;
   const auto skill = made::make_executed(std::make_unique<Weigh>(seen), std::make_unique<Judge>(seen),
                                          std::make_unique<Note>(seen));

@@ -114,7 +114,7 @@ TEST_CASE("plan and code of approach to touch") {
   expect_golden("touch.expected", all(codegen::emit(*plan)));
 }
 
-TEST_CASE("for debuggers, each line of a body stands for its line of PAL, and the code is the same") {
+TEST_CASE("debug lines: each line of a body names its line of PAL, and the code is the same") {
   Input input("tests/golden/codegen/odd_names.pal", "tests/golden/codegen/bench.pal");
   const auto plan = input.plan();
   REQUIRE(plan);

@@ -1,5 +1,5 @@
-// The generated code of survey.pal, compiled and run: a profile of 255 points and a text go from a device
-// through a logical sensor's activity to the skill, and on to another device.
+// The generated code of survey.pal, compiled and run. A profile of 255 points and a text go from a device
+// through a logical sensor's activity to the skill. From there they go to another device.
 #include <catch2/catch.hpp>
 #include <limits>
 #include <memory>
@@ -198,7 +198,7 @@ runtime::Outcome run(runtime::Device& finder, runtime::Device& robot,
 
 }  // namespace
 
-TEST_CASE("a profile and a text go from a device through a logical sensor to the skill and to a device") {
+TEST_CASE("a profile and a text pass from a device through the skill to a device") {
   Finder finder;
   Robot robot;
   reset_allocations();
@@ -222,7 +222,7 @@ TEST_CASE("a profile and a text go from a device through a logical sensor to the
   CHECK(counted_allocations() == 0);
 }
 
-TEST_CASE("devices of generated classes do what those do that write payloads themselves") {
+TEST_CASE("devices of generated classes act like those that write payloads by hand") {
   Finder finder;
   Robot robot;
   finder.label = runtime::Text("seam 17");
@@ -266,7 +266,7 @@ TEST_CASE("a text that a device spoils ends the skill") {
   CHECK_THAT(outcome.reason, Catch::Contains("delivers profile in a form that its port does not have"));
 }
 
-TEST_CASE("the ports of a device have the fields of the skill's messages, kinds and sizes included") {
+TEST_CASE("the ports of a device have the fields, kinds and sizes of the skill's messages") {
   const std::string wants =
       "device finder does not send profile with x[255] in mm, z[255] in mm, valid[255], taken in ms, "
       "label as a text: ";

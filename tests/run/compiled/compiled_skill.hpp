@@ -1,4 +1,4 @@
-// Skills by chance as generated C++, compiled into this program.
+// Random skills as generated C++, compiled into this program.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace pal::test {
 
-/// What is written by hand of a skill by chance: activities do nothing, decisions are dealt out.
+/// What is written by hand of a random skill: activities do nothing, decisions are dealt out.
 struct CompiledSkill {
   std::uint64_t seed = 0;
   const char* text = "";  // the PAL that it was generated from

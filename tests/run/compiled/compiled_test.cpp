@@ -1,4 +1,4 @@
-// Skills by chance, generated and compiled, against the interpreter of plans and against the simulator.
+// Random skills, generated and compiled, against the interpreter of plans and against the simulator.
 #include <catch2/catch.hpp>
 #include <iostream>
 #include <sstream>

@@ -23,7 +23,7 @@ Seen seen(const trace::Event& event) {
   return {event.kind, event.actor, event.statement, event.subject, valued ? event.value : 0};
 }
 
-/// The machine does not follow frames that nobody wants to their end, and what costs nothing may start
+/// The machine does not follow unrequested frames to their end, and what costs nothing may start
 /// without a word.
 bool compared(trace::Kind kind) {
   switch (kind) {
@@ -112,7 +112,7 @@ class Search {
   }
 
   /// `left`: what instant `number` has still to show. A timer that fires unseen does so at its deadline, or
-  /// at an instant at which something happens: at others nobody could tell.
+  /// at an instant at which something happens: at others it is unknown.
   bool go_on(ConcreteRun run, std::size_t number, std::vector<Seen> left) {
     if (gave_up()) return false;
     furthest_ = std::max(furthest_, number);

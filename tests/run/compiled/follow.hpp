@@ -9,7 +9,7 @@
 
 namespace pal::test {
 
-/// Lets the simulator's machine follow `run` event by event: at each instant it must bring about just what
+/// Lets the simulator's machine follow `run` event by event. At each instant it must bring about just what
 /// the run has there, with timers that are due. `costs`: of statements and messages, as the run was made;
 /// devices take any time that they may. Orders and outcomes that the skill leaves open are looked for. Gives
 /// where the machine cannot follow; empty: it could to the end. `run` has the tables of `problem`.

@@ -1,4 +1,4 @@
-// make_skills FOLDER COUNT UNITS: so many skills by chance as C++, in so many files to compile.
+// make_skills FOLDER COUNT UNITS: writes COUNT random skills as C++, in UNITS files to compile.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -18,7 +18,7 @@ namespace {
 constexpr int longest = 5;
 constexpr std::size_t most_statements = 32;  // what compiles for long says no more
 
-/// When an event that may be late was due is nowhere to be seen, so that nobody could follow it.
+/// The due instant of an event that may be late is not in the trace, so the machine could not follow it.
 std::string punctual(std::string text) {
   for (std::size_t at = text.find(" JITTER "); at != std::string::npos; at = text.find(" JITTER ")) {
     const std::size_t end = text.find(" ms", at);

@@ -56,7 +56,7 @@ TEST_CASE("rub in square finds the plate, rubs four sides and leaves") {
   CHECK(answer.out.find("exit 'done' with code 0") != std::string::npos);
 }
 
-TEST_CASE("a promise that is broken stands in the reason of its skill; the policy decides what comes of it") {
+TEST_CASE("a broken promise is in the reason of its skill, and the policy is followed") {
   const std::string file =
       (std::filesystem::temp_directory_path() / ("late-" + std::to_string(::getpid()))).string();
   std::ofstream(file) << "at 500 ms force-torque late 3 ms\n";
@@ -127,7 +127,7 @@ TEST_CASE("the program of the RAPL kind deals with all parts, which the operatio
   CHECK(placed == std::vector<int>{0, 1, 2});
 }
 
-TEST_CASE("a part is identified by its height, picked, identified by its width and placed") {
+TEST_CASE("a part is identified by height, picked, identified by width and placed") {
   const std::string part = GENERATE("low", "middle", "high");
   const bool collapsed = GENERATE(false, true);
   const Answer answer =

@@ -8,7 +8,7 @@
 
 using namespace pal::skills;
 
-TEST_CASE("the map goes on where the edge was seen: as a point, a line, a parabola") {
+TEST_CASE("the map continues the edge as a point, a line or a parabola") {
   EdgeMap map;
   map.start(10);
   const Eigen::Vector3d heading = Eigen::Vector3d::UnitX();

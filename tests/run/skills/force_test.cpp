@@ -42,7 +42,7 @@ TEST_CASE("touch meets nothing and goes back, completion 1, in both orders") {
   CHECK(std::abs(way_along_z(read_first)) < 0.1);
 }
 
-TEST_CASE("touch: the forearm hits a bar before the tool meets anything, completion 2, in both orders") {
+TEST_CASE("touch: the forearm hits a bar, completion 2, in both orders") {
   const auto result = run({.skill = "touch", .scene = "bar-under-forearm"});
   CAPTURE(result.outcome.reason);
   CHECK(end_of(result.outcome) == "touch 2");
@@ -52,8 +52,7 @@ TEST_CASE("touch: the forearm hits a bar before the tool meets anything, complet
   CHECK(stands_still(read_first));
 }
 
-TEST_CASE(
-    "touch, rub: a motion that comes too late ends the skill with its error, not with a step miscounted") {
+TEST_CASE("touch, rub: a motion that comes too late ends the skill, completion 2") {
   // Line 55 of touch.pal and 75 of rub.pal: the read that a motion is decided on. Its motions are dropped.
   const std::vector<runtime::ParameterValue> near{{"reach", 10}};
   const auto late = run(
@@ -144,7 +143,7 @@ TEST_CASE("press refuses a force that would be the stop force, completion 3") {
   CHECK(result.outcome.duration == runtime::Time::zero());
 }
 
-TEST_CASE("press gives up after 10 s when the force does not stay in its band, completion 3") {
+TEST_CASE("press gives up after 10 s outside its band, completion 3") {
   // The joints stick: on a stiff plate the force does not stay within 0.2 N for 3 s.
   const auto result = run({.skill = "press",
                            .scene = "plate-20",

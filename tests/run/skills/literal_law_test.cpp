@@ -16,7 +16,7 @@ LiteralLaw started() {
 
 }  // namespace
 
-TEST_CASE("the thesis's law aligns first: y, z and the turn about x, limited, by every second profile") {
+TEST_CASE("the thesis's law aligns first: y, z and the turn about x") {
   LiteralLaw law = started();
   law.see(3, 198, 10, 0);
   CHECK_FALSE(law.aligned());
@@ -38,7 +38,7 @@ TEST_CASE("the thesis's law aligns first: y, z and the turn about x, limited, by
   CHECK(law.take().y == Approx(0.3));
 }
 
-TEST_CASE("the thesis's law turns about y and z by the corrections of the last 10 mm") {
+TEST_CASE("the thesis's law turns about y and z by the last 10 mm") {
   LiteralLaw law = started();
   const double degrees = 180 / 3.14159265358979;
   law.see(0, 200, 0, 0);

@@ -1,6 +1,6 @@
-// The numbers of requirements are those of physics: in a workcell that is too slow for a requirement the
-// proof says so, a run is as late as the proof says, and what the requirement is there for goes wrong. In
-// workcell.pal it does not.
+// The limits of the requirements come from physics. Take a workcell that is too slow for a requirement. The
+// proof says so, a run is as late as the proof says, and the skill does what the requirement should prevent.
+// In workcell.pal it does not.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@
 using namespace pal;
 using namespace pal::test;
 
-TEST_CASE("touch: with forces older than fresh-force allows, it presses harder than its overshoot may be") {
+TEST_CASE("touch: with forces older than fresh-force allows, it presses too hard") {
   // 0.067 s from the force to the last motion's end, at 20 mm/s, and 0.3 N.
   const double most = 0.067 * 20 * sim::contact_stiffness(scene("touch"), 5, 20) + 0.3;
   const PhysicalRun wanted{.skill = "touch", .scene = "touch", .parameters = {{"approach-speed", 20}}};
@@ -32,7 +32,7 @@ TEST_CASE("touch: with forces older than fresh-force allows, it presses harder t
   CHECK(slower.within_proof());
 }
 
-TEST_CASE("press: with forces older than fresh-force allows, it lands harder than its reaction explains") {
+TEST_CASE("press: with forces older than fresh-force allows, it lands too hard") {
   // 0.067 s at 20 mm/s and 11 N/mm beyond the force at which it has met something; press asks for 5 N.
   constexpr double most = 1 + 0.03 * 20 + 0.067 * 20 * 11;
   const PhysicalRun wanted{

@@ -1,5 +1,5 @@
-// The numbers of the requirements on profiles are those of physics. LS2 takes longer than workcell.pal says,
-// on a processor of its own, so that what it has found is old while all else is in time.
+// The limits of the requirements on profiles come from physics. LS2 takes longer than workcell.pal says, on a
+// processor of its own. So its result is old while all else is in time.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -41,7 +41,7 @@ TEST_CASE(
   CHECK(nearest(slower.run()) < plate + 150 - 2);
 }
 
-TEST_CASE("align: with looks older than fresh-look allows, it turns much more than the surface leans") {
+TEST_CASE("align: with looks older than fresh-look allows, it turns too far") {
   const double lean = 13;  // 12 degrees about x and 5 about y
   const PhysicalRun wanted{.skill = "align", .scene = "tilted", .parameters = {{"tolerance", 2}}};
   CHECK(turned(run(wanted)) < 1.4 * lean);

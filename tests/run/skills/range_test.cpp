@@ -40,7 +40,7 @@ TEST_CASE("standoff comes to the distance, from above and from below, completion
   CHECK(reached == Approx(distance).margin(0.4));
 }
 
-TEST_CASE("standoff and align say that nothing is in range, completion 1, and stand still") {
+TEST_CASE("standoff and align: nothing in range, completion 1, the tool stands still") {
   const auto standoff = run({.skill = "standoff", .scene = "nothing-in-view"});
   CHECK(end_of(standoff.outcome) == "standoff 1");
   CHECK((standoff.log.back().tool - standoff.log.front().tool).norm() < 1e-4);
@@ -139,7 +139,7 @@ TEST_CASE("follow-edge without an edge stands still, completion 1") {
   CHECK((result.log.back().tool - result.log.front().tool).norm() < 1e-3);
 }
 
-TEST_CASE("follow-edge: the edge ends on the way, completion 1, and the tool stands still beyond it") {
+TEST_CASE("follow-edge: the edge ends, completion 1, and the tool stands still beyond it") {
   const double rotation = GENERATE(0.1, 0.5);  // with 0.5 the tool can turn to what it sees beside the end
   CAPTURE(rotation);
   const auto result = run({.skill = "follow-edge",

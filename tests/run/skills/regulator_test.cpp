@@ -21,27 +21,27 @@ double greatest_error(const SpringSurface& surface, double assumed, int cycles_o
 
 }  // namespace
 
-TEST_CASE("the force comes to the target on surfaces from a third to three times as stiff as assumed") {
+TEST_CASE("the force reaches its target with a stiffness of a third to three times the given one") {
   const double stiffness = GENERATE(3.7, 5.0, 11.0, 20.0, 33.0);
   const double slope = GENERATE(0.0, 0.14, -0.14);  // 5 mm/s
   CAPTURE(stiffness, slope);
   CHECK(greatest_error({stiffness, slope}, 11, 0) < 0.1 * target);
 }
 
-TEST_CASE("a force that is a cycle older makes the regulator oscillate: why its age is a requirement") {
+TEST_CASE("the regulator oscillates with a force that is one cycle older") {
   const SpringSurface waves{20, 0, 0.05};  // 1 mm up and down in 100 mm, at 28 mm/s
   CHECK(greatest_error(waves, 11, 0) < 0.5);
   CHECK(greatest_error(waves, 11, 1) > 5);  // the tool leaves the surface
 }
 
-TEST_CASE("a speed that would overload the sensor is refused, with the speed that would do") {
+TEST_CASE("a speed that would overload the sensor is refused, and a lower one is named") {
   CHECK_NOTHROW(refuse_overload(5, 60, 11));
   CHECK_THROWS_AS(refuse_overload(40, 60, 11), pal::runtime::ParameterError);
   CHECK_NOTHROW(refuse_overload(40, 27.1, 11));
   CHECK_THROWS_AS(refuse_overload(40, 27.3, 11), pal::runtime::ParameterError);
 }
 
-TEST_CASE("an approach has felt its reach three steps after it came there, and comes home exactly") {
+TEST_CASE("an approach reports its reach three steps later, and comes home exactly") {
   Approach approach;
   approach.start(20, 1);
   double gone = 0;
@@ -53,7 +53,7 @@ TEST_CASE("an approach has felt its reach three steps after it came there, and c
   CHECK(gone == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("what is seen counts once the tool has stood for twelve cycles, and once") {
+TEST_CASE("a look counts after twelve cycles of standing, and only once") {
   Looking looking;
   looking.start(1, 0.5);
   Way way;

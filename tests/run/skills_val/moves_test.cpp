@@ -143,7 +143,7 @@ TEST_CASE("move-cartesian: 2, a post in the way") {
   CHECK(shop.cell().workcell().fault().has_value());
 }
 
-TEST_CASE("moves: out of range is refused before anything moves") {
+TEST_CASE("moves: a parameter out of range is refused before anything moves") {
   Workshop shop(scene("nothing"));
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("move-cartesian", {{.name = "speed", .value = 501}});

@@ -51,7 +51,7 @@ TEST_CASE("palletize: 2, nothing held, and nothing moves") {
   CHECK((shop.tip() - before).norm() < 0.1);
 }
 
-TEST_CASE("palletize: 3, a part is at the place already: the part is held above it again") {
+TEST_CASE("palletize: 3, the place is taken: the part is held above it again") {
   Workshop shop(scene("pallet"));
   REQUIRE(shop.run("pick-at-location", {text("location", "PART1")}).code == 0);
   REQUIRE(shop.run("palletize").code == 0);

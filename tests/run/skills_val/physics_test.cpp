@@ -61,8 +61,8 @@ TEST_CASE(
   }
   CHECK(gone_after > 80);  // fresh-grip
 
-  // So slow that a part which slips out as soon as it was felt is gone when the lift is decided on: the skill
-  // does not see it.
+  // LS3 is very slow. A part may slip out as soon as it was felt. It is then gone when the lift is decided
+  // on, and the skill does not see it.
   const Slower slower{"LS3", "feel", 120};
   Workshop late(scene("parts"));
   ProvedBounds late_bounds("pick-at-location", slower);

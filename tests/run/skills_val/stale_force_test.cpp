@@ -51,7 +51,7 @@ Taken at_a_taken_place(std::unique_ptr<LS1Activities> force) {
 
 }  // namespace
 
-TEST_CASE("place-at-location: by a force from before the last step it grips what stands at the place, too") {
+TEST_CASE("place-at-location: with a force from before the last step it grips two parts") {
   const Taken fresh = at_a_taken_place(std::make_unique<ZForceSensor<LS1Activities>>());
   CHECK(fresh.code == 1);
   CHECK(fresh.slid < 15);

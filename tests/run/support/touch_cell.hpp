@@ -1,5 +1,5 @@
-// A cell for the touch skill without physics: a tool that goes where it is told, a wall like a spring, a
-// sensor and an ALTER port with the timing that workcell.pal gives them.
+// A cell for the touch skill without physics. The tool goes where it is told, and the wall is a spring. A
+// sensor and an ALTER port have the timing of workcell.pal.
 #pragma once
 
 #include <algorithm>

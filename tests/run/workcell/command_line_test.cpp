@@ -121,7 +121,7 @@ TEST_CASE("workcell run writes what it did") {
   for (const auto& entry : fs::directory_iterator(folder.path())) CHECK(entry.path().extension() != ".part");
 }
 
-TEST_CASE("a contingency is an end like others; an error completion is not") {
+TEST_CASE("exit status: a contingency is a normal end, an error completion is not") {
   CHECK(workcell({"run", "touch", "--scene", "nothing", "--set", "reach=5", "--no-picture"}).status ==
         ExitStatus::done);
   // From here straight down leads out of the arm's reach.
@@ -205,7 +205,7 @@ TEST_CASE("an empty file of faults is refused") {
                             "  hint: write a line, for example: at 500 ms force-torque dropout\n");
 }
 
-TEST_CASE("a broken promise is printed, written and the status is 3; live events are the trace") {
+TEST_CASE("a broken promise is printed and written, the status is 3, and live events are the trace") {
   const Folder folder;
   fs::create_directories(folder.path());
   const std::string faults = folder.path() + "/slow.fault", events = folder.path() + "/events.jsonl";

@@ -105,8 +105,9 @@ TEST_CASE("the order that reads first presses harder, by what the ages predict")
   const Comparison comparison = compare(first, second, session().scene, 20).value();
   CAPTURE(describe(comparison, "corrected", "read first"));
   CHECK(comparison.pairs == count);
-  // Equal where the force was noticed after the read that the motion was decided on and before the test that
-  // ends the loop, 0.5 ms in 28: the corrected order then makes one motion too many as well.
+  // Some pairs are equal: the force was noticed after the read that the motion was decided on, and before the
+  // test that ends the loop. This is 0.5 ms in 28. The corrected order then makes one motion too many as
+  // well.
   CHECK(comparison.second_higher >= count - 2);
   // The ages differ by the wait for the request, a whole cycle give or take what the statements take.
   CHECK(comparison.age_difference > 26);

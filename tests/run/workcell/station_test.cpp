@@ -57,7 +57,7 @@ TEST_CASE("the phase is from the skill's beginning to the first tick") {
   }
 }
 
-TEST_CASE("skills run one after the other on one station, and ALTER stays answered between them") {
+TEST_CASE("skills run one after the other, and ALTER is answered between them") {
   sim::Cell cell(station_session().scene);
   const auto skill = skills::touch_skill();
   CHECK(cell.run(*skill).code == 0);
@@ -74,7 +74,7 @@ TEST_CASE("skills run one after the other on one station, and ALTER stays answer
   CHECK(cell.workcell().tool().translation().z() == Approx(there).margin(2e-3));
 }
 
-TEST_CASE("a device whose line was cut refuses the next skill, and is used again when it is back") {
+TEST_CASE("a device whose line is cut refuses the next skill, and is used when it is back") {
   sim::CellOptions options;
   options.seed = 5;
   options.faults = std::get<0>(sim::read_faults("at 500 ms force-torque unplug"));
@@ -95,7 +95,7 @@ TEST_CASE("a device whose line was cut refuses the next skill, and is used again
   CHECK_FALSE(back.fault);
 }
 
-TEST_CASE("each fault of a line is a clear end of the skill, with the arm at rest") {
+TEST_CASE("each fault of a line ends the skill with a reason and the arm at rest") {
   struct Case {
     const char* fault;
     const char* reason;
@@ -124,7 +124,7 @@ TEST_CASE("each fault of a line is a clear end of the skill, with the arm at res
   }
 }
 
-TEST_CASE("a run in the cell breaks no promise; one over a line that is late does, and its policy decides") {
+TEST_CASE("a run breaks no promise; with a late line it does, and the policy is followed") {
   using runtime::OnBrokenPromise;
   Session one = session();
   one.on_broken_promise = OnBrokenPromise::stop;
@@ -149,7 +149,7 @@ TEST_CASE("a run in the cell breaks no promise; one over a line that is late doe
   CHECK(noted.outcome.broken_promises.front().by == "force-torque");
 }
 
-TEST_CASE("each fault of the arm is a clear end of the skill, with the template's code and the arm at rest") {
+TEST_CASE("each fault of the arm ends the skill with the template's code and the arm at rest") {
   struct Case {
     const char* skill;
     const char* scene;
@@ -201,7 +201,7 @@ TEST_CASE("each fault of the arm is a clear end of the skill, with the template'
   }
 }
 
-TEST_CASE("a statement can be told to be slow") {
+TEST_CASE("a file of faults can make a statement slow") {
   const auto read = std::get<0>(sim::read_faults("at 2 s SM1:55 takes 40 ms"));
   REQUIRE(read.size() == 1);
   CHECK(read[0].kind == sim::PlannedFault::Kind::takes);

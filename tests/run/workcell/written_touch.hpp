@@ -1,5 +1,5 @@
 // The touch skill in both orders, written by hand statement by statement from skills_pal/touch/*.pal and
-// skills_pal/workcell.pal: what the generated skill does is compared with it.
+// skills_pal/workcell.pal. The generated skill is compared with it.
 #pragma once
 
 #include <array>

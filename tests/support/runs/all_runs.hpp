@@ -1,6 +1,6 @@
-// What a skill does, read off docs/reference/execution-model.md once more: it walks the graphs of the modules
-// themselves and shares nothing with the analyzer, not even its steps. Whole units of time, every order,
-// every outcome. Slow and small.
+// What a skill does, written a second time from docs/reference/execution-model.md. It walks the graphs of the
+// modules themselves, and shares nothing with the analyzer, not even its steps. Whole units of time, every
+// order, every outcome. Slow and small.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ class AllRuns {
 
   /// Every run, as long as there are no more than `most` states.
   Seen enumerate(std::size_t most);
-  /// One run of so many things that happen.
+  /// One run of at most `things` events.
   Seen walk(Decisions& decisions, int things);
   /// The run that `decisions` makes, one line for each thing that happens.
   std::vector<std::string> story;

@@ -243,8 +243,8 @@ bool AllRuns::live() const {
                                   [this](const Thread& thread) { return leads(thread); });
 }
 
-/// What nobody carries is forgotten. An event that nobody carries is lost: how old it is does not matter,
-/// only that it came before others.
+/// What no thread carries is forgotten. An event that no thread carries is lost: how old it is does not
+/// matter, only that it came before others.
 void AllRuns::forget(State& state) const {
   std::vector<int*> carriers{&state.reference};
   for (Thread& thread : state.threads) carriers.push_back(&thread.carries);

@@ -132,7 +132,7 @@ void AllRuns::goes_on(int thread, std::size_t out) {
   }
 }
 
-/// Unless it was stopped meanwhile, and has perhaps begun anew.
+/// Unless it was stopped meanwhile, and has perhaps begun again.
 void AllRuns::comes_to_its_queue(int thread) {
   if (thread < 0) return;
   const int turn = s_.threads[ix(thread)].turn = ++turns_;

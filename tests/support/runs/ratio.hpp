@@ -20,7 +20,7 @@ struct Ratio {
   std::int64_t time = 1;
 };
 
-/// Of the cycles that take time in a graph of so many nodes.
+/// Of the cycles that take time in a graph of `nodes` nodes.
 Ratio greatest_ratio(std::size_t nodes, const std::vector<Stretch>& stretches);
 
 }  // namespace pal::test

@@ -8,7 +8,7 @@ namespace pal::test {
 using namespace pan;
 using namespace runs;
 
-/// Whether the messages of the channel are requests that somebody answers.
+/// Whether the messages of the channel are requests that a module answers.
 bool AllRuns::answered(int request) const {
   if (!network_.channels[ix(request)].answer.valid()) return false;
   const int process = receiver_process_[ix(request)];

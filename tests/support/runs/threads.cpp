@@ -90,7 +90,7 @@ void AllRuns::begin_blocks(int thread) {
     const auto [found, fresh] =
         known_threads_.try_emplace({thread, path}, static_cast<int>(known_threads_.size()));
     const int index = found->second;
-    // A block of the module that its parent executes; or, as its parent, of one that somebody above runs.
+    // A block of the module that its parent executes; or, as its parent, of one that a thread above runs.
     const bool runs = s_.threads[ix(thread)].at.size() > 1 || s_.threads[ix(thread)].parent < 0;
     const int runner = runs ? thread : runners_.at(thread);
     const std::string before = s_.threads[ix(runner)].parent < 0 ? "" : names_.at(runner) + "/";
@@ -116,7 +116,7 @@ void AllRuns::begin_blocks(int thread) {
   }
 }
 
-/// After one that was stopped the parent goes on before or after whoever else goes on by that.
+/// After one that was stopped the parent goes on before or after the other threads that go on by that.
 void AllRuns::block_over(int parent, bool stopped) {
   if (s_.threads[ix(parent)].status != Status::joining) return;
   const std::vector<int> blocks = s_.threads[ix(parent)].blocks;

@@ -273,7 +273,7 @@ TEST_CASE("a grid stops while it looks for the points at which it is entered") {
   REQUIRE(graph.explore({}));
   std::size_t grids = 0;
   for (const Recurrence& recurrence : recurrences(graph)) {
-    const Slice slice = slice_of(machine, graph, recurrence, 1);
+    const Slice slice = slice_of(machine, graph, recurrence, ProcessorId{1});
     int asked = 0;
     Limits limits;
     limits.stop = [&asked] { return ++asked > 1; };

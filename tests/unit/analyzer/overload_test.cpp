@@ -9,7 +9,7 @@ using test::small_skill;
 
 namespace {
 
-/// What is said of a skill method whose loop has `round` for each round; each activity takes 6 ms, each tick
+/// What is said of a skill method with `round` as the body of its loop. Each activity takes 6 ms. Each tick
 /// and each stop comes every 10 ms.
 std::string said(const std::string& round) {
   const auto has = [&round](const std::string& what) { return round.find(what) != std::string::npos; };

@@ -86,8 +86,7 @@ TEST_CASE(
       "  PLACE SM1.2/CM1.1/CM2.1 ON Q PRIORITY 5\n  PLACE CM1.1 ON P PRIORITY 6\n"));
   const auto place = [&](const std::string& name) {
     const Thread& thread = named(*made->problem, name);
-    return made->problem->processors[static_cast<std::size_t>(thread.processor)].name +
-           std::to_string(thread.priority);
+    return made->problem->processors[thread.processor].name + std::to_string(thread.priority);
   };
   CHECK(place("SM1.1") == "Q2");
   CHECK(place("SM1.2") == "P1");
@@ -116,9 +115,8 @@ TEST_CASE("kept apart, each CONCURRENT begins blocks of its own") {
   CHECK(cloned.threads.size() == 28);
   REQUIRE(cloned.requirements.front().at.size() == cloned.steps.size());
   for (std::size_t s = 0; s < cloned.steps.size(); ++s) {
-    const int statement = cloned.steps[s].statement;
-    const bool works =
-        statement >= 0 && cloned.statements[static_cast<std::size_t>(statement)].text == "work";
+    const StatementId statement = cloned.steps[s].statement;
+    const bool works = statement.valid() && cloned.statements[statement].text == "work";
     CHECK(cloned.requirements.front().at[s] == works);
   }
   // Where nothing is shared nothing is copied.

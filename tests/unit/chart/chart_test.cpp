@@ -124,7 +124,7 @@ TEST_CASE("names with the characters of XML are text") {
   CHECK_THAT(picture, Catch::Contains("&lt;SM1&gt;") && Catch::Contains("a&lt;b &amp; &quot;c&quot;"));
 }
 
-TEST_CASE("whatever the run, the window and the highlight, labels never overlap and stay in the page") {
+TEST_CASE("labels never overlap and stay in the page") {
   const unsigned seed = std::random_device{}();
   CAPTURE(seed);
   std::mt19937 random(seed);

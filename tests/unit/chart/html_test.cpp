@@ -35,7 +35,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-TEST_CASE("the page needs nothing else: no address, no file, and its own rules forbid it any") {
+TEST_CASE("the page needs no address and no file, and its own rules forbid them") {
   const std::string page = html(book_of(worst_touch({})));
   std::ofstream(std::string(PAL_BINARY_DIR) + "/touch.html", std::ios::binary) << page;
   for (const char* outside : {"http:", "https:", " src=", " href=", "url(", "@import", "fetch(", "XMLHttp"}) {

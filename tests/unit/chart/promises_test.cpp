@@ -43,7 +43,7 @@ bool says(const SvgContent& content, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("each broken promise has a sign at its instant, an entry in the list and one in the key") {
+TEST_CASE("each broken promise has a sign, an entry in the list and one in the key") {
   const SvgContent content = read_svg(svg(timeline(broken_run()), ChartOptions()));
   REQUIRE(content.problem.empty());
   CHECK(count(content, "broken", std::string("alter: promise broken: ") + of_device) == 2);

@@ -22,7 +22,7 @@ TEST_CASE("a linear scale maps its ends to its ends and the rest in proportion")
   CHECK(scale.x(99) == 500);
 }
 
-TEST_CASE("a folded scale draws its windows in one scale and what is between them as a fold") {
+TEST_CASE("a folded scale draws its windows in one scale, with folds between them") {
   const TimeScale scale({{0, 10}, {1000, 1030}}, 0, 450, 50);
   CHECK(scale.x(10) == 100);
   CHECK(scale.x(1000) == 150);

@@ -52,7 +52,7 @@ TEST_CASE("a wait says what it waits for, and whether in vain") {
   CHECK_FALSE(lane(found, "LS1").gaps[0].gave_up);
 }
 
-TEST_CASE("a message is an arrow to the action that takes it; others are dropped or never delivered") {
+TEST_CASE("a message is an arrow to its take, or is dropped or never delivered") {
   const Timeline found = timeline(signs_trace());
   REQUIRE(found.arrows.size() == 4);
   CHECK(found.arrows[0].message == "request image");

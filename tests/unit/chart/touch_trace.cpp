@@ -314,7 +314,7 @@ class Machine {
     event(Kind::done, self, statement, -1, 0);
     advance(thread, next);
     thread.state = Thread::ready;
-    // It keeps its processor: nobody of the same priority comes between.
+    // It keeps its processor: no thread of the same priority comes between.
     const bool preempted = std::any_of(threads_.begin(), threads_.end(), [&](const Thread& other) {
       return other.processor == thread.processor && other.state == Thread::ready &&
              other.priority > thread.priority;

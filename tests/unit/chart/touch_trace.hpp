@@ -19,8 +19,8 @@ struct TouchRun {
 /// Runs it on virtual processors with preemption, priorities and latencies as in workcell.pal.
 trace::Trace touch_trace(const TouchRun& run);
 
-/// Of all values of pc-force that a motion was decided on, the one that was oldest when it took effect: from
-/// its set to the effect of TXM( motion to MC1 ). {0, 0} if there is none.
+/// Of all values of pc-force that a motion was decided on, the one that was oldest at the effect of TXM(
+/// motion to MC1 ). Gives the instants of its set and of that effect. {0, 0} if there is none.
 struct Oldest {
   std::int64_t set_ns = 0;
   std::int64_t sent_ns = 0;

@@ -85,7 +85,7 @@ TEST_CASE("a missing word gives few syntax errors") {
   CHECK(10 * total <= 11 * all.size());
 }
 
-TEST_CASE("texts that are cut off, doubled or shuffled do no harm") {
+TEST_CASE("texts that are cut off, doubled or shuffled are read safely") {
   const auto text = touch_skill();
   const auto all = words(text);
   constexpr unsigned seed = 20240607;

@@ -35,7 +35,7 @@ TEST_CASE("the touch skills are networks without errors") {
   }
 }
 
-TEST_CASE("every node that splits the flow has its mate, and every way on leads somewhere") {
+TEST_CASE("every node that splits the flow has its mate, and every edge leads to a node") {
   const DiskFileSystem files;
   const auto checked = check_files(files, {PAL_SOURCE_DIR "/skills_pal/touch/touch.pal",
                                            PAL_SOURCE_DIR "/tests/golden/check/wait_forms.pal",
@@ -63,7 +63,7 @@ TEST_CASE("every node that splits the flow has its mate, and every way on leads 
   }
 }
 
-TEST_CASE("a module that is executed talks as the one that executes it") {
+TEST_CASE("an executed module talks as the module that executes it") {
   const DiskFileSystem files;
   const auto checked = check_files(files, {PAL_SOURCE_DIR "/skills_pal/touch/touch.pal"});
   const auto& network = checked.specification.skills.at(0);

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+using pal::analyzer::ProcessorId;
 using namespace pal::analyzer::compositional;
 
 namespace {
@@ -41,12 +42,12 @@ TEST_CASE("work of lower priority blocks once where nobody is preempted") {
   CHECK(windows.finish(0, 0, 1, 3) == 4);
 }
 
-TEST_CASE("a processor that is given more than all its time has no busy window") {
+TEST_CASE("an overloaded processor has no busy window") {
   BusyWindows windows({true});
   windows.add(periodic(4, 3, 2));
   windows.add(periodic(6, 2, 1));
   CHECK(windows.finish(1, 0, 2, 0) == never);
-  CHECK(windows.busy(0) == never);
+  CHECK(windows.busy(ProcessorId{0}) == never);
 }
 
 TEST_CASE("release jitter of one task delays another by one more job") {
@@ -75,12 +76,11 @@ TEST_CASE("the breakdown of a finish adds up to it") {
 }
 
 TEST_CASE("the longest busy period is the first instant at which all work is done") {
-  // 1 + 2 + 3 at 0, then 1 at 4, 2 at 6, 1 at 8: done at 10, at which the third task and then others come
-  // again, and once more until 20; at 20 the second hyperperiod of 4 and 10 begins.
+  // 1 + 3 at 0, then 1 at 4: done at 5.
   BusyWindows windows({true});
   windows.add(periodic(4, 1, 2));
   windows.add(periodic(10, 3, 1));
-  CHECK(windows.busy(0) == 5);
+  CHECK(windows.busy(ProcessorId{0}) == 5);
 }
 
 namespace {
@@ -114,7 +114,7 @@ TEST_CASE("tasks that follow one another at once are delayed once together") {
   CHECK(shares[0].work == 68);
 }
 
-TEST_CASE("a chain whose next occurrence may come before its window ends has no joint bound") {
+TEST_CASE("no joint bound if the next occurrence may come before the window ends") {
   CHECK(two_stages(856).joint_finish(0, {0, 1}, 31) == 143);
   CHECK(two_stages(857).joint_finish(0, {0, 1}, 31) == never);
 }

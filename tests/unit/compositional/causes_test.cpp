@@ -10,7 +10,7 @@ using pal::test::chain;
 using pal::test::ms;
 using pal::test::Stages;
 
-TEST_CASE("an event's source has the segments that its message leads to, one under the other") {
+TEST_CASE("the source of an event has the segments that its message leads to") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
   REQUIRE(stages.forest.refusal.empty());
   const int looks = stages.job("LS1");

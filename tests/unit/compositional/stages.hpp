@@ -48,8 +48,8 @@ struct Stages {
   analyzer::compositional::AnalysisContext context;
 };
 
-/// A sensor's tick every 20 ms, a logical sensor that looks for 1 to 2 ms and tells the skill, and a skill
-/// that works for 3 ms on one processor with it; `sm1` is the skill's loop after its start.
+/// A sensor ticks every 20 ms. A logical sensor looks for 1 to 2 ms and tells the skill. The skill works for
+/// 3 ms on the same processor. `sm1` is the skill's loop after its start.
 inline std::string chain(const std::string& sm1, const std::string& environment = "") {
   return R"(
 MESSAGE tick : SIGNAL

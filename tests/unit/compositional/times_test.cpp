@@ -11,7 +11,7 @@ using pal::test::chain;
 using pal::test::ms;
 using pal::test::Stages;
 
-TEST_CASE("a segment is released when its cause has sent, and done after its own work") {
+TEST_CASE("a segment is released by its cause, and done after its own work") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
   const NodeTimes& looks = stages.times.nodes[static_cast<std::size_t>(stages.job("LS1"))];
   const NodeTimes& works = stages.times.nodes[static_cast<std::size_t>(stages.job("SM1"))];

@@ -19,11 +19,11 @@ TEST_CASE("what occurs once is released once, however long the window") {
   CHECK(releases(never, 5, 1'000) == 1);
 }
 
-TEST_CASE("without a bound of the jitter there is none of the releases") {
+TEST_CASE("releases have no bound if the jitter has none") {
   CHECK(releases(10, never, 1) == never);
 }
 
-TEST_CASE("the next release after that of the scenario is due within a period") {
+TEST_CASE("the next release after the scenario's comes within a period") {
   Transaction of;
   of.period = 10;
   Task task;

@@ -42,7 +42,7 @@ TEST_CASE("pal pan draws every module with a body, or the one that is named") {
   CHECK(pal::test::pal({"pan", touch, "-m", "SM9", "-o", folder.path()}).status == ExitStatus::usage);
 }
 
-TEST_CASE("pal atc draws the worst run and writes it as a trace, the same bytes each time") {
+TEST_CASE("pal atc draws the worst run and writes it as a trace") {
   const Folder folder("atc");
   const std::vector<std::string> arguments{"atc",     touch,
                                            "-e",      cell,
@@ -74,7 +74,7 @@ TEST_CASE("pal atc says what it cannot draw") {
   CHECK_FALSE(fs::exists(out));
 }
 
-TEST_CASE("the chart of a loss crosses the frame out, shows the next one, and says who asked too late") {
+TEST_CASE("the chart of a loss shows the lost frame, the next one, and who asked too late") {
   const Folder folder("loss");
   const std::string example = std::string(PAL_SOURCE_DIR) + "/examples/range_finder/";
   REQUIRE(pal::test::pal(
@@ -96,7 +96,7 @@ TEST_CASE("the chart of a loss crosses the frame out, shows the next one, and sa
   CHECK(kept.find("class=\"loss\"") == std::string::npos);
 }
 
-TEST_CASE("pal atc --format html writes one page with every requirement and run, the same bytes each time") {
+TEST_CASE("pal atc --format html writes one page with every requirement and run") {
   const Folder folder("html");
   const std::vector<std::string> arguments{"atc",      touch,  "-e", cell,
                                            "--format", "html", "-o", folder.file("a.html")};
@@ -127,7 +127,7 @@ TEST_CASE("pal generate writes nothing when something is wrong") {
   CHECK(content(folder.file("d")).find("touch_modules.pal") != std::string::npos);
 }
 
-TEST_CASE("the chart of a run of a thousand rounds tells its story in short, as the finding does") {
+TEST_CASE("the chart of a long run tells its story in short, as the finding does") {
   const Folder folder("long");
   fs::create_directories(folder.path());
   std::ofstream(folder.file("rounds.pal")) << R"(
@@ -176,7 +176,7 @@ END ENVIRONMENT
   CHECK(std::stoi(picture.substr(height + 8)) < 2'000);
 }
 
-TEST_CASE("a search that ends before there is a run to draw or write says so") {
+TEST_CASE("atc says so if its search ends before there is a run") {
   const std::string nowhere = (std::filesystem::temp_directory_path() / own_name("no_run")).string();
   const Answer drawn = pal::test::pal({"atc", touch, "-e", cell, "-o", nowhere, "--timeout", "1ns"});
   CHECK(drawn.status == ExitStatus::not_met);
@@ -186,7 +186,7 @@ TEST_CASE("a search that ends before there is a run to draw or write says so") {
   CHECK_FALSE(std::filesystem::exists(nowhere));
 }
 
-TEST_CASE("the chart of an event without a response shows that event, not the one that is answered") {
+TEST_CASE("the chart of a missing response shows the unanswered event") {
   const std::string picture = (std::filesystem::temp_directory_path() / own_name("passed_over.svg")).string();
   const pal::MemoryFileSystem files = in_memory(text_of("passed_over"));
   CHECK(pal::test::pal({"atc", "s.pal", "-o", picture}, files).status == ExitStatus::all_hold);
@@ -198,7 +198,7 @@ TEST_CASE("the chart of an event without a response shows that event, not the on
   std::filesystem::remove(picture);
 }
 
-TEST_CASE("a value that is not a length of time is drawn in its own unit, or not at all") {
+TEST_CASE("a value that is not a time is drawn in its own unit, or not at all") {
   const pal::MemoryFileSystem files = in_memory(text_of("skipped_frames"));
   const Folder folder("numbers");
   const std::string picture = folder.file("s.svg");

@@ -22,7 +22,7 @@ std::unique_ptr<test::Skill> read_first() {
 
 }  // namespace
 
-TEST_CASE("once time is up no more runs of refuted placements are looked for") {
+TEST_CASE("when the time is up, no more runs of refuted placements are searched") {
   const auto skill = read_first();
   const pan::Network& network = skill->specification.skills.front();
   const pan::Environment& environment = skill->specification.environments.front();
@@ -40,7 +40,7 @@ TEST_CASE("once time is up no more runs of refuted placements are looked for") {
   CHECK(asked == 1);
 }
 
-TEST_CASE("a run that refuted by chance is one of the problem, up to where it breaks the requirement") {
+TEST_CASE("a random run that refutes is a run of the problem, up to the breach") {
   const auto skill = read_first();
   const Problem& problem = *skill->problem;
   std::size_t found = 0;

@@ -1,4 +1,4 @@
-// pal simulate: runs by chance and by script.
+// pal simulate: random runs and runs by script.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
@@ -56,7 +56,7 @@ TEST_CASE("runs by chance keep what is proved, and break what is refuted") {
   CHECK(requirement(broken, "answer-alter").at("broken_runs") == 0);
 }
 
-TEST_CASE("the same seed is the same run, and the run that is named shows the value") {
+TEST_CASE("the same seed gives the same run, and the named run shows the value") {
   const OrderedJson all = simulated({read_first}, ExitStatus::not_met);
   const OrderedJson fresh = requirement(all, "fresh-force");
   const std::string seed = fresh.at("run").get<std::string>().substr(std::string("seed ").size());
@@ -171,7 +171,7 @@ TEST_CASE("a value counts that grows where nothing happens any more") {
   CHECK(requirement(made, "x").at("extreme_ns") == 20'000'000);
 }
 
-TEST_CASE("a busy period with very many pauses of no length takes no more memory than another") {
+TEST_CASE("a busy period with very many pauses of no length takes little memory") {
   const OrderedJson made = simulated(never_idle, "20s", ExitStatus::not_met);
   CHECK(requirement(made, "b").at("broken_runs") == 5);
 }
@@ -198,7 +198,7 @@ TEST_CASE("runs end in the time that is given") {
   std::filesystem::remove(trace);
 }
 
-TEST_CASE("a run that is not looked at to its end counts for nothing") {
+TEST_CASE("a run that is not checked to its end counts for nothing") {
   const auto skill = sound_skill(never_idle);
   pal::analyzer::SimulationOptions how;
   how.until = 2'000'000'000;

@@ -62,7 +62,7 @@ const std::string two_drivers = text_of("two_drivers");
 
 }  // namespace
 
-TEST_CASE("where a growth leaves no time for all, its slack is found all the same") {
+TEST_CASE("a slack is found although a growth leaves no time for all") {
   const pal::MemoryFileSystem files = in_memory(two_drivers);
   const Answer answer = pal::test::pal({"whatif", "s.pal", "--timeout", "60s", "--format", "json"}, files);
   INFO(answer.out);
@@ -82,7 +82,7 @@ TEST_CASE("where a growth leaves no time for all, its slack is found all the sam
   CHECK(row("a OF SM1").at("unlimited") == true);
 }
 
-TEST_CASE("an environment that lacks what the skill needs is refused by all that ask of it") {
+TEST_CASE("every command refuses an environment that lacks what the skill needs") {
   const std::string lacking = std::string(PAL_SOURCE_DIR) + "/tests/golden/check/fail_not_listed.pal";
   for (const char* command : {"check", "whatif", "simulate", "atc", "generate"}) {
     const Answer answer = pal::test::pal({command, lacking});
@@ -151,7 +151,7 @@ TEST_CASE("changed figures are refused as written ones are, and activities found
   }
 }
 
-TEST_CASE("a processor that was added to place on has a name of its own") {
+TEST_CASE("a processor that a placement adds has a name of its own") {
   std::string text = two_drivers;
   text.replace(text.find("  PROCESSOR P0\n"), 15, "");
   for (std::size_t at = 0; (at = text.find("P0", at)) != std::string::npos;) text.replace(at, 2, "P1");
@@ -166,7 +166,7 @@ TEST_CASE("a processor that was added to place on has a name of its own") {
   CHECK(says(many, "4 processors: more than there are threads to place"));
 }
 
-TEST_CASE("how much all may grow together is a part of the longest time, however short that is") {
+TEST_CASE("the slack of all together is told as a part of the longest time") {
   pal::driver::WhatIfAnswer answer;
   answer.requirements = {"r"};
   pal::analyzer::Slack slack;

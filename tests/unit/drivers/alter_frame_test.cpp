@@ -31,8 +31,7 @@ TEST_CASE("each kind of frame comes back as it was", "[alter]") {
   CHECK(std::get<Ended>(decoded(encode(ended))) == ended);
 }
 
-TEST_CASE("the worked dialogue of the document, byte for byte (its checksum by Python's binascii.crc_hqx)",
-          "[alter]") {
+TEST_CASE("the dialogue of docs/workcell/alter.md, byte for byte", "[alter]") {
   const std::vector<std::uint8_t> expected{0x7e, 'A',  0x0e, 0x05, 0x01, 0x00, 0x00, 0x00, 0x00, 0x02,
                                            0x30, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xaa, 0xa4};
   const auto bytes = encode(Answer{5, true, {0, 0, 0.56, 0, 0, 0}});
@@ -78,7 +77,7 @@ TEST_CASE("any single bit that flips is noticed, and the next frame is found aga
   }
 }
 
-TEST_CASE("the protocol keeps what the environment says: a tick every 28 ms, an answer within 20 ms",
+TEST_CASE("the protocol keeps the environment's times: a tick every 28 ms, an answer within 20 ms",
           "[alter]") {
   const Time request = line.duration(encode(Request{}).size());
   const Time answer = line.duration(encode(Answer{}).size());

@@ -285,7 +285,7 @@ TEST_CASE("force-torque driver: what goes wrong on the line ends the skill, in w
   CHECK(cell.driver.trouble() == expected);
   CHECK(cell.session.deliveries.empty());
 
-  // The next session starts the sensor anew.
+  // The next session starts the sensor again.
   cell.driver.close();
   cell.wire.mend();
   cell.wire.tamper(nullptr);

@@ -38,7 +38,7 @@ struct Bench {
   Station station{physics, &outside};
 };
 
-TEST_CASE("what goes into a carrier comes out at the other side, every byte, both ways", "[links]") {
+TEST_CASE("a carrier passes every byte, both ways", "[links]") {
   for (const bool tcp : {false, true}) {
     const auto carrier = tcp ? tcp_carrier() : pseudo_terminal_carrier();
     std::vector<std::uint8_t> all(3000);  // more than goes through at once, and every value of a byte
@@ -67,7 +67,7 @@ TEST_CASE("a program at the far end of a pseudo-terminal is heard and answered",
   CHECK(user.broken.empty());  // programs come and go
 }
 
-TEST_CASE("over TCP a program may go, which is a break, and another one may come", "[links]") {
+TEST_CASE("over TCP one program may go, which is a break, and another may come", "[links]") {
   Bench bench;
   Listener server, client;
   Timeline& timeline = bench.station.timeline();
@@ -88,7 +88,7 @@ TEST_CASE("over TCP a program may go, which is a break, and another one may come
   bench.until([&] { return server.text == "one!"; });
 }
 
-TEST_CASE("what cannot be opened is said with the system's reason", "[links]") {
+TEST_CASE("a failure to open is reported with the system's reason", "[links]") {
   Bench bench;
   Timeline& timeline = bench.station.timeline();
   CHECK_THROWS_WITH(bench.outside.open_serial(timeline, "/dev/there-is-none", 38400),
@@ -99,7 +99,7 @@ TEST_CASE("what cannot be opened is said with the system's reason", "[links]") {
   CHECK_THROWS_WITH(bench.outside.listen_tcp(timeline, port), Catch::Contains("Address already in use"));
 }
 
-TEST_CASE("a serial port is opened by its path: the far end of a pseudo-terminal is one", "[links]") {
+TEST_CASE("the far end of a pseudo-terminal is opened as a serial port", "[links]") {
   Bench bench;
   Listener near, far;
   const auto terminal = bench.outside.open_pseudo_terminal(bench.station.timeline());

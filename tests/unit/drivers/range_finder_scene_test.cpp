@@ -41,7 +41,7 @@ struct Cell {
   runtime::test::Session session{timeline, driver};
 };
 
-TEST_CASE("range finder on the arm: sees the steps of a pyramid, and not the arm", "[range-finder]") {
+TEST_CASE("range finder on the arm: it sees the steps of a pyramid, and not the arm", "[range-finder]") {
   Cell cell("pyramid");
   const std::vector<double> fields = cell.read();
   // The table, and four steps of 15 mm on it, whose edges are 60, 45, 30 and 15 mm from the middle.

@@ -123,13 +123,13 @@ TEST_CASE("range finder: who asked before a scan begins gets it, 76 ms later", "
     REQUIRE(cell.session.deliveries.size() == 1);
     CHECK(std::abs((cell.session.deliveries[0].time - (scan + 78ms + 76ms)).count()) <= 10);
   }
-  // The scan was taken up no later than 0.2 ms after it began, and nobody's scan casts no ray.
+  // The scan was taken up no later than 0.2 ms after it began, and an unrequested scan casts no ray.
   REQUIRE(cell.session.marks.size() == 2);
   CHECK(cell.session.deliveries[0].time - cell.session.marks[0].first > 75800us);
   CHECK(cell.rays == 2 * 255);
 }
 
-TEST_CASE("range finder: no profile is lost if the next is asked for in the pause", "[range-finder]") {
+TEST_CASE("range finder: no profile is lost if the next one is requested in the pause", "[range-finder]") {
   Cell cell;
   cell.driver.receive(request_profile, {});
   std::size_t seen = 0;

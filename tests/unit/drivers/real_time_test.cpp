@@ -157,8 +157,7 @@ TEST_CASE("real time: the kernel is free while the physics moves", "[station]") 
   CHECK(waited == 3);
 }
 
-TEST_CASE("real time: what a station's device or physics throws ends the skill, devices closed",
-          "[station]") {
+TEST_CASE("real time: an exception of a station's device or physics ends the skill", "[station]") {
   Bench bench;
   Asker asker(5);
   std::string reason;

@@ -15,7 +15,7 @@ TEST_CASE("pal explain prints the page of a code, written in any way") {
   CHECK(pal::test::pal({"explain", "401", "402"}).out.find("PAL0402") != std::string::npos);
 }
 
-TEST_CASE("pal explain names what is near to a code that there is not") {
+TEST_CASE("pal explain suggests codes near to an unknown one") {
   const auto answer = pal::test::pal({"explain", "PAL0400"});
   CHECK(answer.status == ExitStatus::usage);
   CHECK(answer.out.empty());

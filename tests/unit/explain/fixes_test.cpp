@@ -63,7 +63,7 @@ std::vector<std::string> goldens() {
 
 }  // namespace
 
-TEST_CASE("every finding of the goldens has a hint, and every fix makes its finding go away") {
+TEST_CASE("every finding of the goldens has a hint, and every fix cures it") {
   std::set<Code> fixed;
   for (const std::string& path : goldens()) {
     const auto before = check(path, DiskFileSystem());

@@ -20,7 +20,7 @@ TEST_CASE("a page has a summary, an example and a cure of one file") {
   CHECK(page.cure.files[0].text == "END\n");
 }
 
-TEST_CASE("a page may have several files and options, and a cure repeats only what it changes") {
+TEST_CASE("a page may have several files and options, and a cure repeats only changed files") {
   const auto page = read_page(
       "x\n\n### Example\n\n```pal a.pal -e b.pal\nA\n```\n```pal b.pal\nB\n```\n\n### Cure\n\n```pal "
       "b.pal\nC\n```\n");
@@ -45,7 +45,7 @@ TEST_CASE("a code may be written in any case, and without its letters") {
     CHECK_FALSE(find_code(text));
 }
 
-TEST_CASE("near to a number are its neighbours, near to a word the titles that have it") {
+TEST_CASE("codes near to a number are its neighbours, near to a word the titles with it") {
   CHECK(codes_near("PAL0100") == std::vector{Code::PAL0101, Code::PAL0102});
   CHECK(codes_near("syntax") == std::vector{Code::PAL0101, Code::PAL0104});
   CHECK(codes_near("PLA0101") == std::vector{Code::PAL0101});

@@ -87,7 +87,7 @@ TEST_CASE("docs/reference/diagnostics.md is what pal explain --all prints") {
   write_reference(now);
   const auto committed = DiskFileSystem().read(PAL_SOURCE_DIR "/docs/reference/diagnostics.md");
   REQUIRE(std::holds_alternative<std::string>(committed));
-  // Not CHECK( == ): the difference of two documents is no use to anybody.
+  // Not CHECK( == ): the difference of two documents is of no use.
   const bool same = std::get<std::string>(committed) == now.str();
   INFO("write it again: pal explain --all > docs/reference/diagnostics.md");
   CHECK(same);

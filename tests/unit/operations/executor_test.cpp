@@ -1,4 +1,4 @@
-// The token goes where the codes send it, and halts where somebody wants it to.
+// The token goes where the codes send it, and halts at breakpoints.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -37,7 +37,7 @@ TEST_CASE("a code that nobody handles ends the operation") {
     runner.codes = {0, 3};
     Executor executor(program_of(operation(looping)), runner);
     CHECK(executor.run() == ExecutionState::failed);
-    CHECK(executor.reason() == "'b' ended with code 3, which nobody handles: as told");
+    CHECK(executor.reason() == "'b' ended with code 3, which no icon handles: as told");
     CHECK(executor.token() == "b");
   }
   SECTION("a cell that is not ready runs nothing") {
@@ -133,7 +133,7 @@ TEST_CASE("a count says how often an icon has ended normally since START") {
     if (!runner.last_parameters.empty()) counted.push_back(std::get<double>(runner.last_parameters[0].value));
   };
   executor.run(5);
-  CHECK(counted == std::vector<double>{0, 1, 0, 1});  // the code 1 does not count, RESTART begins anew
+  CHECK(counted == std::vector<double>{0, 1, 0, 1});  // the code 1 does not count, RESTART sets it to 0
 }
 
 TEST_CASE("parameters are changed while it is paused") {

@@ -118,7 +118,7 @@ TEST_CASE("no text makes the reader crash") {
   CHECK(deep.has_errors());
 }
 
-TEST_CASE("a sub-operation of another file is read with it, relative to the file that names it") {
+TEST_CASE("a sub-operation in another file is found relative to the file that names it") {
   MemoryFileSystem files;
   files.add("a/main.op.json",
             test::operation(R"({"id": "a", "kind": "operation", "file": "../b/part.op.json", "next": "a"})"));

@@ -75,7 +75,7 @@ TEST_CASE("a wait ends when the sensor shows it, or when its time is over") {
   }
 }
 
-TEST_CASE("a wait is cut off by a pause and a stop, and waits anew") {
+TEST_CASE("a pause and a stop end a wait, which then begins again") {
   const bool stop = GENERATE(true, false);
   test::ScriptedRunner runner;
   runner.readings = {7};
@@ -93,7 +93,7 @@ TEST_CASE("a wait is cut off by a pause and a stop, and waits anew") {
   CHECK(executor.steps() == 2);
 }
 
-TEST_CASE("a stop ends a delay, which begins anew") {
+TEST_CASE("a stop ends a delay, which then begins again") {
   test::ScriptedRunner runner;
   Executor executor(
       program_of(operation(

@@ -46,7 +46,7 @@ TEST_CASE("a module drawn from the top down holds every node's content in its at
   CHECK(all(dot, "pal_branch=\"([^\"]+)\"") == std::vector<std::string>{"0", "1"});
 }
 
-TEST_CASE("the condition comes first in each arm of a CASE, in the order of the text") {
+TEST_CASE("each arm of a CASE begins with its condition, in the order of the text") {
   const std::string dot = to_dot(touch_network(), sm1);
   CHECK(
       all(dot, "pal_kind=\"guard\", pal_guard=\"([^\"]+)\"") ==

@@ -48,7 +48,7 @@ TEST_CASE("a wait behind the read of a condition comes before it") {
                                          "  RPC( far )\n"));
 }
 
-TEST_CASE("a wait at the beginning of an arm leaves the CASE that tests the condition") {
+TEST_CASE("a wait at the beginning of an arm moves before the CASE") {
   const Parsed parsed(
       "  RPC( near )\n"
       "  CASE\n"
@@ -103,7 +103,7 @@ TEST_CASE(
   CHECK(rewrite::read_after_wait(parsed.tree, parsed.sources.text(parsed.file)).empty());
 }
 
-TEST_CASE("a request goes out before the loop, and in it as soon as the last answer is there") {
+TEST_CASE("courier: a request before the loop, and one behind each answer") {
   const Parsed parsed(
       "  REPEAT\n"
       "    WTM( request edge from Watch )\n"

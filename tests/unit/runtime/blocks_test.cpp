@@ -67,7 +67,7 @@ TEST_CASE("a block that waits is stopped at once and its open request is withdra
         "6 drop LS answer <x>\n");
 }
 
-TEST_CASE("a block that has begun an activity finishes it, and only then the parent goes on") {
+TEST_CASE("a cancelled block finishes its activity before the parent goes on") {
   int work = -1;
   int set = -1;
   int c = -1;
@@ -88,7 +88,7 @@ TEST_CASE("a block that has begun an activity finishes it, and only then the par
         "12 done SM after\n");
 }
 
-TEST_CASE("a send that finds its slot full when its block is cancelled is given up") {
+TEST_CASE("a send to a full slot is given up when its block is cancelled") {
   int x = -1;
   int send = -1;
   Fork fork([&](Thread& t) -> Task {

@@ -18,8 +18,8 @@ using runtime::Time;
 
 namespace {
 
-// Has a statement of every kind: an activity, sets, reads, tests, sends that block, waits that take and that
-// give up, for one and for the first of two, a CONCURRENT with a block that is cancelled, and a completion.
+// Has a statement of every kind: an activity, sets, reads, tests, sends that block, and a completion. Waits
+// take and give up, for one message and for the first of two. A CONCURRENT has a block that is cancelled.
 struct Everything {
   Everything() {
     const int p = skill.processor("P");
@@ -166,7 +166,7 @@ TEST_CASE("a run that is held is stopped") {
   CHECK(each.sensor.closed == 1);
 }
 
-TEST_CASE("a trace is whole, has the last events, or none; faults are told in any case") {
+TEST_CASE("a trace has all events, the last ones or none, and always the faults") {
   const auto traced = [](runtime::TraceMode mode) {
     Everything each;
     return run(each.skill, {&each.sensor}, {.trace = mode, .trace_capacity = 7}).trace.events;

@@ -246,7 +246,7 @@ TEST_CASE("every fault ends the skill with its error completion and closes the d
   CHECK(outcome.trace.events.back().kind == trace::Kind::complete);
 }
 
-TEST_CASE("a device cancels what it asked for: it is not called, and no run waits for its instant") {
+TEST_CASE("a device cancels an appointment: it is not called, and no run waits for it") {
   Reader bench;
   std::vector<int> called;
   DeviceHost::Appointment late, again;

@@ -1,4 +1,4 @@
-// Live events: a ring between a run and whoever looks on.
+// Live events: a ring between a run and its viewer.
 #include <catch2/catch.hpp>
 #include <thread>
 
@@ -25,7 +25,7 @@ std::vector<trace::Event> all_of(TraceRing& ring) {
   return result;
 }
 
-// Two threads that send each other so many messages.
+// Two threads that send each other a number of messages.
 struct Talk {
   explicit Talk(int count) {
     const int p = skill.processor("P");
@@ -50,7 +50,7 @@ struct Talk {
 
 }  // namespace
 
-TEST_CASE("a ring gives what was put in, in order; what finds it full is dropped and counted") {
+TEST_CASE("a ring keeps the order; events that find it full are dropped and counted") {
   TraceRing ring(3);
   REQUIRE(ring.capacity() == 4);
   for (int i = 0; i < 6; ++i) ring.put(event(i));

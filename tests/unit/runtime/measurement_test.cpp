@@ -103,7 +103,7 @@ TEST_CASE("an answer counts from its request, or from the last answer") {
   }
 }
 
-TEST_CASE("messages of their own count from the last one of the same run") {
+TEST_CASE("intervals of events count within one run only") {
   Cell cell;
   Measurement measurement(cell.wiring);
   for (const Time begin : {0ms, 3ms}) {
@@ -118,7 +118,7 @@ TEST_CASE("messages of their own count from the last one of the same run") {
             "  DEVICE clock EVENT tick EVERY 9.9 ms JITTER 400 us  # 9.5 ms to 10.3 ms apart, 4 times"));
 }
 
-TEST_CASE("code written by hand is summed up by activity and module, decisions and messages by their cost") {
+TEST_CASE("times are summed up by activity and module, decisions and messages by their cost") {
   Cell cell;
   Measurement measurement(cell.wiring);
   measurement.worked(0, 310ns);

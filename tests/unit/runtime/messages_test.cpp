@@ -36,7 +36,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("a message keeps its fields, and a second send waits until the slot is free") {
+TEST_CASE("a message keeps its fields, and a second send waits for a free slot") {
   Pair pair;
   const int x = pair.skill.channel("A", "x", "B");
   pair.skill.channels[0].fields = number_fields;
@@ -89,7 +89,7 @@ TEST_CASE("a message is available after its latency, sooner within a processor")
         "4 take B receive <x>\n");
 }
 
-TEST_CASE("the slot is full until the effect of the take, the receive's own time included") {
+TEST_CASE("the slot is full until the effect of the take") {
   Pair pair;
   const int x = pair.skill.channel("A", "x", "B");
   const int slow = pair.skill.statement("slow-receive", 5ms);
@@ -131,7 +131,7 @@ TEST_CASE("a wait within a time takes what comes in time and gives up otherwise"
   }
 }
 
-TEST_CASE("the first of several channels that has a message, in the order of the text") {
+TEST_CASE("WTM FIRST takes from the first channel in the text that has a message") {
   Pair pair;
   const int x = pair.skill.channel("A", "x", "B");
   const int y = pair.skill.channel("A", "y", "B");
@@ -197,7 +197,7 @@ TEST_CASE("a request that is withdrawn while it is in its slot is removed") {
         "11 put A answer <x>\n");
 }
 
-TEST_CASE("an answer to a withdrawn request that was taken already is discarded instead of put") {
+TEST_CASE("the answer to a request that was withdrawn after its take is discarded") {
   Withdrawal bench;
   const int slow = bench.skill.statement("slow", 5ms);
   const int take = bench.skill.statement("take-request");

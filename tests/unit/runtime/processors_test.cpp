@@ -60,7 +60,7 @@ TEST_CASE("a thread of greater priority takes a preemptive processor at once") {
         "13 done Long end\n");
 }
 
-TEST_CASE("on a processor that is not preemptive it waits until the running thread blocks or ends") {
+TEST_CASE("without preemption a thread waits until the running one blocks or ends") {
   Interrupted bench(false, 2);
   CHECK(only(to_text(run(bench.skill).trace), {"Long", "Urgent"}) ==
         "0 block Urgent WTM go\n"
@@ -79,7 +79,7 @@ TEST_CASE("a thread of equal priority does not interrupt") {
         "3 ready Urgent WTM go\n");
 }
 
-TEST_CASE("equals go first come, first served, and an interrupted thread goes before those who came later") {
+TEST_CASE("equals are first come, first served, and an interrupted thread goes first") {
   // A runs from 0 and is interrupted at 2 by H, which runs for 1; B, ready since 0, comes after A.
   WrittenSkill skill;
   const int p = skill.processor("P");
@@ -138,7 +138,7 @@ TEST_CASE("a thread keeps its processor from one statement to the next") {
         "3 done B end\n");
 }
 
-TEST_CASE("costs are the worst, the best, or drawn the same way for the same seed") {
+TEST_CASE("costs are the worst, the best, or random by seed") {
   WrittenSkill skill;
   const int p = skill.processor("P");
   const int work = skill.statement("work", {1ms, 5ms});

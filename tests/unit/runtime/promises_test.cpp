@@ -77,7 +77,7 @@ struct Asker {
 
 }  // namespace
 
-TEST_CASE("a device that keeps its promise to the nanosecond breaks none, and its trace has nothing of it") {
+TEST_CASE("a device that keeps its promise to the nanosecond breaks none") {
   Asker asker;
   const auto outcome = asker.go(OnBrokenPromise::stop);
   CHECK(outcome.code == 0);
@@ -132,7 +132,7 @@ TEST_CASE(
   CHECK(asker.sensor.closed == 1);
 }
 
-TEST_CASE("a device that never answers is noted when its time is over, before the deadlock is told") {
+TEST_CASE("a device that never answers is noted when its time is over") {
   Asker asker;
   asker.answer_times.clear();
   const auto outcome = asker.go();
@@ -187,7 +187,7 @@ TEST_CASE("policy contingency: a skill that has no answer, or throws, is stopped
   CHECK(outcome.reason.ends_with(why));
 }
 
-TEST_CASE("a statement that takes longer than its worst is noted with its line, from an instant on") {
+TEST_CASE("a statement that takes longer than its worst is noted with its line") {
   Asker asker;
   runtime::RunOptions options;
   options.slow = {{"M", 2, 40ms, 3ms}};  // the second line: receive
@@ -250,7 +250,7 @@ TEST_CASE("a device that serves one request at a time has its time for each") {
   CHECK(watch.due() == Time::max());
 }
 
-TEST_CASE("a frame comes a period and the time of its collection after the request at the latest") {
+TEST_CASE("a frame comes at most a period and its collection after the request") {
   DeviceWatch watch({.behaviour = Behaviour::frames, .period = 78ms, .answer = {76ms, 76ms}});
   watch.asked(0ms);
   CHECK(watch.due() == 154ms + 1ns);
@@ -262,145 +262,4 @@ TEST_CASE("a frame comes a period and the time of its collection after the reque
   CHECK(late.what == Seen::What::later);
   CHECK(watch.due() == Time::max());
   CHECK(watch.answered(700ms, 300ms).noted);
-}
-
-namespace {
-
-// A bell rings every 10 ms. A hears it, works, sets c, reads it and rings back.
-struct Bell {
-  Bell() {
-    const int p = skill.processor("P");
-    skill.devices = {"bell"};
-    skill.times = {{Behaviour::events, "ring", 10ms}};
-    ring = skill.channel("bell", "ring", "A");
-    skill.channels.back().from_device = true;
-    back = skill.channel("A", "back", "bell");
-    skill.channels.back().to_device = true;
-    c = skill.condition("c");
-    hear = skill.statement("hear");
-    answer = skill.statement("answer", 1ms);
-    act = skill.statement("act", 1ms);
-    set = skill.statement("set");
-    skill.thread("A", p, 1, [this](Thread& t) -> Task {
-      for (const int naps : work) {
-        co_await t.wait(hear, from(ring));
-        co_await t.set(set, c, true);
-        co_await t.read(set, c);
-        for (int i = 0; i < naps; ++i) co_await t.perform(act, [] {});
-        co_await t.send(answer, back);
-      }
-      co_await t.complete(act, 0);
-    });
-    bell.on_open = [](DeviceHost& host) {
-      for (int i = 1; i < 10; ++i) host.at(host.now() + i * 10ms, [&host] { host.deliver(0, {}); });
-    };
-  }
-  runtime::Outcome require(RequirementSpec spec, OnBrokenPromise policy = OnBrokenPromise::report) {
-    spec.name = "r";
-    skill.requirements = {spec};
-    runtime::RunOptions options;
-    options.on_broken_promise = policy;
-    options.trace = runtime::TraceMode::none;  // what is measured needs no trace
-    return run(skill, {&bell}, options);
-  }
-  WrittenSkill skill;
-  ScriptedDevice bell{"bell", {{"ring", false, {}}, {"back", true, {}}}};
-  std::vector<int> work{1, 3, 1};
-  int ring = 0, back = 0, c = 0, hear = 0, answer = 0, act = 0, set = 0;
-};
-
-RequirementSpec spec(Measure measure, int channel, int at) {
-  RequirementSpec result;
-  result.measure = measure;
-  if (channel >= 0) result.channels = row(channel);
-  result.at = row(at);
-  return result;
-}
-
-}  // namespace
-
-TEST_CASE("a response that takes too long is seen when its limit is over, not when it comes") {
-  Bell bell;
-  RequirementSpec response = spec(Measure::response, 0, 1);
-  response.most = 4ms;
-  CHECK(bell.require(response).broken_promises.empty());
-  response.most = 3ms;
-  auto outcome = bell.require(response);
-  REQUIRE(outcome.broken_promises.size() == 1);
-  CHECK(outcome.broken_promises[0].promise == "requirement r, a response of at most 3 ms");
-  CHECK(outcome.broken_promises[0].measured == 4ms);
-  CHECK(outcome.broken_promises[0].times == 1);
-  CHECK(outcome.broken_promises[0].first == 23ms + 1ns);
-  CHECK(outcome.broken_promises[0].endangers == std::vector<std::string>{"r"});
-  outcome = bell.require(response, OnBrokenPromise::stop);
-  CHECK(outcome.fault);
-  CHECK(outcome.duration == 23ms + 1ns);
-}
-
-TEST_CASE("an event that is lost fails its response, whatever its limit") {
-  Bell bell;
-  bell.work = {30, 1};
-  RequirementSpec response = spec(Measure::response, 0, 1);
-  response.most = 1s;
-  const auto outcome = bell.require(response);
-  CHECK(outcome.overruns == 2);
-  REQUIRE(outcome.broken_promises.size() == 1);
-  CHECK(outcome.broken_promises[0].measured == Time::max());
-  CHECK(in_words(outcome.broken_promises[0]) ==
-        "requirement r, a response of at most 1 s: not answered, 2 times; endangers r");
-}
-
-TEST_CASE("ages, samples, intervals and durations are measured while the skill runs") {
-  Bell bell;
-  RequirementSpec age = spec(Measure::age, -1, 1);
-  age.condition = 0;
-  RequirementSpec sample = spec(Measure::sample, 0, 1);
-  RequirementSpec interval = spec(Measure::interval, -1, 1);
-  RequirementSpec duration = spec(Measure::duration, -1, 1);
-  struct Case {
-    RequirementSpec spec;
-    Time most;
-  };
-  // The second of three answers comes 4 ms after its ring, the others 2 ms: so they are 12 and 8 ms apart.
-  for (const Case& each : {Case{age, 4ms}, Case{sample, 4ms}, Case{interval, 12ms}, Case{duration, 33ms}}) {
-    CAPTURE(static_cast<int>(each.spec.measure));
-    RequirementSpec limited = each.spec;
-    limited.most = each.most;
-    CHECK(bell.require(limited).broken_promises.empty());
-    limited.most = each.most - 1ns;
-    const auto outcome = bell.require(limited);
-    REQUIRE(outcome.broken_promises.size() == 1);
-    CHECK(outcome.broken_promises[0].measured == each.most);
-    CHECK(bell.require(limited, OnBrokenPromise::stop).code == 9);
-  }
-  interval.least = 8ms;
-  CHECK(bell.require(interval).broken_promises.empty());
-  interval.least = 8ms + 1ns;
-  const auto outcome = bell.require(interval);
-  REQUIRE(outcome.broken_promises.size() == 1);
-  CHECK(outcome.broken_promises[0].promise == "requirement r, an interval of at least 8.000001 ms");
-  CHECK(outcome.broken_promises[0].measured == 8ms);
-}
-
-TEST_CASE("a bell that rings too soon, or falls silent, is noted") {
-  Bell bell;
-  Time step = 10ms;
-  int rings = 5;
-  bell.bell.on_open = [&](DeviceHost& host) {
-    for (int i = 1; i <= rings; ++i) host.at(host.now() + i * step, [&host] { host.deliver(0, {}); });
-  };
-  SECTION("too soon") {
-    step = 9ms;
-    const auto outcome = run(bell.skill, {&bell.bell});
-    REQUIRE(outcome.broken_promises.size() == 1);
-    CHECK(in_words(outcome.broken_promises[0]) ==
-          "bell sends ring every 10 ms, not sooner: measured 9 ms, 2 times");
-  }
-  SECTION("silent") {
-    rings = 1;
-    const auto outcome = run(bell.skill, {&bell.bell});
-    REQUIRE(outcome.broken_promises.size() == 1);
-    CHECK(outcome.broken_promises[0].promise == "bell sends ring every 10 ms, not later");
-    CHECK(outcome.broken_promises[0].first == 20ms + 1ns);
-  }
 }

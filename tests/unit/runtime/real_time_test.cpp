@@ -129,7 +129,7 @@ struct Asker {
 
 }  // namespace
 
-TEST_CASE("real time: a skill whose order causes fix has the messages of virtual time, in the same order") {
+TEST_CASE("real time: where causes fix the order, messages come as in virtual time") {
   const bool together = GENERATE(false, true);
   Talk in_virtual_time(200, true), in_real_time(200, together);
   if (!together) {  // the witness hears of a round at any time of the next one
@@ -215,7 +215,7 @@ TEST_CASE("real time: on a processor that is not preemptive nobody is interrupte
   CHECK(text.find("LOW done act") < text.find("HIGH start receive"));
 }
 
-TEST_CASE("real time: what an activity or a device throws ends the skill, with its devices closed") {
+TEST_CASE("real time: an exception of an activity or a device ends the skill, devices closed") {
   Asker asker;
   ScriptedDevice device = sensor();
   std::string place;
@@ -246,7 +246,7 @@ TEST_CASE("real time: what an activity or a device throws ends the skill, with i
   CHECK(device.closed == 1);
 }
 
-TEST_CASE("real time: a device that never answers is given up by WITHIN, or by the run's limit") {
+TEST_CASE("real time: WITHIN, or the run's limit, gives up a device that never answers") {
   ScriptedDevice device = sensor();
   SECTION("WITHIN") {
     Asker asker(true);
@@ -352,7 +352,7 @@ TEST_CASE("real time: a skill that goes on and on without taking time is ended")
   CHECK(outcome.reason == "the skill goes on and on without taking time: A at test (written.pal:1)");
 }
 
-TEST_CASE("real time: what the world throws ends the skill; it is advanced while an activity runs") {
+TEST_CASE("real time: an exception of the world ends the skill") {
   struct Moving final : runtime::World {
     void advance_to(runtime::Time when) override {
       if (when < last) throw std::logic_error("back in time");

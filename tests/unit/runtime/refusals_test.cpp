@@ -105,7 +105,7 @@ TEST_CASE("nothing that the world throws leaves a run") {
   CHECK(sensor.closed);
 }
 
-TEST_CASE("a run that is begun inside a device is refused, and the one outside goes on") {
+TEST_CASE("a run that is begun inside a device is refused, and the outer one goes on") {
   Asker outer, inner;
   Thrower sensor(Thrower::Where::nowhere);
   NoWorld world;
@@ -129,7 +129,7 @@ TEST_CASE("a run that is begun inside a device is refused, and the one outside g
   CHECK_FALSE(another.run(inner.skill).fault);
 }
 
-TEST_CASE("a stop is asked for before any event, and ends the skill there with its devices closed") {
+TEST_CASE("a stop before any event ends the skill there, with its devices closed") {
   // As many events as the run has: each place is tried.
   bool completed = false;
   int places = 0;

@@ -30,7 +30,7 @@ TEST_CASE("texts compare by their characters") {
   CHECK(Text("part") > Text("parked"));
 }
 
-TEST_CASE("a text of any length comes back from the numbers that it is packed in") {
+TEST_CASE("a text of any length is unpacked as it was packed") {
   const std::string longest = "~The quick brown fox 12~";
   for (std::size_t length = 0; length <= Text::capacity; ++length) {
     const Text text(longest.substr(0, length));

@@ -99,7 +99,7 @@ struct Acting {
 
 }  // namespace
 
-TEST_CASE("watchdog: an activity that never returns leaves the devices closed and ends the process") {
+TEST_CASE("watchdog: an activity that does not return ends the process, devices closed") {
   const bool spins = GENERATE(true, false);
   const Ended ended = in_a_child([spins] {
     Acting acting;
@@ -117,7 +117,7 @@ TEST_CASE("watchdog: an activity that never returns leaves the devices closed an
         std::string::npos);
 }
 
-TEST_CASE("watchdog: a device that does not return is found as well, and the devices are closed") {
+TEST_CASE("watchdog: a device that does not return ends the process, devices closed") {
   const Ended ended = in_a_child([] {
     Acting acting;
     Telling device;
@@ -129,7 +129,7 @@ TEST_CASE("watchdog: a device that does not return is found as well, and the dev
   CHECK(ended.said.find("sensor closed\npal: device sensor has not returned for ") == 0);
 }
 
-TEST_CASE("watchdog: the process ends also if closing does not return, and says so") {
+TEST_CASE("watchdog: a close that does not return ends the process, with a message") {
   const Ended ended = in_a_child([] {
     Acting acting;
     Telling device;
@@ -142,7 +142,7 @@ TEST_CASE("watchdog: the process ends also if closing does not return, and says 
   CHECK(ended.said.find("THE DEVICES COULD NOT BE CLOSED") != std::string::npos);
 }
 
-TEST_CASE("watchdog: closing that does not return after a good end of the skill ends the process, too") {
+TEST_CASE("watchdog: a close that does not return after a good end ends the process") {
   const Ended ended = in_a_child([] {
     Acting acting;
     Telling device;
@@ -154,7 +154,7 @@ TEST_CASE("watchdog: closing that does not return after a good end of the skill 
   CHECK(ended.said.find("sensor closed\npal: closing device sensor has not returned for ") == 0);
 }
 
-TEST_CASE("real time: without the right to SCHED_FIFO a skill runs, and its outcome says so once") {
+TEST_CASE("real time: without the right to SCHED_FIFO a skill runs, and the outcome says so") {
   const Ended ended = in_a_child([] {
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_RTPRIO, &none);

@@ -21,7 +21,7 @@ TEST_CASE("a token is the whole token") {
   CHECK_FALSE(same_token("", ""));  // no token opens nothing
 }
 
-TEST_CASE("only this machine's names and its own pages come in, unless others are named") {
+TEST_CASE("only this machine's names and pages are accepted, unless others are named") {
   AccessRules rules;
   rules.port = 7400;
   CHECK(host_allowed("localhost:7400", rules));
@@ -42,7 +42,7 @@ TEST_CASE("only this machine's names and its own pages come in, unless others ar
   CHECK(host_allowed("cell.example:7400", rules));
 }
 
-TEST_CASE("others cannot read the token's file, and a file that they could read is not trusted") {
+TEST_CASE("others cannot read the token's file, and a readable one is not trusted") {
   const std::string folder = std::filesystem::temp_directory_path() / ("pal-announcement-" + make_token());
   const std::string path = folder + "/workcell.json";
   announce(path, {"127.0.0.1", 7400, "secret"});

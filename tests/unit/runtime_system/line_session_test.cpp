@@ -85,7 +85,7 @@ TEST_CASE("forces are six numbers of eight characters, while they are wanted") {
   CHECK(line.said.front() == ">    1.25 -170.00    0.00    0.50    0.00-1234567\r\n");
 }
 
-TEST_CASE("the controls are free when their client goes") {
+TEST_CASE("the controls become free when their client goes") {
   Line line;
   line.enter();
   line.say("take\r");

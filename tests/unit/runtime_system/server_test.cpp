@@ -180,7 +180,7 @@ TEST_CASE("a client without token or rights moves nothing and is disconnected") 
   CHECK_NOTHROW(served.enter("another"));  // and the server lives
 }
 
-TEST_CASE("a client that comes when the server is full is told so, by both protocols") {
+TEST_CASE("a full server tells the next client so, by both protocols") {
   ServerOptions few = options();
   few.line_terminal = false;
   few.most_clients = 1;
@@ -236,7 +236,7 @@ TEST_CASE("more than a thousand events a second come in order") {
   CHECK(5'000 / taken.count() > 1000);
 }
 
-TEST_CASE("a client that reads nothing is let go when its events fill its room, and nobody else is") {
+TEST_CASE("a client that reads nothing is disconnected, and no other client is") {
   ServerOptions given = options();
   given.outbox.most_bytes = 1 << 20;
   Served served(given);
@@ -253,7 +253,7 @@ TEST_CASE("a client that reads nothing is let go when its events fill its room, 
   served.wait_for(operations::ExecutionState::stopped);
 }
 
-TEST_CASE("telemetry that a client does not read is dropped and counted, and events are not") {
+TEST_CASE("unread telemetry is dropped and counted, and events are not") {
   Served served;
   const auto ann = served.enter("ann");
   ann->call("watch", R"({"telemetry": 0.001})");

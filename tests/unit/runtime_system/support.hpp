@@ -1,4 +1,4 @@
-// A cell of clockwork: a skill lasts until somebody stops it, or no time at all.
+// A cell of clockwork: a skill lasts until it is stopped, or no time at all.
 #pragma once
 
 #include <atomic>

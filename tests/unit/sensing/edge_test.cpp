@@ -73,7 +73,7 @@ TEST_CASE("edge: where two surfaces meet, within 0.2 mm rms at 200 mm", "[edge]"
   CHECK(errors.slope < 0.5);
 }
 
-TEST_CASE("edge: beside a step there is no other, however much it is looked for there", "[edge]") {
+TEST_CASE("edge: beside a step no other edge is found", "[edge]") {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> places(5, 25);
   for (const double far : {203, 206, 215, 260})
@@ -89,7 +89,7 @@ TEST_CASE("edge: beside a step there is no other, however much it is looked for 
     }
 }
 
-TEST_CASE("edge: where the nearer surface of a step ends, within 0.2 mm rms at 200 mm", "[edge]") {
+TEST_CASE("edge: the end of a step's nearer surface, within 0.2 mm rms at 200 mm", "[edge]") {
   const double far = GENERATE(203, 215, 260);
   const bool up = GENERATE(false, true);
   // The wall below the edge is in view from half of the places. Going up it costs the nearer surface a point.

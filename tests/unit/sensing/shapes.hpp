@@ -38,8 +38,8 @@ Shape outline(Outline corners);
 /// The plane `normal` · p = `distance` (mm) from a pose of the range finder.
 Shape plane(const Eigen::Vector3d& normal, double distance, const Eigen::Isometry3d& pose);
 
-/// The profile of a shape. `errors` scales the errors; points out of range, or on what is
-/// met more steeply than 75 degrees, are invalid, but for a single leap to a nearer point.
+/// The profile of a shape. `errors` scales the errors. Points out of range are invalid. So are points on a
+/// surface that is met more steeply than 75 degrees, except after a single jump to a nearer point.
 Scan scan(const Shape& shape, std::mt19937& random, double errors = 1);
 
 }  // namespace pal::sensing::test

@@ -113,7 +113,7 @@ TEST_CASE("alter: ports as the skills declare them") {
   CHECK(ports[3].message == "position");
 }
 
-TEST_CASE("alter: a tick every 28 ms, when a request has passed the line; the next one is known") {
+TEST_CASE("alter: a tick comes every 28 ms, and the next one is known") {
   AlterCell cell;
   cell.answer(1ms, 0);
   CHECK_FALSE(cell.driver.ready());
@@ -187,7 +187,7 @@ TEST_CASE("alter: no answer in time stops the arm with a fault") {
   CHECK(cell.driver.ready());
 }
 
-TEST_CASE("alter: faults for an answer that nobody asked for and a motion that cannot be made") {
+TEST_CASE("alter: an unasked answer and an impossible motion are faults") {
   AlterCell cell;
   cell.begin();
   cell.run_until(31ms);
@@ -251,7 +251,7 @@ TEST_CASE("alter: garbled, unplugged and silent lines are told apart") {
   CHECK_FALSE(cell.port.is_open());
 }
 
-TEST_CASE("alter: after its session the arm ends the motions that it has accepted and stands still") {
+TEST_CASE("alter: after its session the arm ends the accepted motions and stands still") {
   AlterCell cell;
   cell.answer(1ms, 1.0);
   const double start = cell.height();

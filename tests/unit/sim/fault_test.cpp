@@ -93,7 +93,7 @@ TEST_CASE("faults: pressed flat, the pad's holder hits what the pad was pressed 
   CHECK(workcell.fault()->text == "the tool hit the plate");
 }
 
-TEST_CASE("faults: a tool that cannot follow is more than 5 mm from where it was told to be") {
+TEST_CASE("faults: a following error of more than 5 mm") {
   // Steel fingers on a steel plate: the drives give all they have, and the arm stands.
   const SceneText hand("tool gripper\nstart 480 -200 -140\nplate at 480 -200\n");
   Workcell workcell(hand.scene());

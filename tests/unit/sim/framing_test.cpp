@@ -24,7 +24,7 @@ Eigen::Vector2d in_picture(const View& view, double aspect, const Eigen::Vector3
 
 }  // namespace
 
-TEST_CASE("a framing has every point in the picture and none of the picture to spare") {
+TEST_CASE("a framing has every point in the picture, and nothing to spare") {
   std::mt19937 chance(7);
   std::uniform_real_distribution<double> metres(-1, 1), degrees(-180, 180), tilt(-60, 10);
   for (int round = 0; round < 200; ++round) {
@@ -42,7 +42,7 @@ TEST_CASE("a framing has every point in the picture and none of the picture to s
   }
 }
 
-TEST_CASE("cameras see the tool and keep arm and table in the picture, wherever the arm stands") {
+TEST_CASE("cameras see the tool, and keep arm and table in the picture") {
   Workcell workcell(scene("touch"));
   Stage stage(workcell.physics().model());
   std::size_t logged = 0;
@@ -70,7 +70,7 @@ TEST_CASE("cameras see the tool and keep arm and table in the picture, wherever 
   }
 }
 
-TEST_CASE("the close-up shows tip and surface, and passes from one to the other without a jump") {
+TEST_CASE("the close-up shows tip and surface, and moves without a jump") {
   Workcell workcell(scene("pyramid"));
   Stage stage(workcell.physics().model());
   std::size_t logged = 0;

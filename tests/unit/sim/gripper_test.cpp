@@ -107,7 +107,7 @@ TEST_CASE("gripper: a part that is held creeps less than 0.01 mm in 30 s") {
   CHECK(cell.workcell.holds_part());
 }
 
-TEST_CASE("gripper: a part moved six times drifts less than 0.5 mm, and does not slip in the hand") {
+TEST_CASE("gripper: a part moved six times drifts less than 0.5 mm and does not slip") {
   for (const bool exact : {true, false}) {
     Cell cell(scene("parts"), {.machine = exact ? MachineOptions::exact() : MachineOptions{}});
     double x = 460, y = -200, slip = 0;

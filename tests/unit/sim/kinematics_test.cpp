@@ -101,7 +101,7 @@ TEST_CASE("poses that the arm cannot take say why") {
   CHECK(solution.joint == 0);
 }
 
-TEST_CASE("where joints 4 and 6 are in line, joint 4 stays where it is") {
+TEST_CASE("if joints 4 and 6 are in line, joint 4 stays") {
   Joints q;
   q << 0.3, 0.4, -2.0, 0.7, 0.0, 0.5;
   const InverseSolution solution = inverse_wrist(wrist_pose(q), configuration_of(q), q);

@@ -75,7 +75,7 @@ TEST_CASE("scene files: what they say") {
   CHECK(scene.things[2].line == 13);
 }
 
-TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
+TEST_CASE("scene files: an error has its line, its cause and a hint") {
   const SceneError unknown = refused("start 1 2 3\nplait at 1 2\n");
   CHECK(unknown.place() == "my.scene:2");
   CHECK(unknown.cause() == "'plait' is not something that a scene has");
@@ -132,7 +132,7 @@ TEST_CASE("scene files: what is wrong has its line, its cause and a way out") {
   }
 }
 
-TEST_CASE("scene files: a start that cannot be: the line that says it, and the line of what is in its way") {
+TEST_CASE("scene files: an impossible start names its line and the line of the obstacle") {
   const auto error = [](const std::string& text) {
     const SceneText scene(text);
     try {
@@ -189,7 +189,7 @@ TEST_CASE("scene files: every scene of the project loads, and says what it is") 
   }
 }
 
-TEST_CASE("scene files: whatever is within the ranges loads, or is refused in our words") {
+TEST_CASE("scene files: values within the ranges load, or are refused in our words") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);
   Random random(seed, 0);

@@ -111,7 +111,7 @@ TEST_CASE("scenes that do not load: place, cause, hint") {
   CHECK(missing.cause() == "the file cannot be read");
 }
 
-TEST_CASE("a scene in MJCF that is wrong: its file, its line, and no words of a library") {
+TEST_CASE("a wrong scene in MJCF: its file and its line, in plain words") {
   const Folder folder;
   struct Case {
     const char* inside;  // from the third line of the scene on

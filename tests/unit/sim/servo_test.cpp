@@ -104,7 +104,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("servos: with counts and play still within 0.15 mm, and at rest within 0.1 mm more") {
+TEST_CASE("servos: with counts and play within 0.15 mm, on the line and at rest") {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     Rig rig({.seed = seed});
     const LineFigures figures = along(rig, lines[seed - 1]);
@@ -114,7 +114,7 @@ TEST_CASE("servos: with counts and play still within 0.15 mm, and at rest within
   }
 }
 
-TEST_CASE("servos: a pose is repeated within 0.1 mm, whichever way the tool comes, and not exactly") {
+TEST_CASE("servos: a pose is repeated within 0.1 mm from all sides, and not exactly") {
   Rig rig(MachineOptions{});
   std::vector<Eigen::Vector3d> ends;
   Random random(7, 0);

@@ -33,7 +33,7 @@ class Host final : public runtime::DeviceHost {
     queue_.emplace(when, std::move(action));
     return {};
   }
-  void cancel(Appointment) override {}  // nobody asks it of this host
+  void cancel(Appointment) override {}  // this host is never asked to
   bool deliver(std::size_t port, std::span<const double> fields) override {
     deliveries.push_back({now_, port, {fields.begin(), fields.end()}});
     if (on_delivery) on_delivery(deliveries.back());

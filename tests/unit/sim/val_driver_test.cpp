@@ -217,7 +217,7 @@ TEST_CASE("VAL's driver: a motion that takes too long is aborted") {
   cell.wire.a().connect(nullptr);
 }
 
-TEST_CASE("VAL's driver as a device: ports, answers, and an end in the middle of a motion") {
+TEST_CASE("VAL's driver as a device: ports, answers, an end during a motion") {
   Driven cell;
   Host host;
   const auto& ports = cell.driver.ports();
@@ -285,7 +285,7 @@ TEST_CASE("VAL's driver as a device: ports, answers, and an end in the middle of
   CHECK_FALSE(cell.machine.attached);
 }
 
-TEST_CASE("VAL's driver as a device: a broken line is answered, too, and no sooner than any other") {
+TEST_CASE("VAL's driver as a device: a broken line is answered, no sooner than others") {
   Driven cell;
   Host host;
   cell.driver.attach(host);

@@ -100,7 +100,7 @@ TEST_CASE("joint-interpolated: all joints begin and end together, within their l
   CHECK(motion.at(end).speed.norm() == 0);
 }
 
-TEST_CASE("straight: the tip stays on the line, the tool turns evenly, motions follow one another") {
+TEST_CASE("straight: the tip stays on the line, and the tool turns evenly") {
   MotionController motion(ready(), 28ms);
   const Pose start = tool_pose(ready());
   Pose goal = shifted(start, 0.02, 0.15, 0.05);
@@ -143,7 +143,7 @@ TEST_CASE("speeds and accelerations of set-points are the derivatives of their p
   CHECK(before.speed.norm() < 1e-4);
 }
 
-TEST_CASE("told to stop, the arm slows down on its line and drops the rest") {
+TEST_CASE("on a stop the arm slows down on its line and drops the rest") {
   MotionController motion(ready(), 28ms);
   const Pose start = tool_pose(ready()), goal = shifted(start, 0, 0.2, 0);
   REQUIRE_FALSE(motion.move_straight(goal, {}, 0ms));
@@ -170,7 +170,7 @@ TEST_CASE("told to stop, the arm slows down on its line and drops the rest") {
   CHECK((tool_pose(motion.at(motion.planned_end(end)).position).matrix() - start.matrix()).norm() < 1e-8);
 }
 
-TEST_CASE("what cannot be moved is refused before it begins: reach, ranges, singularities") {
+TEST_CASE("impossible motions are refused before they begin: reach, ranges, singularities") {
   MotionController motion(ready(), 28ms);
   const Pose start = tool_pose(ready());
   const auto straight = [&](double x, double y, double z) {

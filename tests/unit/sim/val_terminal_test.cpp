@@ -111,7 +111,7 @@ TEST_CASE("VAL: DO answers when the motion is over") {
   CHECK(degrees(bench.arm.joints()[5] - before) == Approx(-10));
 }
 
-TEST_CASE("VAL: speeds are per cent of the arm's, and a program's may be in mm/s") {
+TEST_CASE("VAL: speeds are per cent, or mm/s in a program") {
   Bench bench;
   bench.ask("DO HERE a");
   bench.ask("DO SET b=SHIFT(a BY 0,100,0)");
@@ -336,7 +336,7 @@ TEST_CASE("VAL: lists, forgetting, help") {
   CHECK(bench.ask("DO SET averyveryverylongname1 = NULL") == "*Name too long* AVERYVERYVERYLONGNAME1\r\n");
 }
 
-TEST_CASE("VAL: whatever is typed, an answer comes, and ABORT brings back the prompt") {
+TEST_CASE("VAL: every line is answered, and ABORT brings back the prompt") {
   constexpr std::uint64_t seed = 11;
   INFO("seed " << seed);
   Random random(seed, 0);

@@ -57,7 +57,7 @@ struct Bench final : pal::runtime::LinkUser {
 
 }  // namespace
 
-TEST_CASE("VAL in the workcell: a straight line and back, and where the tip is then") {
+TEST_CASE("VAL in the workcell: a straight line and back") {
   Bench cell("nothing");
   const Pose start = cell.workcell.tool();
   CHECK(cell.ask("DO HERE a") == "");
@@ -72,7 +72,7 @@ TEST_CASE("VAL in the workcell: a straight line and back, and where the tip is t
   CHECK(cell.off(start) < 0.15e-3);
 }
 
-TEST_CASE("VAL in the workcell: what the arm hits ends the motion, and CALIBRATE lets it move again") {
+TEST_CASE("VAL in the workcell: a collision ends the motion, and CALIBRATE allows the next") {
   Bench cell("touch");
   CHECK(cell.ask("DO HERE a") == "");
   CHECK(cell.ask("DO MOVES SHIFT(a BY 0,0,-250)").starts_with("*Arm fault* "));
@@ -95,7 +95,7 @@ TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
   CHECK(cell.workcell.gripper_width() == Approx(0).margin(1));
 }
 
-TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the point that turns") {
+TEST_CASE("VAL in the workcell: VAL opens ALTER, and TOOL sets the point that turns") {
   Bench cell("nothing");
   pal::runtime::ValDriver val(cell.timeline, cell.wire.a());
   ValOpener opener(val);
@@ -104,7 +104,7 @@ TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the p
   opener.open({.world = false, .cumulative = true}, done);
   cell.pass(500ms);
   CHECK(problem.empty());
-  CHECK(cell.alter.is_open() == false);  // nobody has answered it: it has ended itself
+  CHECK(cell.alter.is_open() == false);  // it was not answered, so it has ended itself
   opener.close(done);
   cell.pass(500ms);
   CHECK(problem.find("ALTER") == 0);
@@ -119,7 +119,7 @@ TEST_CASE("VAL in the workcell: ALTER is opened through VAL, and TOOL sets the p
             .norm() < 1e-9);
 }
 
-TEST_CASE("VAL in the station: the driver is ready when a skill needs it, and commands the arm") {
+TEST_CASE("VAL in the station: the driver is ready for a skill, and commands the arm") {
   pal::sim::Cell cell(scene("nothing"));
   cell.val_store().locations["UP"] = Eigen::Translation3d(0, 0, 0.05) * cell.workcell().set_point();
   cell.val_driver().prepare();

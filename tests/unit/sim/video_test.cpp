@@ -69,7 +69,7 @@ bool possible() {
 
 }  // namespace
 
-TEST_CASE("a video is the same byte for byte, whole or not there") {
+TEST_CASE("a video repeats byte for byte, and is whole or not there") {
   if (!possible()) return;
   const VideoFolder folder;
   const Joints first = film(small(folder.file("a.mp4")));

@@ -86,7 +86,7 @@ TEST_CASE("pressing on the plate is steady, and as stiff as pad and contact toge
   CHECK(most - least < 0.05);
 }
 
-TEST_CASE("the same seed of the machine gives the same run, bit for bit; another seed another one") {
+TEST_CASE("one seed of the machine gives one run, bit for bit") {
   const auto run = [](const char* name, const MachineOptions& machine) {
     Workcell workcell(scene(name), {.machine = machine});
     for (int i = 0; i < 12; ++i) {
@@ -109,7 +109,7 @@ TEST_CASE("the same seed of the machine gives the same run, bit for bit; another
   }
 }
 
-TEST_CASE("the encoders show the joints in whole counts, and the log has what a plot needs") {
+TEST_CASE("encoders show whole counts, and the log has what a plot needs") {
   Workcell workcell(scene("touch"));
   workcell.advance_to(50ms);
   const Joints shown = workcell.encoder_joints();

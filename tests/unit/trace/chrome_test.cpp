@@ -81,7 +81,7 @@ TEST_CASE("conditions are counters that start FALSE") {
   CHECK(counters[1]["name"] == "pc-force");
 }
 
-TEST_CASE("the wait before a receive is a slice of its own, and the end of the skill an instant") {
+TEST_CASE("a wait before a receive is a slice, and the end of the skill an instant") {
   const Json root = exported(one_message());
   CHECK(with(root, "cat", "wait").size() == 1);
   CHECK(with(root, "name", "completion 0").size() == 1);

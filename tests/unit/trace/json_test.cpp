@@ -1,4 +1,4 @@
-// The JSON form of a trace: what is written is read back the same, and what is malformed is refused with a
+// The JSON form of a trace. What is written is read back the same, and malformed text is refused with a
 // reason.
 #include <catch2/catch.hpp>
 #include <locale>

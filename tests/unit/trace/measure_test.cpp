@@ -35,7 +35,7 @@ Responses responses_after(std::vector<Event> rest) {
   return responses(asking(std::move(events)), "bell", "ring", {{"A", "TXM( back to bell )", 9}});
 }
 
-TEST_CASE("an answer carries its own request's event, though the next request is taken before it is put") {
+TEST_CASE("an answer carries the event of its own request, not of the next") {
   const Responses found = responses_after({
       {10, Kind::put, 2, -1, value, 1},
       {11, Kind::take, 0, -1, value, 1},

@@ -58,7 +58,7 @@ TEST_CASE("a statement that costs nothing still has its effect") {
   CHECK(found[0] == Slice{0, State::running, Ending::effect, 1, -1, 7, 7});
 }
 
-TEST_CASE("an effect without a start is an action of no length after what came before") {
+TEST_CASE("an effect without a start is an action of no length") {
   const auto found = slices(two_actors({{2, Kind::block, 0, 1, 0, 0}, {7, Kind::done, 0, 1, -1, 0}}));
   REQUIRE(found.size() == 2);
   CHECK(found[0] == Slice{0, State::waiting, Ending::over, 1, 0, 2, 7});

@@ -18,7 +18,7 @@ struct Row {
 
 }  // namespace
 
-// Figures by chance; the expected ones are fractions of whole numbers of any size, rounded once, by Python's
+// Random figures; the expected ones are fractions of whole numbers of any size, rounded once, by Python's
 // integers.
 TEST_CASE("numbers convert to the nearest double") {
   const Row rows[] = {
@@ -81,7 +81,7 @@ TEST_CASE("numbers convert to the nearest double") {
   }
 }
 
-TEST_CASE("a number between two doubles goes to the even one, and just above it to the greater") {
+TEST_CASE("a number between two doubles is rounded to the even one") {
   // 2^53 + 1 lies between 2^53 and 2^53 + 2.
   CHECK(converted("9007199254740993", {1, 1}) == 9007199254740992.0);
   CHECK(converted("9007199254740993.0000000000000000000000000000000000001", {1, 1}) == 9007199254740994.0);

@@ -54,7 +54,7 @@ TEST_CASE("litres, hours and the larger and smaller units") {
   CHECK(factor("kW", "mW") == Ratio{1000000, 1});
 }
 
-TEST_CASE("units are one however they are spelt") {
+TEST_CASE("one unit in two spellings is the same unit") {
   CHECK(factor("N*m", "J") == Ratio{1, 1});
   CHECK(factor("V*A", "W") == Ratio{1, 1});
   CHECK(factor("kg*m/s^2", "N") == Ratio{1, 1});

@@ -30,7 +30,7 @@ TEST_CASE("threads of one processor are reordered, moved to one more, and events
   CHECK(proposes(all, {"SD1.period = 40 ms"}));
 }
 
-TEST_CASE("a free processor is used before one is added, and who is alone does not move to one") {
+TEST_CASE("a free processor is used before one is added, and a lone thread does not move") {
   const auto skill = test::sound_skill(test::two_chains("6 ms"));
   pan::Environment wide = skill->specification.environments.front();
   REQUIRE(change(wide, "PROCESSOR P7").empty());

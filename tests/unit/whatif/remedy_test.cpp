@@ -32,7 +32,7 @@ TEST_CASE("nothing is tried of a skill that meets everything") {
   CHECK(remedies.found.empty());
 }
 
-TEST_CASE("a late answer is mended by its priority, with the verdict that it has then") {
+TEST_CASE("a priority mends a late answer, and the new verdict is shown") {
   const auto skill = test::sound_skill(test::two_chains("4 ms"));
   const Remedies remedies = remedies_of(*skill);
   REQUIRE(remedies.before.front().state == Is::fails);
@@ -45,7 +45,7 @@ TEST_CASE("a late answer is mended by its priority, with the verdict that it has
   }
 }
 
-TEST_CASE("where no change suffices the nearest is told, and nothing is said to mend it") {
+TEST_CASE("if no change suffices, the nearest one is shown") {
   const auto skill = test::sound_skill(test::two_chains("1 ms"));  // the answer alone takes 2 ms
   RemedyOptions how;
   how.most_changes = 2;
@@ -56,7 +56,7 @@ TEST_CASE("where no change suffices the nearest is told, and nothing is said to 
   CHECK(remedies.nearest->after.front().bound < remedies.before.front().bound);
 }
 
-TEST_CASE("a program that cannot be changed so is passed over") {
+TEST_CASE("a program that cannot be changed in this way is passed over") {
   const auto skill = test::sound_skill(test::two_chains("4 ms"));
   std::size_t asked = 0;
   const Remedies remedies = find_remedies(

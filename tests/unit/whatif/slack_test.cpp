@@ -25,7 +25,7 @@ const Slack& of(const std::vector<Slack>& all, const std::string& figure) {
 
 }  // namespace
 
-TEST_CASE("each slack is told once, when it is settled, and as it is in the answer") {
+TEST_CASE("each slack is told once, when it is settled") {
   const auto skill = test::sound_skill(test::two_chains("9 ms"));
   std::vector<Slack> told;
   std::size_t most = 0;

@@ -1,5 +1,5 @@
 // bench_skills [SKILL…]: measures the skills in physics and prints the table of docs/skills.md. Ends with 1
-// if a figure is not reached. bench_skills causes: prints what becomes of figures without one of their
+// if a figure is not reached. bench_skills causes: prints the figures again, each time without one of their
 // causes.
 #include <algorithm>
 #include <array>

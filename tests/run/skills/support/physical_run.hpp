@@ -25,15 +25,16 @@ struct PhysicalRun {
 /// Throws sim::SceneError; std::runtime_error if there is no such skill.
 workcell::SessionResult run(const PhysicalRun& wanted);
 
-/// How it ended, by the skill's name and its completion code: "press 2". tests/run/skills/endings.py looks
-/// for comparisons with it: each completion of each template has one.
+/// How it ended, by the skill's name and its completion code: "press 2". The script
+/// tests/run/skills/endings.py looks for comparisons with this text. Each completion of each template has
+/// one.
 std::string end_of(const runtime::Outcome& outcome);
 
 /// The scene of this name.
 sim::Scene scene(const std::string& name);
 
-/// How hard the tool presses along its own axis, N, without the sensor's noise and delay: the sensor's true
-/// load less what it was at the start. Of each sample of the log.
+/// How hard the tool presses along its own axis, N, without the sensor's noise and delay. It is the sensor's
+/// true load less what it was at the start. Of each sample of the log.
 std::vector<double> pressing(const workcell::SessionResult& result);
 
 }  // namespace pal::test

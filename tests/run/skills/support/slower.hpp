@@ -11,9 +11,9 @@ namespace pal::test {
 struct Slower {
   std::string module;
   std::string activity;
-  int milliseconds = 0;  // that it takes, always
-  std::string
-      processor{};  // on which the module runs, so that nobody waits for it; empty: where workcell.pal has it
+  int milliseconds = 0;     // that it takes, always
+  std::string processor{};  // on which the module runs, so that no thread waits for it; empty: where
+                            // workcell.pal has it
 };
 
 /// The text of workcell.pal with the activity's TIME changed, and the module's PLACE. Throws

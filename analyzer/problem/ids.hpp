@@ -1,0 +1,24 @@
+// Typed indices of the things that a problem is made of.
+#pragma once
+
+#include "pal/pan/ids.hpp"
+#include "pal/support/id.hpp"
+
+namespace pal::analyzer {
+
+/// In Problem::processors and Environment::processors; who asks what more of them would do counts on.
+using ProcessorId = Id<struct ProcessorTag>;
+
+/// In Problem::requirements.
+using RequirementId = Id<struct ProblemRequirementTag>;
+
+/// In Problem::statements.
+using StatementId = Id<struct StatementTag>;
+
+/// In Problem::calls.
+using CallId = Id<struct CallTag>;
+
+/// In Problem::kept.
+using KeptId = Id<struct KeptTag>;
+
+}  // namespace pal::analyzer
