@@ -102,6 +102,7 @@ void look_for_run(const Problem& problem, const Requirement& requirement, const 
                   const RunSearchOptions& usual, Verdict& verdict) {
   RunSearchOptions how = usual;
   how.stop = options.stop;
+  how.steady = verdict.state == State::undecided ? 64 : 0;
   if (verdict.bound) how.bound = verdict.bound->count();
   auto found = search_runs(problem, requirement, how);
   if (found) confront(problem, requirement, std::move(*found), verdict);
@@ -213,9 +214,11 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
       first.max_states = brief.max_states;
       explore(provers, problem, first, {r}, bounds, analysis);
     }
+    if (verdict.state == State::undecided)
+      look_for_run(problem, requirement, share_of(here, 0.3), {}, verdict);
     if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.6), verdict);
     // Also of a bound that decides: the run that comes near it is shown.
-    search(problem, requirement, here, verdict);
+    if (verdict.state != State::undecided) search(problem, requirement, here, verdict);
   }
 }
 

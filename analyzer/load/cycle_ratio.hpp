@@ -27,9 +27,9 @@ struct CycleRatio {
 /// greatest_cycle_ratio() must not be called.
 bool can_add_up(int nodes, const std::vector<WeightedEdge>& edges);
 
-/// Greatest sum(work) / sum(time) over all cycles that take time; nothing if there is no such cycle. Exact:
-/// E. L. Lawler, Combinatorial optimization, 1976: a cycle is better than a ratio iff it is positive for
-/// weights work - ratio · time; every better cycle found gives the next ratio.
+/// Greatest sum(work) / sum(time) over all cycles that take time; nothing if there is no such cycle. The
+/// result is exact (E. L. Lawler, Combinatorial optimization, 1976). A cycle is better than a ratio iff it is
+/// positive for weights work - ratio · time. Every better cycle found gives the next ratio.
 std::optional<CycleRatio> greatest_cycle_ratio(int nodes, const std::vector<WeightedEdge>& edges);
 
 __extension__ using Gain = __int128;

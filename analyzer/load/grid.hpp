@@ -1,9 +1,9 @@
 // The machine with times that are whole multiples of a unit: enough where a greatest ratio is asked for.
 //
-// With closed bounds that are multiples of the unit, the greatest ratio of two sums over a run is attained,
-// or approached, on corner points, which are such multiples (P. Bouyer, E. Brinksma, K. G. Larsen, Optimal
-// infinite scheduling for multi-priced timed automata, 2008; digitization: T. A. Henzinger, Z. Manna, A.
-// Pnueli, 1992).
+// All bounds are closed and multiples of the unit. Then the greatest ratio of two sums over a run is
+// attained, or approached, on corner points, which are such multiples too (P. Bouyer, E. Brinksma, K. G.
+// Larsen, Optimal infinite scheduling for multi-priced timed automata, 2008; digitization: T. A. Henzinger,
+// Z. Manna, A. Pnueli, 1992).
 #pragma once
 
 #include <cstdint>

@@ -52,7 +52,7 @@ struct ThreadState {
   static constexpr std::int8_t no_choice = -1;
   static constexpr std::int8_t gives_up = -2;
   static constexpr std::int8_t withdrawn = -3;  // what it was receiving is gone
-  static constexpr std::int8_t for_ever = -4;  // only in slices: who is left out never ends its wait, or send
+  static constexpr std::int8_t for_ever = -4;   // only in slices: nobody ends its wait or send
 
   friend bool operator==(const ThreadState&, const ThreadState&) = default;
 };

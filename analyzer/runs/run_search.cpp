@@ -14,6 +14,9 @@ using Times = SimulationOptions::Times;
 /// Instants of the best run that one device is tried at in a turn.
 constexpr std::size_t most_instants = 12;
 
+/// SimulationOptions::seldom of steady runs.
+constexpr std::uint64_t once_in = 16;
+
 /// For a sporadic event that is not wanted: after all that matters.
 constexpr Nanoseconds late = 1'000'000'000'000'000;
 
@@ -23,7 +26,8 @@ class RunSearch {
       : machine_(machine), options_(options), phases_(machine.problem().devices.size(), -1) {}
 
   std::optional<Witness> run() {
-    draw();
+    draw(0, options_.drawn, 0);
+    if (!breaks()) draw(options_.drawn, options_.steady, once_in);
     while (!done() && align()) {
     }
     return std::move(best_);
@@ -40,13 +44,19 @@ class RunSearch {
     return machine_.watch().least ? value < than : value > than;
   }
 
+  bool breaks() const {
+    return best_ && (best_->failed || further(best_->measured.value, machine_.watch().limit));
+  }
+
   /// Runs by chance, with worst times first; every second goes on from some instant of the best one so far.
-  void draw() {
+  void draw(std::size_t first, std::size_t count, std::uint64_t seldom) {
     constexpr Times times[] = {Times::worst, Times::worst, Times::extremes, Times::random};
-    for (std::size_t number = 0; number < options_.drawn && !done(); ++number) {
+    for (std::size_t number = first; number < first + count && !done(); ++number) {
+      if (seldom > 0 && breaks()) return;
       SimulationOptions how = usual();
       how.times = times[number / 2 % 4];
       how.seed = number + 1;
+      how.seldom = seldom;
       if (best_ && number % 2 == 1 && best_->script.size() > 2) {
         how.beginning = best_->script;
         how.beginning.resize(1 + engine_() % (best_->script.size() - 1));
@@ -73,6 +83,7 @@ class RunSearch {
         how.phases = phases_;
         how.phases[device] = instant % period;
         how.seed = runs_ % 2 == 0 ? seed_ : 1 + runs_ % 5;
+        how.seldom = seldom_;
         worse = attempt(how) || worse;
       }
     }
@@ -126,7 +137,10 @@ class RunSearch {
   bool attempt(const SimulationOptions& how) {
     ++runs_;
     const bool worse = look_at(simulate(machine_, how));
-    if (worse) seed_ = how.seed;
+    if (worse) {
+      seed_ = how.seed;
+      seldom_ = how.seldom;
+    }
     return worse;
   }
 
@@ -166,6 +180,7 @@ class RunSearch {
   std::mt19937_64 engine_{1};
   std::size_t runs_ = 0;
   std::uint64_t seed_ = 1;               // of the best run
+  std::uint64_t seldom_ = 0;             // the same
   Table<DeviceId, Nanoseconds> phases_;  // -1: any
   std::optional<Witness> best_;
 };

@@ -17,10 +17,11 @@ constexpr int most_picks = 255;
 /// Draws, and remembers what it drew for the firing at hand.
 class Dice final : public Choices {
  public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  Dice(std::uint64_t seed, std::uint64_t seldom) : engine_(seed), seldom_(seldom) {}
 
   int pick(int n) override {
-    const int picked = drawn(std::min(n, most_picks));
+    const bool first = seldom_ > 0 && below(seldom_) > 0;
+    const int picked = first ? 0 : drawn(std::min(n, most_picks));
     picks_.push_back(static_cast<std::uint8_t>(picked));
     return picked;
   }
@@ -31,6 +32,7 @@ class Dice final : public Choices {
 
  private:
   std::mt19937_64 engine_;
+  std::uint64_t seldom_;
   std::vector<std::uint8_t> picks_;
 };
 
@@ -83,7 +85,7 @@ class Run {
       : machine_(machine),
         options_(options),
         pause_(bits_of_pause(machine.problem())),
-        dice_(options.seed),
+        dice_(options.seed, options.seldom),
         concrete_run_(machine, options.record),
         phases_(options.phases) {}
 

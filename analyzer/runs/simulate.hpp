@@ -16,6 +16,9 @@ struct SimulationOptions {
   enum class Times { worst, best, random, extremes };
   Times times = Times::worst;
   std::uint64_t seed = 1;
+  /// If not 0: of what the skill leaves open, only once in so many draws another way is drawn than the first,
+  /// by which conditions are FALSE. Most loops go on then.
+  std::uint64_t seldom = 0;
   Nanoseconds until = 1'000'000'000;
   std::size_t max_events = 1'000'000;
   std::function<bool()> stop;  // asked at each event; where it says so the run is known no further

@@ -154,7 +154,7 @@ class ServedCell {
   ServedCell(const ServedCell&) = delete;
   ServedCell& operator=(const ServedCell&) = delete;
 
-  /// Seconds of processor time of this thread, which simulates, for so many skills.
+  /// Seconds of processor time of this thread, which simulates, for `skills` skills.
   double work(int skills) {
     double spent = 0;
     for (int i = 0; i < skills; ++i) {

@@ -8,26 +8,16 @@
 #include "analyzer/compositional/times/busy_window.hpp"
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/runs/simulate.hpp"
+#include "tests/differential/by_hand.hpp"
 #include "tests/differential/not_below.hpp"
 #include "tests/support/any_skill.hpp"
-#include "tests/support/project_file.hpp"
 
 using namespace pal;
 using namespace pal::analyzer;
+using test::program;
+using test::replaced;
 
 namespace {
-
-/// The text of a skill in tests/differential/bounds.
-std::string program(const std::string& name) {
-  return test::project_file("tests/differential/bounds/" + name + ".pal");
-}
-
-/// `text` with `other` wherever it has `part`.
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
-    text.replace(at, part.size(), other);
-  return text;
-}
 
 /// The greatest value that a few runs show of the first requirement, and the compositional bound; nothing:
 /// there is none.
@@ -154,7 +144,7 @@ TEST_CASE("each request that is withdrawn while it is being taken costs a receiv
 }
 
 TEST_CASE("a condition keeps the value that a cancelled block gave it") {
-  const Shown shown = show(program("left"));
+  const Shown shown = show(program("bounds/left"));
   CHECK(shown.greatest > 300'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
@@ -162,7 +152,7 @@ TEST_CASE("a condition keeps the value that a cancelled block gave it") {
 TEST_CASE("each branch on the way to a busy thread has a slot that fills") {
   // While SM1 waits for LS1 a message of each branch of MC1 comes to it, and MC1 waits with one more and a
   // tick. Then SM1 works for all of them, before SD1 looks.
-  const Shown shown = show(program("branches_pile_up"));
+  const Shown shown = show(program("bounds/branches_pile_up"));
   CHECK(shown.greatest > 6'000'000);
   INFO(shown.why);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
@@ -171,15 +161,15 @@ TEST_CASE("each branch on the way to a busy thread has a slot that fills") {
 TEST_CASE("if jobs begin in several ways, a later job may overtake") {
   // What SD1 sends by LS2 is there at once, and what it sends by LS1 is there 10 ms later. At that instant
   // the next message by LS2 comes as well, and SM1 may take it first.
-  CHECK(test::exact_and_not_below(program("rounds_overtake")) > 20'000'000);
-  CHECK(test::exact_and_not_below(program("reads_overtake")) > 20'000'000);
+  CHECK(test::exact_and_not_below(program("bounds/rounds_overtake")) > 20'000'000);
+  CHECK(test::exact_and_not_below(program("bounds/reads_overtake")) > 20'000'000);
 }
 
 TEST_CASE("the load does not depend on the unit: seconds or milliseconds") {
   // 20 s in every 100 s. In nanoseconds of work for each second that is a product beyond 64 bits.
   for (const std::string unit : {"ms", "s", "min"}) {
     INFO(unit);
-    const auto skill = test::meaningful_skill(replaced(program("slow"), " ms", " " + unit));
+    const auto skill = test::meaningful_skill(replaced(program("bounds/slow"), " ms", " " + unit));
     const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
     REQUIRE(bound.bound);
     CHECK(bound.bound->count() == 200'000'000);
@@ -189,7 +179,8 @@ TEST_CASE("the load does not depend on the unit: seconds or milliseconds") {
 
 TEST_CASE("a processor that always works has no longest busy period") {
   // Events every microsecond, 100 s of work for each: in 100 s that adds up to more than 64 bits hold.
-  std::string text = replaced(program("slow"), "LOAD OF P0 AT MOST 10 %", "BUSY PERIOD OF P0 AT MOST 300 s");
+  std::string text =
+      replaced(program("bounds/slow"), "LOAD OF P0 AT MOST 10 %", "BUSY PERIOD OF P0 AT MOST 300 s");
   text = replaced(replaced(text, "100 ms", "1 us"), "20 ms", "100 s");
   const Verdict bound = analyze_compositionally(*test::meaningful_skill(text)->problem).verdicts.front();
   CHECK_FALSE(bound.bound);
@@ -199,7 +190,7 @@ TEST_CASE("a processor that always works has no longest busy period") {
 TEST_CASE("a turn of more than seventy years is a turn") {
   std::string works;
   for (int n = 0; n < 2400; ++n) works += "    work\n";
-  const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
+  const auto skill = test::meaningful_skill(replaced(program("bounds/long"), "    work\n", works));
   const Verdict load = analyze_compositionally(*skill->problem).verdicts.front();
   // The rounds come too late for times to be known, so no rate is: not that which a sum beyond 64 bits has.
   CHECK_FALSE(load.bound);
@@ -211,7 +202,7 @@ TEST_CASE("a load whose turn has a thousand actions is found in time") {
   // than ten minutes.
   std::string works;
   for (int n = 0; n < 1400; ++n) works += "    work\n";
-  const auto skill = test::meaningful_skill(replaced(program("long"), "    work\n", works));
+  const auto skill = test::meaningful_skill(replaced(program("bounds/long"), "    work\n", works));
   CHECK(analyze_exactly(*skill->problem).verdicts.front().state != Verdict::State::holds);
 }
 
@@ -219,7 +210,7 @@ TEST_CASE("all statements of a skill may stand in one row of one module") {
   // Calls within calls, one for each statement, did not find the room.
   std::string works;
   for (int n = 0; n < 28'000; ++n) works += "    short\n";
-  const auto skill = test::meaningful_skill(replaced(program("in_a_row"), "    short\n", works));
+  const auto skill = test::meaningful_skill(replaced(program("bounds/in_a_row"), "    short\n", works));
   for (const Verdict& each : analyze_compositionally(*skill->problem).verdicts) {
     REQUIRE(each.bound);
     CHECK(each.bound->count() >= 28'000'000);
@@ -232,7 +223,7 @@ TEST_CASE("the compositional analysis asks whether to end at each segment") {
   int asked = 0;
   Options options;
   options.stop = [&asked] { return ++asked > 20; };
-  const auto skill = test::meaningful_skill(program("slow"));
+  const auto skill = test::meaningful_skill(program("bounds/slow"));
   const Verdict load = analyze_compositionally(*skill->problem, options).verdicts.front();
   CHECK(asked > 20);
   CHECK_FALSE(load.bound);
@@ -258,7 +249,7 @@ TEST_CASE("a busy window among many tasks is given up on request") {
 TEST_CASE("the compositional analysis asks whether to end at each request") {
   // Six thousand requests in one module, beside blocks of twelve thousand statements, took twelve seconds
   // more than they were given.
-  const auto skill = test::meaningful_skill(program("in_turns"));
+  const auto skill = test::meaningful_skill(program("bounds/in_turns"));
   CHECK(compositional::forest_of(*skill->problem, [] { return true; }).refusal == "it was interrupted");
 }
 
@@ -266,7 +257,7 @@ TEST_CASE("the compositional analysis asks whether to end while it looks at ways
   // Sixty modules with 2^8 ways through a round, on one processor, took three seconds more than they were
   // given.
   const auto skill =
-      test::meaningful_skill(replaced(program("branches_pile_up"), "0 TO 95 ms", "5 TO 95 ms"));
+      test::meaningful_skill(replaced(program("bounds/branches_pile_up"), "0 TO 95 ms", "5 TO 95 ms"));
   const compositional::Forest forest = compositional::forest_of(*skill->problem, {});
   const auto known = [&](const std::function<bool()>& stop) {
     std::size_t pairs = compositional::alternatives_of(*skill->problem, forest, stop).size();
@@ -289,14 +280,14 @@ TEST_CASE("the compositional analysis asks whether to end while it looks at ways
 
 TEST_CASE("a request that a block took may be answered as soon as the block ends") {
   // Every other answer needs 10 ms of work: SM1 works for 2 ms in every 12 ms, not for 1 ms in every 11 ms.
-  const auto skill = test::meaningful_skill(program("in_turns"));
+  const auto skill = test::meaningful_skill(program("bounds/in_turns"));
   const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
   if (bound.bound) CHECK(bound.bound->count() >= 166'666'666);
 }
 
 TEST_CASE("what follows an answer also follows if a block took its request") {
   // MC1 answers the second request after its blocks; the first is the last that its own thread has taken.
-  const Shown shown = show(program("answered_after_block"));
+  const Shown shown = show(program("bounds/answered_after_block"));
   CHECK(shown.greatest > 50'000'000);
   if (shown.bound) CHECK(*shown.bound >= Duration(shown.greatest));
 }
@@ -305,7 +296,7 @@ TEST_CASE(
     "why there is no bound: a thread that comes to its statement in every job is not said to pass it by") {
   // The sensor is asked as soon as the last value is filtered. As far as the bounds know, rounds may come as
   // fast as with the least filtering, and each may take the most. So nothing bounds when one is over.
-  const auto skill = test::meaningful_skill(program("polled"));
+  const auto skill = test::meaningful_skill(program("bounds/polled"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
   REQUIRE(analysis.verdicts.size() == 3);
   for (const Verdict& verdict : analysis.verdicts) {
@@ -316,7 +307,7 @@ TEST_CASE(
 }
 
 TEST_CASE("why there is no bound: the thread that may skip its statement is named") {
-  const auto skill = test::meaningful_skill(replaced(program("polled"), "    SPC( contact )\n  UNTIL",
+  const auto skill = test::meaningful_skill(replaced(program("bounds/polled"), "    SPC( contact )\n  UNTIL",
                                                      "    CASE\n      ( contact ): Do Nothing\n      ( NOT "
                                                      "contact ): SPC( contact )\n    END CASE\n  UNTIL"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
@@ -326,13 +317,13 @@ TEST_CASE("why there is no bound: the thread that may skip its statement is name
 }
 
 TEST_CASE("no bound: a block that passes its statement in every job may leave its loop") {
-  const auto skill = test::meaningful_skill(program("leaves"));
+  const auto skill = test::meaningful_skill(program("bounds/leaves"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
   CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its loop") != std::string::npos);
 }
 
 TEST_CASE("why there is no bound: the unbounded thread that keeps another waiting is named") {
-  const auto skill = test::meaningful_skill(test::project_file("tests/differential/served/by_module.pal"));
+  const auto skill = test::meaningful_skill(program("served/by_module"));
   const Analysis analysis = analyze_compositionally(*skill->problem);
   const auto says = [](const Verdict& verdict) {
     return verdict.explanation.find("when LS1 comes to it, since SM1 may still be waiting") !=
@@ -352,7 +343,7 @@ TEST_CASE("the parts of an age say whether the first set or the next is awaited"
       all += std::to_string(each.amount / 1'000'000) + " " + each.actor + " " + each.what + "\n";
     return all;
   };
-  const std::string text = program("not_yet_set");
+  const std::string text = program("bounds/not_yet_set");
   CHECK(added_up(text) == "10 clock comes for the first time\n2 SD1 runs filter\n3 MC1 runs obey\n");
   CHECK(added_up(replaced(text, "1 TO 2 ms", "0 TO 2 ms")) ==
         "10 clock comes again\n2 SD1 runs filter\n3 MC1 runs obey\n");
@@ -361,7 +352,7 @@ TEST_CASE("the parts of an age say whether the first set or the next is awaited"
 TEST_CASE("a job may ask again and again a server that answers once") {
   // MC1 comes back to its wait within one round, and what it asks first it is answered: that is no circle of
   // causes. The second request finds the skill at its end, 1 ms after the tick.
-  const Shown shown = show(program("asks_on"));
+  const Shown shown = show(program("bounds/asks_on"));
   INFO(shown.why);
   REQUIRE(shown.bound);
   CHECK(shown.bound->count() == 1'000'000);

@@ -12,6 +12,12 @@ std::string program(const std::string& name) {
   return project_file("tests/differential/" + name + ".pal");
 }
 
+std::string replaced(std::string text, const std::string& part, const std::string& other) {
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
+    text.replace(at, part.size(), other);
+  return text;
+}
+
 std::int64_t bound(const std::string& text) {
   INFO(text);
   const auto skill = meaningful_skill(text);

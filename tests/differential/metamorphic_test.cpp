@@ -14,6 +14,7 @@
 using namespace pal;
 using namespace pal::analyzer;
 using pal::test::setting;
+using test::replaced;
 
 namespace {
 
@@ -35,12 +36,6 @@ Known known(const Problem& problem) {
 Known known(const std::string& text) {
   const auto skill = test::any_skill(text);
   return skill->problem ? known(*skill->problem) : Known{};
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
 }
 
 /// The modules in another order, and the lines of the environment.

@@ -112,7 +112,7 @@ void say(const RunTally& tally) {
   CHECK(tally.skills > 0);
 }
 
-/// Of so many skills, if no other number is set, or of a part of them.
+/// For `rounds` skills, if no other number is set, or for a part of them.
 void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text,
                       test::Part part = {}) {
   RunTally tally;

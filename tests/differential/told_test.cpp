@@ -133,7 +133,7 @@ void send(Told& run, const std::string& statement, const std::string& message) {
   run.say(Kind::done, "MC1", statement);
 }
 
-/// Of so many skills, if no other number is set.
+/// For `rounds` skills, if no other number is set.
 void expect_all_sound(std::uint64_t rounds, const std::function<std::string(std::uint64_t)>& text) {
   const std::uint64_t first = setting("PAL_SEED", 1);
   ToldTally tally;

@@ -105,3 +105,54 @@ TEST_CASE("a large system: a run refutes a requirement whose bound is above the 
   }
   CHECK(refuted > 0);
 }
+
+// Each round is the last one with a probability of a half, and a value ages round by round.
+TEST_CASE("steady runs go round a loop for long") {
+  const auto skill = test::sound_skill(R"(
+MESSAGE tick : SIGNAL
+
+CONDITION old
+CONDITION done
+
+SKILL round
+  MACHINE CONTROLLER Clock
+  SKILL METHOD       SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT young : AGE OF old AT act AT MOST 300 ms
+END SKILL
+
+Machine Controller: Clock
+
+Skill Module: SM1
+  ACTIVITY act
+BEGIN
+  WTM( Coordinator )
+  SPC( old )
+  REPEAT
+    WTM( tick from Clock )
+    RPC( old )
+    act
+    SPC( done )
+  UNTIL( done )
+  TXM( Completion Protocol 0 )
+END
+
+ENVIRONMENT cell
+  PROCESSOR P
+  PLACE SM1 ON P PRIORITY 1
+  TIME act : 1 ms
+  DEVICE Clock EVENT tick EVERY 10 ms
+END ENVIRONMENT
+)");
+  const Requirement& requirement = skill->problem->requirements.front();
+  RunSearchOptions how;
+  const auto usual = search_runs(*skill->problem, requirement, how);
+  REQUIRE(usual);
+  CHECK(usual->measured.value < requirement.limit);
+  how.steady = 64;
+  const auto steady = search_runs(*skill->problem, requirement, how);
+  REQUIRE(steady);
+  CHECK(steady->measured.value > requirement.limit);
+  CHECK(test::refusal(*skill->problem, requirement, *steady, steady->trace) == "");
+}

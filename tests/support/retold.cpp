@@ -52,8 +52,14 @@ class Retelling {
     if (number >= 0) number = order[static_cast<std::size_t>(number)];
   }
 
-  static void renumber(std::vector<int>& numbers, const Order& order) {
-    for (int& number : numbers) renumber(number, order);
+  template <class Tag>
+  static void renumber(Id<Tag>& id, const Order& order) {
+    if (id.valid()) id = Id<Tag>(static_cast<std::size_t>(order[id.index()]));
+  }
+
+  template <class Number>
+  static void renumber(std::vector<Number>& numbers, const Order& order) {
+    for (Number& number : numbers) renumber(number, order);
   }
 
   template <class Thing>
@@ -61,6 +67,14 @@ class Retelling {
     std::vector<Thing> made(things.size());
     for (std::size_t i = 0; i < things.size(); ++i)
       made[static_cast<std::size_t>(order[i])] = std::move(things[i]);
+    things = std::move(made);
+  }
+
+  template <class I, class Thing>
+  static void rearrange(Table<I, Thing>& things, const Order& order) {
+    Table<I, Thing> made(things.size());
+    for (const I id : things.ids())
+      made[I(static_cast<std::size_t>(order[id.index()]))] = std::move(things[id]);
     things = std::move(made);
   }
 
@@ -117,10 +131,9 @@ class Retelling {
   }
 
   void preemption() {
-    for (std::size_t p = 0; p < problem_.processors.size(); ++p) {
-      const auto on =
-          std::count_if(problem_.threads.begin(), problem_.threads.end(),
-                        [p](const Thread& each) { return each.processor == static_cast<int>(p); });
+    for (const ProcessorId p : problem_.processors.ids()) {
+      const auto on = std::count_if(problem_.threads.begin(), problem_.threads.end(),
+                                    [p](const Thread& each) { return each.processor == p; });
       if (on <= 1) problem_.processors[p].preemptive = !problem_.processors[p].preemptive;
     }
   }
@@ -135,14 +148,15 @@ class Retelling {
     made.next = {step};
     Thread thread;
     thread.name = "Stranger";
-    thread.module = ModuleId(problem_.module_names.size());
-    thread.processor = static_cast<int>(problem_.processors.size());
+    thread.module = pan::ModuleId(problem_.module_names.size());
+    thread.processor = ProcessorId(problem_.processors.size());
     thread.can_end = false;
     thread.entry = step;
     problem_.module_names.push_back(thread.name);
     problem_.threads.push_back(thread);
-    problem_.processors.emplace_back();
-    problem_.processors.back().name = "Elsewhere";
+    pan::Processor elsewhere;
+    elsewhere.name = "Elsewhere";
+    problem_.processors.push_back(elsewhere);
     problem_.conditions.push_back("unused");
   }
 

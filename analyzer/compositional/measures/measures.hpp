@@ -57,7 +57,7 @@ Bound response_bound(const View& view, const Requirement& requirement);
 std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement);
 /// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
 bool always_comes(const View& view, int source, const std::vector<bool>& at);
-/// Number of events or answers lost of any so many in a row.
+/// Number of events or answers lost in any row of the length that the requirement names.
 Bound loss_bound(const View& view, const Requirement& requirement);
 Bound event_loss_bound(const View& view, const Requirement& requirement);
 Bound age_bound(const View& view, const Requirement& requirement);

@@ -1,6 +1,6 @@
 // How long the search for deadlocks takes on skills of twelve modules and eight conditions.
 //
-// usage: bench_deadlock [RUNS [NAME]]: the median processor time of so many runs (5) of each skill, or of
+// usage: bench_deadlock [RUNS [NAME]]: the median processor time of RUNS runs (5) of each skill, or of
 // one; exit status 1 if one was not decided.
 #include <algorithm>
 #include <cstdlib>

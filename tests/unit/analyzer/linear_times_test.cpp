@@ -78,8 +78,8 @@ TEST_CASE("a signal during the search for times reaches whoever waits for it") {
 
 namespace {
 
-/// An action that is interrupted so many times. Each of its pieces, and each interruption, takes up to 2; the
-/// pieces come to `worked` in all.
+/// An action that is interrupted a number of times. Each of its pieces, and each interruption, takes up to 2;
+/// the pieces come to `worked` in all.
 struct Interrupted {
   std::vector<Difference> differences;
   Work work;

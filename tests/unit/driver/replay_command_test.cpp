@@ -68,7 +68,7 @@ TEST_CASE("replay refuses a witness of other texts, of another value, and of ano
   OrderedJson other = sound;
   for (OrderedJson& each : other["witnesses"]) each["identity"] = "0123456789abcdef";
   file.write(other);
-  CHECK(replayed(file, read_first).out.find("other texts") != std::string::npos);
+  CHECK(replayed(file, read_first).out.find("another version of these files") != std::string::npos);
 
   OrderedJson value = sound;
   for (OrderedJson& each : value["witnesses"]) {
@@ -227,5 +227,5 @@ TEST_CASE("a run on the last of very many processors is confirmed") {
   with_runs.add("runs.json", runs.dump());
   const Answer refused = pal::test::pal({"replay", "runs.json", "s.pal"}, with_runs);
   CHECK(refused.status == ExitStatus::not_met);
-  CHECK(refused.out.find("a processor that there is not") != std::string::npos);
+  CHECK(refused.out.find("a processor that does not exist") != std::string::npos);
 }

@@ -24,7 +24,7 @@ struct Cell {
     driver.open();
   }
   void run(runtime::Time time) { test::run(timeline, workcell, time); }
-  // Moves the tool along its z axis by so many millimetres, and waits.
+  // Moves the tool along its z axis by a distance in millimetres, and waits.
   void lower(double distance) {
     const int steps = 1 + static_cast<int>(std::abs(distance) / 0.3);
     for (int i = 0; i < steps; ++i) {

@@ -7,7 +7,7 @@
 namespace pal::pan {
 namespace {
 
-/// A start, so many statements, an end.
+/// A start, a number of statements, an end.
 Graph straight(std::size_t statements) {
   Graph body;
   for (std::size_t i = 0; i < statements + 2; ++i) {

@@ -25,7 +25,7 @@ std::vector<trace::Event> all_of(TraceRing& ring) {
   return result;
 }
 
-// Two threads that send each other so many messages.
+// Two threads that send each other a number of messages.
 struct Talk {
   explicit Talk(int count) {
     const int p = skill.processor("P");

@@ -15,7 +15,7 @@ struct Events final : EventSink {
     if (const auto* state = std::get_if<StateChanged>(&event.what)) states.push_back(state->state);
     changed.notify_all();
   }
-  /// Until so many states have been told.
+  /// Until this many states have been told.
   void wait(std::size_t count) {
     std::unique_lock lock(mutex);
     REQUIRE(changed.wait_for(lock, std::chrono::seconds(5), [&] { return states.size() >= count; }));
