@@ -108,16 +108,16 @@ class Writer {
     wait_for(nominal_, next, name, feed_device(of, next));
   }
 
-  static int feed_device(const Source& of, const Due& next) {
+  static DeviceId feed_device(const Source& of, const Due& next) {
     for (const Source::Feed& feed : of.feeds) {
       if (feed.node == next.node && std::count(feed.sends.begin(), feed.sends.end(), next.step) > 0)
         return feed.device;
     }
-    return -1;
+    return DeviceId{};
   }
 
   /// `name` waits for an arrival, or for what was sent.
-  void wait_for(const Clock& clock, const Due& due, const std::string& name, int device) {
+  void wait_for(const Clock& clock, const Due& due, const std::string& name, DeviceId device) {
     const StatementId statement = context_.step_at(due.step).statement;
     if (due.by == By::arrival) {
       until_arrival(clock, due.node, due.step);
@@ -125,9 +125,9 @@ class Writer {
     }
     if (due.by == By::put) return until_put(clock, due.node, due.step);
     until(clock, due.node, due.step);
-    if (device < 0) return say(due.after, name, "waits until " + text(due.step) + " has arrived", statement);
-    say(due.after, view_.problem.devices[static_cast<std::size_t>(device)].name, "answers " + text(due.step),
-        statement);
+    if (!device.valid())
+      return say(due.after, name, "waits until " + text(due.step) + " has arrived", statement);
+    say(due.after, view_.problem.devices[device].name, "answers " + text(due.step), statement);
   }
 
   Nanoseconds instant(const Clock& clock, const Term& term) const {
@@ -143,8 +143,7 @@ class Writer {
 
   std::string source_name(int source) const {
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
-    return of.kind == Source::Kind::event ? view_.problem.devices[static_cast<std::size_t>(of.device)].name
-                                          : thread_name(of.thread);
+    return of.kind == Source::Kind::event ? view_.problem.devices[of.device].name : thread_name(of.thread);
   }
 
   /// To the latest effect of a step of a node, or to the end of its segment.

@@ -53,8 +53,8 @@ std::optional<Nanoseconds> longest(const Problem& problem, int step, const Limit
                                    Statistics& statistics) {
   const std::size_t all = problem.threads.size();
   Problem first = slice_of(problem,
-                           {std::vector<bool>(all, true), std::vector<bool>(problem.devices.size(), true),
-                            std::vector<bool>(problem.devices.size(), false)},
+                           {std::vector<bool>(all, true), Table<DeviceId, bool>(problem.devices.size(), true),
+                            Table<DeviceId, bool>(problem.devices.size(), false)},
                            {true, true});
   Step past;
   past.kind = Step::Kind::complete;

@@ -35,7 +35,7 @@ Nanoseconds unit_of(const Problem& problem, const Slice& slice) {
   }
   add_range(problem.within_processor);
   add_range(problem.between_processors);
-  for (std::size_t d = 0; d < problem.devices.size(); ++d) {
+  for (const DeviceId d : problem.devices.ids()) {
     if (!slice.devices[d]) continue;
     if (const auto* event = std::get_if<pan::EventDevice>(&problem.devices[d].behaviour)) {
       add(event->period.count());
@@ -66,10 +66,10 @@ Grid::Grid(const Machine& machine, const Slice& slice) : sliced_(machine), slice
   sliced_.free_conditions = slice.free_conditions;
   unit_ = unit_of(machine.problem(), slice);
   unforced_.assign(static_cast<std::size_t>(machine.timer_count()), false);
-  for (std::size_t d = 0; d < machine.problem().devices.size(); ++d) {
+  for (const DeviceId d : machine.problem().devices.ids()) {
     const auto* event = std::get_if<pan::EventDevice>(&machine.problem().devices[d].behaviour);
     if (event == nullptr || !event->sporadic) continue;
-    unforced_[static_cast<std::size_t>(machine.next_timer(static_cast<int>(d)))] = true;
+    unforced_[static_cast<std::size_t>(machine.next_timer(d))] = true;
     sporadic_ = sporadic_ || slice.devices[d];
   }
 }
@@ -87,7 +87,7 @@ State Grid::masked(State state) const {
   for (std::size_t c = 0; c < state.slots.size(); ++c) {
     if (!slice_.channels[c]) state.slots[c] = {};
   }
-  for (std::size_t d = 0; d < state.devices.size(); ++d) {
+  for (const DeviceId d : state.devices.ids()) {
     if (!slice_.devices[d]) state.devices[d] = {};
   }
   state.conditions &= ~slice_.free_conditions;

@@ -173,12 +173,12 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
       }
     }
   }
-  const auto device = [&](int d) { return threads + static_cast<std::size_t>(d); };
+  const auto device = [&](DeviceId d) { return threads + d.index(); };
   const auto channel = [&](int c) { return threads + devices + static_cast<std::size_t>(c); };
   for (std::size_t c = 0; c < channels; ++c) {
     const Channel& of = problem.channels[c];
-    if (of.sender_device >= 0) groups.join(channel(static_cast<int>(c)), device(of.sender_device));
-    if (of.receiver_device >= 0) groups.join(channel(static_cast<int>(c)), device(of.receiver_device));
+    if (of.sender_device.valid()) groups.join(channel(static_cast<int>(c)), device(of.sender_device));
+    if (of.receiver_device.valid()) groups.join(channel(static_cast<int>(c)), device(of.receiver_device));
   }
   for (std::size_t t = 0; t < threads; ++t) {
     if (!active[t]) continue;
@@ -218,7 +218,7 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
     for (int step : steps[t]) {
       const Step& of = problem.steps[static_cast<std::size_t>(step)];
       if (of.kind == Step::Kind::set)
-        slice.free_conditions |= std::uint64_t{1} << static_cast<unsigned>(of.condition);
+        slice.free_conditions |= std::uint64_t{1} << static_cast<unsigned>(of.condition.index());
     }
   }
   for (std::size_t c = 0; c < channels; ++c) {
@@ -226,10 +226,10 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
     const auto flight = static_cast<std::size_t>(machine.flight_timer(static_cast<int>(c)));
     slice.timers[flight] = slice.timers[flight + 1] = slice.channels[c];
   }
-  for (std::size_t d = 0; d < devices; ++d) {
-    slice.devices[d] = groups.of(device(static_cast<int>(d))) == group;
-    slice.timers[static_cast<std::size_t>(machine.next_timer(static_cast<int>(d)))] = slice.devices[d];
-    slice.timers[static_cast<std::size_t>(machine.service_timer(static_cast<int>(d)))] = slice.devices[d];
+  for (const DeviceId d : problem.devices.ids()) {
+    slice.devices[d] = groups.of(device(d)) == group;
+    slice.timers[static_cast<std::size_t>(machine.next_timer(d))] = slice.devices[d];
+    slice.timers[static_cast<std::size_t>(machine.service_timer(d))] = slice.devices[d];
   }
   for (int p : places)
     slice.positions.insert(position(slice, graph.places()[static_cast<std::size_t>(p)].state));

@@ -23,7 +23,7 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph);
 struct Slice {
   std::vector<bool> threads;
   std::vector<bool> channels;
-  std::vector<bool> devices;
+  Table<DeviceId, bool> devices;
   std::vector<bool> timers;
   /// Threads outside that are active: they are left out.
   std::vector<bool> left_out;

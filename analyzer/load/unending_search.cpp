@@ -28,8 +28,8 @@ class Wanderer {
 
   struct Visit {
     State state;
-    Nanoseconds work = 0;     // that ended so far, at its worst
-    std::vector<int> events;  // so far, by device: of its own accord
+    Nanoseconds work = 0;         // that ended so far, at its worst
+    Table<DeviceId, int> events;  // so far, of its own accord
   };
 
   /// False: the beginning leads somewhere else.
@@ -37,7 +37,7 @@ class Wanderer {
     script_ = script;
     first_ = script.size();
     if (!play() || !inside_.contains(concrete_run_->state())) return false;
-    visits_.push_back({concrete_run_->state(), 0, std::vector<int>(machine_.problem().devices.size())});
+    visits_.push_back({concrete_run_->state(), 0, Table<DeviceId, int>(machine_.problem().devices.size())});
     return true;
   }
 
@@ -112,8 +112,7 @@ class Wanderer {
     script_.push_back({timer, way, at});
     for (int started : concrete_run_->started()) draw(started);
     Visit visit{concrete_run_->state(), visits_.back().work + work, visits_.back().events};
-    for (std::size_t d = 0; d < visit.events.size(); ++d)
-      visit.events[d] += timer == machine_.next_timer(static_cast<int>(d)) ? 1 : 0;
+    for (const DeviceId d : visit.events.ids()) visit.events[d] += timer == machine_.next_timer(d) ? 1 : 0;
     visits_.push_back(std::move(visit));
     return true;
   }
@@ -140,8 +139,8 @@ class Wanderer {
 };
 
 /// Periods of devices that keep one of their own; 0: of none.
-std::vector<Nanoseconds> periods(const Problem& problem) {
-  std::vector<Nanoseconds> all;
+Table<DeviceId, Nanoseconds> periods(const Problem& problem) {
+  Table<DeviceId, Nanoseconds> all;
   for (const Device& device : problem.devices) {
     Nanoseconds each = 0;
     if (const auto* event = std::get_if<pan::EventDevice>(&device.behaviour)) {
@@ -156,10 +155,10 @@ std::vector<Nanoseconds> periods(const Problem& problem) {
 
 /// The time that the periodic devices need for as many periods as between the two visits. Without such
 /// devices: `usual`. 0: they cannot all come back together.
-Nanoseconds period_of(const std::vector<Nanoseconds>& periods, const Wanderer::Visit& from,
+Nanoseconds period_of(const Table<DeviceId, Nanoseconds>& periods, const Wanderer::Visit& from,
                       const Wanderer::Visit& to, Nanoseconds usual) {
   std::optional<Nanoseconds> period;
-  for (std::size_t d = 0; d < periods.size(); ++d) {
+  for (const DeviceId d : periods.ids()) {
     if (periods[d] == 0 || !from.state.devices[d].open) continue;
     const Nanoseconds its = periods[d] * (to.events[d] - from.events[d]);
     if (period && *period != its) return 0;
@@ -180,7 +179,7 @@ struct Candidate {
 std::vector<Candidate> candidates(const Machine& machine, const Wanderer& run) {
   std::vector<Candidate> found;
   std::unordered_map<State, std::vector<std::size_t>, StateHash> met;
-  const std::vector<Nanoseconds> own = periods(machine.problem());
+  const Table<DeviceId, Nanoseconds> own = periods(machine.problem());
   const std::size_t before = run.script().size() - run.visits().size();
   for (std::size_t v = 0; v < run.visits().size(); ++v) {
     std::vector<std::size_t>& earlier = met[run.visits()[v].state];

@@ -30,9 +30,9 @@ void Firing::emit(Kind kind, int thread, int subject, int value) {
   outcome_.events.push_back({0, kind, thread, statement.value, subject, value});
 }
 
-void Firing::emit_device(Kind kind, int device, int subject, int value) {
+void Firing::emit_device(Kind kind, DeviceId device, int subject, int value) {
   if (!record_) return;
-  const int actor = static_cast<int>(problem_.threads.size()) + device;
+  const int actor = static_cast<int>(problem_.threads.size()) + device.value;
   outcome_.events.push_back({0, kind, actor, -1, subject, value});
 }
 
@@ -48,7 +48,7 @@ void Firing::fire(int timer) {
     } else {
       effect(timer);
     }
-  } else if (timer < machine_.next_timer(0)) {
+  } else if (timer < machine_.first_device_timer()) {
     const int channel = (timer - machine_.flight_timer(0)) / 2;
     SlotState& of = slot(channel);
     (timer == machine_.flight_timer(channel) ? of.near : of.far) = SlotState::Way::there;
@@ -56,7 +56,7 @@ void Firing::fire(int timer) {
   } else if (timer == machine_.pause_timer()) {
     state_.reference = tag::none;
   } else {
-    const int device = (timer - machine_.next_timer(0)) / 2;
+    const DeviceId device = machine_.device_of(timer);
     if (timer == machine_.next_timer(device)) {
       device_next(device);
     } else {
@@ -81,9 +81,9 @@ void Firing::effect(int thread) {
       effect_set(thread);
       return;
     case Step::Kind::read: {
-      const int condition = step_of(thread).condition;
+      const ConditionId condition = step_of(thread).condition;
       const bool value = read(thread, condition);
-      const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition);
+      const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition.index());
       state_of(thread).latched |= bit;
       if (value) {
         state_of(thread).latched_values |= bit;
@@ -154,7 +154,7 @@ void Firing::effect_wait(int thread) {
   const auto branch = static_cast<std::size_t>(state.choice);
   if (ends_loosely(step, branch)) return effect_loose_wait(thread, branch);
   const int channel = step.channels[branch];
-  take(channel, thread, -1);
+  take(channel, thread, DeviceId{});
   state.choice = ThreadState::no_choice;
   clear(channel);
   measure(thread);
@@ -202,7 +202,7 @@ void Firing::sent(int thread, bool put_it) {
   uses_kept(thread);
   const std::uint8_t carries = sent_along(thread);
   const int channel = step.channels.front();
-  if (put_it) place(channel, thread, -1, carries);
+  if (put_it) place(channel, thread, DeviceId{}, carries);
   measure(thread);
   if (state_of(thread).cancelled) {
     if (put_it) announce(channel);
@@ -215,22 +215,22 @@ void Firing::sent(int thread, bool put_it) {
 
 void Firing::effect_set(int thread) {
   const Step& step = step_of(thread);
-  const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition);
+  const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition.index());
   const bool free = (problem_.free_conditions & bit) != 0;
   const bool value = step.value ? *step.value && !free : !free && choices_.pick(2) == 1;
   state_.conditions = value ? state_.conditions | bit : state_.conditions & ~bit;
-  emit(Kind::set, thread, step.condition, value ? 1 : 0);
+  emit(Kind::set, thread, step.condition.value, value ? 1 : 0);
   uses_kept(thread);
   has_set(thread, step.condition);
   measure(thread);
   finish(thread, step.next.front());
 }
 
-bool Firing::read(int thread, int condition) {
-  const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition);
+bool Firing::read(int thread, ConditionId condition) {
+  const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition.index());
   bool value = (state_.conditions & bit) != 0;
   if (((machine_.free_conditions | problem_.free_conditions) & bit) != 0) value = choices_.pick(2) == 1;
-  emit(Kind::read, thread, condition, value ? 1 : 0);
+  emit(Kind::read, thread, condition.value, value ? 1 : 0);
   has_read(thread, condition);
   return value;
 }
@@ -275,7 +275,7 @@ std::uint64_t Firing::values_for_test(int thread, const Step& step) {
   for (std::size_t condition = 0; condition < problem_.conditions.size(); ++condition) {
     const std::uint64_t bit = std::uint64_t{1} << condition;
     if ((all & bit) == 0 || (state_of(thread).latched & bit) != 0) continue;
-    if (read(thread, static_cast<int>(condition))) values |= bit;
+    if (read(thread, ConditionId(condition))) values |= bit;
   }
   return values;
 }

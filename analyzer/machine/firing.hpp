@@ -79,7 +79,7 @@ class Firing {
   void effect_test(int thread);
   void sent(int thread, bool put_it);
   void finish(int thread, int next);
-  bool read(int thread, int condition);
+  bool read(int thread, ConditionId condition);
   std::uint64_t values_for_test(int thread, const Step& step);
   void complete(int thread, int code);
   void go_on_and_admit(int thread, int next, std::vector<int> channels);
@@ -109,14 +109,14 @@ class Firing {
   bool may_be_withdrawn(const Step& step, std::size_t branch) const;
 
   // Messages and devices (firing_mail.cpp).
-  void place(int channel, int thread, int device, std::uint8_t carries);
+  void place(int channel, int thread, DeviceId device, std::uint8_t carries);
   void announce(int channel);
   bool available(int channel, int thread) const;
   int claimed_by(int channel);
   void message_available(int channel);
   bool stays_at_home(int sender) const;
   void fill(int channel, int sender);
-  void take(int channel, int thread, int device);
+  void take(int channel, int thread, DeviceId device);
   void clear(int channel);
   void admit(int channel);
   bool somebody_sends(int channel) const;
@@ -137,19 +137,19 @@ class Firing {
   void hand_over(int block, int parent);
   bool answers_to(int channel, int owner) const;
   std::vector<int> abandon(int thread);
-  void open_device(int device);
+  void open_device(DeviceId device);
   void arrives_at_device(int channel);
-  void take_pending(int device);
-  void device_next(int device);
-  void device_service(int device);
+  void take_pending(DeviceId device);
+  void device_next(DeviceId device);
+  void device_service(DeviceId device);
   bool never_answers(const Device& of, const DeviceState::Served& served);
   void answer(int request, std::uint8_t carries);
-  void event_occurs(int device);
+  void event_occurs(DeviceId device);
 
   // Measuring (firing_measure.cpp).
   void measure(int thread);
-  void has_read(int thread, int condition);
-  void has_set(int thread, int condition);
+  void has_read(int thread, ConditionId condition);
+  void has_set(int thread, ConditionId condition);
   void has_taken(int thread, int channel, std::uint8_t carries);
   void uses_kept(int thread);
   void has_written(int thread);
@@ -179,9 +179,9 @@ class Firing {
   void end_phase();
 
   // Losses (firing_losses.cpp).
-  bool counts_losses(int device) const;
-  bool arrives(int device, const DeviceState::Served& served) const;
-  void occurrence(int device, bool lost);
+  bool counts_losses(DeviceId device) const;
+  bool arrives(DeviceId device, const DeviceState::Served& served) const;
+  void occurrence(DeviceId device, bool lost);
   void lost_after_all(int channel);
   void count_losses();
 
@@ -208,7 +208,7 @@ class Firing {
   void start_timer(int timer, Range range);
   void stop_timer(int timer);
   void emit(Kind kind, int thread, int subject = -1, int value = 0);
-  void emit_device(Kind kind, int device, int subject = -1, int value = 0);
+  void emit_device(Kind kind, DeviceId device, int subject = -1, int value = 0);
 
   const Machine& machine_;
   const Problem& problem_;

@@ -32,7 +32,7 @@ void Firing::happen(const Due& due) {
     case Due::What::answer:
       return answer(due.who, due.carries);
     case Due::What::serve:
-      return take_pending(due.who);
+      return take_pending(DeviceId::of(due.who));
   }
 }
 
@@ -62,7 +62,7 @@ bool Firing::orderless(const Due& due) const {
   if (phase_may_change()) return false;
   if (due.what == Due::What::go_on) return keeps_processor(due) && !may_be_stopped(due);
   if (due.what == Due::What::serve) {
-    const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(due.who)].requests;
+    const std::vector<int>& requests = problem_.devices[DeviceId::of(due.who)].requests;
     return std::none_of(requests.begin(), requests.end(),
                         [this](int request) { return somebody_sends(request); });
   }

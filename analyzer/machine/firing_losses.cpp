@@ -15,13 +15,13 @@ unsigned remembered(int in) {
 
 }  // namespace
 
-bool Firing::counts_losses(int device) const {
+bool Firing::counts_losses(DeviceId device) const {
   return watch_.kind == Watch::Kind::loss && watch_.device == device;
 }
 
 /// Whether one of the answers that are due finds its slot free, and somebody who wants it.
-bool Firing::arrives(int device, const DeviceState::Served& served) const {
-  const std::vector<int>& requests = problem_.devices[static_cast<std::size_t>(device)].requests;
+bool Firing::arrives(DeviceId device, const DeviceState::Served& served) const {
+  const std::vector<int>& requests = problem_.devices[device].requests;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (!served[i]) continue;
     const int answer = channel_of(requests[i]).answer;
@@ -33,7 +33,7 @@ bool Firing::arrives(int device, const DeviceState::Served& served) const {
 
 /// One more of the device's frames, events or answers, and whether it is lost at once. A message that gets
 /// into its slot carries how many came after it.
-void Firing::occurrence(int device, bool lost) {
+void Firing::occurrence(DeviceId device, bool lost) {
   if (!counts_losses(device)) return;
   state_.counting = true;
   if (!counts()) return;
@@ -52,10 +52,10 @@ void Firing::occurrence(int device, bool lost) {
 /// were all lost, because its slot was full. The exception: they came into other slots.
 void Firing::lost_after_all(int channel) {
   const std::uint8_t since = slot(channel).carries;
-  const int device = channel_of(channel).sender_device;
+  const DeviceId device = channel_of(channel).sender_device;
   if (!counts_losses(device) || since == tag::none) return;
   if (since >= watch_.in) {
-    if (problem_.devices[static_cast<std::size_t>(device)].requests.size() > 1) outcome_.too_many = true;
+    if (problem_.devices[device].requests.size() > 1) outcome_.too_many = true;
     return;
   }
   state_.lost |= std::uint64_t{1} << since;

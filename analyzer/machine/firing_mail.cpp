@@ -7,11 +7,11 @@
 namespace pal::analyzer {
 
 /// The message is in its slot; announce() is still to be called.
-void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
+void Firing::place(int channel, int thread, DeviceId device, std::uint8_t carries) {
   SlotState& to = slot(channel);
   fill(channel, thread);
   to.carries = awaits_response(channel) ? new_event() : carries;
-  if (device >= 0) {
+  if (device.valid()) {
     emit_device(Kind::put, device, channel);
   } else {
     emit(Kind::put, thread, channel);
@@ -21,7 +21,7 @@ void Firing::place(int channel, int thread, int device, std::uint8_t carries) {
 }
 
 void Firing::announce(int channel) {
-  if (channel_of(channel).receiver_device >= 0) {
+  if (channel_of(channel).receiver_device.valid()) {
     arrives_at_device(channel);
   } else {
     const int thread = claimed_by(channel);
@@ -44,7 +44,7 @@ void Firing::fill(int channel, int sender) {
   to.fill = SlotState::Fill::full;
   to.from = processor;
   to.near = to.far = SlotState::Way::there;
-  if (!processor.valid() || channel_of(channel).receiver_device >= 0) return;
+  if (!processor.valid() || channel_of(channel).receiver_device.valid()) return;
   bool near = false;
   bool far = false;
   for (ProcessorId receiver : channel_of(channel).receiver_processors)
@@ -102,9 +102,9 @@ void Firing::message_available(int channel) {
 }
 
 /// The message leaves its slot; empty() is still to be called.
-void Firing::take(int channel, int thread, int device) {
+void Firing::take(int channel, int thread, DeviceId device) {
   SlotState& from = slot(channel);
-  if (device >= 0) {
+  if (device.valid()) {
     emit_device(Kind::take, device, channel);
   } else {
     emit(Kind::take, thread, channel);
@@ -196,10 +196,9 @@ void Firing::drop(int channel) {
   clear(channel);
 }
 
-void Firing::open_device(int device) {
-  DeviceState& state = state_.devices[static_cast<std::size_t>(device)];
-  const auto* event =
-      std::get_if<pan::EventDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+void Firing::open_device(DeviceId device) {
+  DeviceState& state = state_.devices[device];
+  const auto* event = std::get_if<pan::EventDevice>(&problem_.devices[device].behaviour);
   if (event == nullptr || state.open) return;
   state.open = true;
   Range first{0, event->sporadic ? Range::unbounded : event->period.count()};
@@ -209,22 +208,21 @@ void Firing::open_device(int device) {
 
 void Firing::arrives_at_device(int channel) {
   const Channel& of = channel_of(channel);
-  const int device = of.receiver_device;
+  const DeviceId device = of.receiver_device;
   if (!of.served) {
     take(channel, -1, device);
     empty(channel);
     return;
   }
-  const bool idle = state_.devices[static_cast<std::size_t>(device)].serving.none();
-  if (idle && std::holds_alternative<pan::RequestDevice>(
-                  problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
+  const bool idle = state_.devices[device].serving.none();
+  if (idle && std::holds_alternative<pan::RequestDevice>(problem_.devices[device].behaviour)) {
     take_pending(device);
   }
 }
 
 /// The device takes what is pending: one request if it answers on request, all of them for a frame.
-void Firing::take_pending(int device) {
-  const Device& of = problem_.devices[static_cast<std::size_t>(device)];
+void Firing::take_pending(DeviceId device) {
+  const Device& of = problem_.devices[device];
   std::vector<std::size_t> pending;
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
     if (slot(of.requests[i]).fill == SlotState::Fill::full) pending.push_back(i);
@@ -240,7 +238,7 @@ void Firing::take_pending(int device) {
   }
   if (request != nullptr) emit_device(Kind::busy, device);
   for (std::size_t i : pending) {
-    state_.devices[static_cast<std::size_t>(device)].serving.set(i);
+    state_.devices[device].serving.set(i);
     slot(of.requests[i]).serving_carries = sampled(of.requests[i]);
     take(of.requests[i], -1, device);
   }
@@ -254,13 +252,13 @@ void Firing::take_pending(int device) {
   for (std::size_t i : pending) empty(of.requests[i]);
 }
 
-void Firing::device_next(int device) {
-  const auto& behaviour = problem_.devices[static_cast<std::size_t>(device)].behaviour;
+void Firing::device_next(DeviceId device) {
+  const auto& behaviour = problem_.devices[device].behaviour;
   if (const auto* event = std::get_if<pan::EventDevice>(&behaviour)) {
     const Nanoseconds period = event->period.count();
     start_timer(machine_.next_timer(device), {period, event->sporadic ? Range::unbounded : period});
     if (event->jitter.count() > 0) {
-      state_.devices[static_cast<std::size_t>(device)].late = true;
+      state_.devices[device].late = true;
       start_timer(machine_.service_timer(device), {0, event->jitter.count()});
     } else {
       event_occurs(device);
@@ -268,14 +266,14 @@ void Firing::device_next(int device) {
     return;
   }
   const Nanoseconds period = std::get<pan::FrameDevice>(behaviour).period.count();
-  const bool seldom = problem_.devices[static_cast<std::size_t>(device)].seldom;
+  const bool seldom = problem_.devices[device].seldom;
   start_timer(machine_.next_timer(device), {period, seldom ? Range::unbounded : period});
   take_pending(device);
 }
 
-void Firing::device_service(int device) {
-  const Device& of = problem_.devices[static_cast<std::size_t>(device)];
-  DeviceState& state = state_.devices[static_cast<std::size_t>(device)];
+void Firing::device_service(DeviceId device) {
+  const Device& of = problem_.devices[device];
+  DeviceState& state = state_.devices[device];
   if (std::holds_alternative<pan::EventDevice>(of.behaviour)) {
     state.late = false;
     event_occurs(device);
@@ -285,7 +283,7 @@ void Firing::device_service(int device) {
   state.serving.reset();
   emit_device(Kind::idle, device);
   if (never_answers(of, served)) {
-    due_.push_back({Due::What::serve, device});
+    due_.push_back({Due::What::serve, device.value});
     return;
   }
   if (counts_losses(device)) occurrence(device, !arrives(device, served));
@@ -298,7 +296,8 @@ void Firing::device_service(int device) {
                                             : tag::none;
     due_.push_back({Due::What::answer, request, -1, carries});
   }
-  if (std::holds_alternative<pan::RequestDevice>(of.behaviour)) due_.push_back({Due::What::serve, device});
+  if (std::holds_alternative<pan::RequestDevice>(of.behaviour))
+    due_.push_back({Due::What::serve, device.value});
 }
 
 /// Whether the device, which serves one request, has no answer to it though somebody wants one: then the
@@ -320,7 +319,7 @@ bool Firing::never_answers(const Device& of, const DeviceState::Served& served) 
 /// The answer to a request is there, or lost, or not wanted any more.
 void Firing::answer(int request, std::uint8_t carries) {
   const int channel = channel_of(request).answer;
-  const int device = channel_of(request).receiver_device;
+  const DeviceId device = channel_of(request).receiver_device;
   if (discards(channel)) {
     discard(channel);
     emit_device(Kind::drop, device, channel);
@@ -334,8 +333,8 @@ void Firing::answer(int request, std::uint8_t carries) {
   }
 }
 
-void Firing::event_occurs(int device) {
-  const int channel = problem_.devices[static_cast<std::size_t>(device)].event;
+void Firing::event_occurs(DeviceId device) {
+  const int channel = problem_.devices[device].event;
   if (channel < 0) return;
   if (slot(channel).fill != SlotState::Fill::empty) {
     emit_device(Kind::overrun, device, channel);

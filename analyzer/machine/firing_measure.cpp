@@ -99,21 +99,21 @@ void Firing::track_busy(bool was_busy) {
   if (!pauses) state_.reference = now();
 }
 
-void Firing::has_read(int thread, int condition) {
+void Firing::has_read(int thread, ConditionId condition) {
   std::uint8_t& carries = state_of(thread).carries;
   if (watch_.kind == Watch::Kind::age && watch_.condition == condition) carries = state_.condition_carries;
   if (watch_.kind == Watch::Kind::sample) {
-    const std::uint8_t known = state_.known[static_cast<std::size_t>(condition)];
+    const std::uint8_t known = state_.known[condition];
     if (tag::newer(known, carries)) carries = known;
   }
 }
 
-void Firing::has_set(int thread, int condition) {
+void Firing::has_set(int thread, ConditionId condition) {
   if (watch_.kind == Watch::Kind::age && watch_.condition == condition) {
     state_.condition_carries = now();
   }
   if (watch_.kind == Watch::Kind::sample) {
-    state_.known[static_cast<std::size_t>(condition)] = state_of(thread).carries;
+    state_.known[condition] = state_of(thread).carries;
   }
 }
 

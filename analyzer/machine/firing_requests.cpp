@@ -6,7 +6,7 @@ namespace pal::analyzer {
 /// Whether the messages of the channel are requests that somebody answers.
 bool Firing::tracked(int channel) const {
   const Channel& of = channel_of(channel);
-  return of.answer >= 0 && (of.receiver_device < 0 || of.served);
+  return of.answer >= 0 && (!of.receiver_device.valid() || of.served);
 }
 
 /// A request was put, by a thread or by a device (-1).

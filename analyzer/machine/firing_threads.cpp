@@ -11,14 +11,14 @@ void Firing::begin() {
   const bool begins =
       watch_.kind == Watch::Kind::duration || (watch_.kind == Watch::Kind::age && watch_.reaction);
   if (begins && !limited()) state_.reference = 0;
-  for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
+  for (const DeviceId d : problem_.devices.ids()) {
     const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
     if (frames == nullptr) continue;
     state_.devices[d].open = true;
     Range first = frames->phase ? Range{frames->phase->count(), frames->phase->count()}
                                 : Range{0, frames->period.count()};
     if (problem_.devices[d].seldom) first = {0, Range::unbounded};
-    start_timer(machine_.next_timer(static_cast<int>(d)), first);
+    start_timer(machine_.next_timer(DeviceId(d)), first);
   }
   std::vector<int> modules;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
@@ -104,7 +104,7 @@ void Firing::reach(int thread, int step) {
 void Firing::reach_wait(int thread) {
   const Step& step = step_of(thread);
   for (int channel : step.channels) {
-    if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
+    if (channel_of(channel).sender_device.valid()) open_device(channel_of(channel).sender_device);
   }
   if (step.channels.empty() && step.next.size() > 1 && choices_.pick(2) == 1) {
     state_of(thread).choice = static_cast<std::int8_t>(loose_branch(step, false));

@@ -49,7 +49,7 @@ Range Machine::cost(const State& state, int timer) const {
 
 std::string Machine::timer_name(int timer) const {
   if (timer < flight_timer(0)) return problem_.threads[static_cast<std::size_t>(timer)].name;
-  if (timer < next_timer(0)) {
+  if (timer < first_device_timer()) {
     const int flight = timer - flight_timer(0);
     const int channel = flight / 2;
     return problem_.channels[static_cast<std::size_t>(channel)].message + " from " +
@@ -57,9 +57,8 @@ std::string Machine::timer_name(int timer) const {
            (flight % 2 == 0 ? "" : " between processors");
   }
   if (timer == pause_timer()) return "a pause";
-  const int device = (timer - next_timer(0)) / 2;
-  return problem_.devices[static_cast<std::size_t>(device)].name +
-         (timer == next_timer(device) ? "" : " service");
+  const DeviceId device = device_of(timer);
+  return problem_.devices[device].name + (timer == next_timer(device) ? "" : " service");
 }
 
 Outcome Machine::initial(Choices& choices, bool record) const {
@@ -78,12 +77,11 @@ Outcome Machine::initial(Choices& choices, bool record) const {
 }
 
 bool Machine::fire(const State& state, int timer, Choices& choices, bool record, Outcome& outcome) const {
-  if (timer >= next_timer(0) && timer < pause_timer()) {
-    const int device = (timer - next_timer(0)) / 2;
-    const DeviceState& of = state.devices[static_cast<std::size_t>(device)];
+  if (timer >= first_device_timer() && timer < pause_timer()) {
+    const DeviceId device = device_of(timer);
+    const DeviceState& of = state.devices[device];
     if (timer == next_timer(device) && of.serving.any() &&
-        std::holds_alternative<pan::FrameDevice>(
-            problem_.devices[static_cast<std::size_t>(device)].behaviour)) {
+        std::holds_alternative<pan::FrameDevice>(problem_.devices[device].behaviour)) {
       return false;
     }
   }

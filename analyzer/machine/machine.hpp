@@ -89,11 +89,14 @@ class Machine {
   int timer_count() const;
   int thread_timer(int thread) const { return thread; }
   int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + 2 * channel; }
-  int next_timer(int device) const {
-    return flight_timer(static_cast<int>(problem_.channels.size())) + 2 * device;
+  int next_timer(DeviceId device) const {
+    return flight_timer(static_cast<int>(problem_.channels.size())) + 2 * device.value;
   }
-  int service_timer(int device) const { return next_timer(device) + 1; }
-  int pause_timer() const { return next_timer(static_cast<int>(problem_.devices.size())); }
+  int service_timer(DeviceId device) const { return next_timer(device) + 1; }
+  int first_device_timer() const { return next_timer(DeviceId{0}); }
+  /// Whose timer it is, from first_device_timer() on.
+  DeviceId device_of(int timer) const { return DeviceId::of((timer - first_device_timer()) / 2); }
+  int pause_timer() const { return next_timer(DeviceId(problem_.devices.size())); }
   /// Processor whose work the timer measures in `state`; -1: none.
   ProcessorId processor_of(const State& state, int timer) const;
   /// Processor time of the action that a thread's timer measures in `state`.

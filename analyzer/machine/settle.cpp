@@ -64,8 +64,8 @@ void Firing::settle_ordered() {
   }
   keep(state_.condition_carries, ahead);
   if (watch_.kind == Watch::Kind::sample) {
-    for (std::size_t c = 0; c < state_.known.size(); ++c)
-      keep(state_.known[c], (watch_.condition_counts >> c & 1U) != 0);
+    for (const ConditionId c : state_.known.ids())
+      keep(state_.known[c], (watch_.condition_counts >> c.index() & 1U) != 0);
     for (const KeptId k : state_.kept.ids()) keep(state_.kept[k], watch_.kept_counts[k]);
     for (std::size_t c = 0; c < state_.slots.size(); ++c) {
       keep(state_.slots[c].carries, watch_.message_counts[c]);

@@ -113,15 +113,15 @@ struct State {
   Table<ProcessorId, ThreadNumber> running;  // -1: idle
   std::vector<ThreadNumber> queue;           // ready threads, by processor, priority, place in the queue
   std::vector<SlotState> slots;
-  std::vector<DeviceState> devices;
+  Table<DeviceId, DeviceState> devices;
   std::uint64_t conditions = 0;
   std::uint8_t condition_carries = tag::none;
-  std::vector<std::uint8_t> known;     // samples: by condition
-  Table<KeptId, std::uint8_t> kept;    // samples: by what modules keep of messages
-  std::uint8_t reference = tag::none;  // the instant from which the next value is measured
-  std::uint64_t lost = 0;              // losses: the last occurrences by bit, the latest first; 1: lost
-  bool counting = false;               // losses: the device has served something; samples in a phase: also
-  bool in_phase = false;               // what happens now is measured, if only a phase is
+  Table<ConditionId, std::uint8_t> known;  // samples
+  Table<KeptId, std::uint8_t> kept;        // samples: by what modules keep of messages
+  std::uint8_t reference = tag::none;      // the instant from which the next value is measured
+  std::uint64_t lost = 0;                  // losses: the last occurrences by bit, the latest first; 1: lost
+  bool counting = false;  // losses: the device has served something; samples in a phase: also
+  bool in_phase = false;  // what happens now is measured, if only a phase is
   std::uint8_t observers = 0;
   std::vector<Pending> pending;
   bool ended = false;

@@ -5,8 +5,8 @@
 namespace pal::analyzer {
 namespace {
 
-bool mentions(const pan::Guard& guard, int condition) {
-  if (guard.kind == pan::Guard::Kind::equals) return guard.condition.value == condition;
+bool mentions(const pan::Guard& guard, ConditionId condition) {
+  if (guard.kind == pan::Guard::Kind::equals) return guard.condition == condition;
   for (const pan::Guard& term : guard.terms) {
     if (mentions(term, condition)) return true;
   }
@@ -101,8 +101,8 @@ class Samples {
       }
     }
     for (std::size_t c = 0; c < problem_.conditions.size() && used; ++c) {
-      const bool reads = (step.kind == Step::Kind::read && step.condition == static_cast<int>(c)) ||
-                         tests(step, static_cast<int>(c));
+      const bool reads =
+          (step.kind == Step::Kind::read && step.condition == ConditionId(c)) || tests(step, ConditionId(c));
       const std::uint64_t bit = std::uint64_t{1} << c;
       if (!reads || (watch_.condition_counts & bit) != 0) continue;
       watch_.condition_counts |= bit;
@@ -132,8 +132,7 @@ class Samples {
     if (step.kind == Step::Kind::send) {
       return watch_.message_counts[static_cast<std::size_t>(step.channels.front())];
     }
-    return step.kind == Step::Kind::set &&
-           (watch_.condition_counts >> static_cast<unsigned>(step.condition) & 1U) != 0;
+    return step.kind == Step::Kind::set && (watch_.condition_counts >> step.condition.index() & 1U) != 0;
   }
 
   const Problem& problem_;
@@ -143,7 +142,7 @@ class Samples {
 
 }  // namespace
 
-bool tests(const Step& step, int condition) {
+bool tests(const Step& step, ConditionId condition) {
   if (step.kind != Step::Kind::test) return false;
   for (const pan::Guard& guard : step.guards) {
     if (mentions(guard, condition)) return true;

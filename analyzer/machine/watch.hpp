@@ -17,10 +17,10 @@ struct Watch {
   enum class Kind { nothing, age, response, sample, interval, loss, duration, busy };
   Kind kind = Kind::nothing;
   bool reaction = false;      // age, sample: what is measured is the reaction
-  int condition = -1;         // age
+  ConditionId condition{};    // age
   std::vector<bool> events;   // response: by channel
   std::vector<bool> samples;  // sample: by channel
-  int device = -1;            // loss
+  DeviceId device{};          // loss
   int in = 1;                 // loss: the length of the row
   int code = 0;               // duration
   ProcessorId processor;      // busy
@@ -49,6 +49,6 @@ struct Watch {
 Watch watch_of(const Problem& problem, const Requirement& requirement, ProcessorId processor = {});
 
 /// Whether a test of `step` looks at `condition`.
-bool tests(const Step& step, int condition);
+bool tests(const Step& step, ConditionId condition);
 
 }  // namespace pal::analyzer

@@ -225,14 +225,14 @@ class Compiler {
     } else if (const auto* set = std::get_if<Set>(&node.content)) {
       made.kind = Step::Kind::set;
       made.cost = range(costs.set);
-      made.condition = static_cast<int>(set->condition.index());
+      made.condition = set->condition;
       made.value = set->value;
       if (!set->value) made.uses = kept(place, network_.conditions[set->condition.index()].from);
       follow(place, node, made);
     } else if (const auto* read = std::get_if<Read>(&node.content)) {
       made.kind = Step::Kind::read;
       made.cost = range(costs.read);
-      made.condition = static_cast<int>(read->condition.index());
+      made.condition = read->condition;
       follow(place, node, made);
     } else if (const auto* perform = std::get_if<Perform>(&node.content)) {
       made.kind = Step::Kind::activity;
@@ -378,15 +378,15 @@ void compile(const Network& network, TimesAndPlaces& environment, const SourceMa
   report_empty_rounds(problem, diagnostics);
 }
 
-int device_of(const Network& network, const Party& party) {
-  if (const auto* device = std::get_if<DeviceId>(&party)) return static_cast<int>(device->index());
+DeviceId device_of(const Network& network, const Party& party) {
+  if (const auto* device = std::get_if<pan::DeviceId>(&party)) return DeviceId(device->index());
   const std::size_t module = std::get<ModuleId>(party).index();
-  if (!network.modules[module].body.empty()) return -1;
-  int index = static_cast<int>(network.devices.size());
+  if (!network.modules[module].body.empty()) return DeviceId{};
+  std::size_t index = network.devices.size();
   for (std::size_t m = 0; m < module; ++m) {
     if (network.modules[m].body.empty()) ++index;
   }
-  return index;
+  return DeviceId(index);
 }
 
 }  // namespace pal::analyzer

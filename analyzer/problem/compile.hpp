@@ -24,6 +24,6 @@ void compile(const pan::Network& network, TimesAndPlaces& environment, const Sou
              Diagnostics& diagnostics, Problem& problem);
 
 /// The index of a module or device of the network among the problem's devices; -1 for a module with a body.
-int device_of(const pan::Network& network, const pan::Party& party);
+DeviceId device_of(const pan::Network& network, const pan::Party& party);
 
 }  // namespace pal::analyzer

@@ -12,6 +12,12 @@ using ProcessorId = Id<struct ProcessorTag>;
 /// In Problem::requirements.
 using RequirementId = Id<struct ProblemRequirementTag>;
 
+/// In Problem::conditions, which are the network's.
+using pan::ConditionId;
+
+/// In Problem::devices: those of the network, then its modules without a body.
+using DeviceId = Id<struct ProblemDeviceTag>;
+
 /// In Problem::statements.
 using StatementId = Id<struct StatementTag>;
 

@@ -24,8 +24,8 @@ constexpr int most_simulated_channels = 4'000;
 constexpr std::size_t most_requests = 128;  // of a device
 constexpr ProcessorId first_processor(0);
 
-const std::string& party(const Problem& problem, int device, ModuleId module) {
-  return device >= 0 ? problem.devices[static_cast<std::size_t>(device)].name : problem.module_names[module];
+const std::string& party(const Problem& problem, DeviceId device, ModuleId module) {
+  return device.valid() ? problem.devices[device].name : problem.module_names[module];
 }
 
 }  // namespace
@@ -240,8 +240,8 @@ void ProblemBuilder::channels() {
     Channel made;
     made.sender_device = device_of(network_, channel.sender);
     made.receiver_device = device_of(network_, channel.receiver);
-    if (made.sender_device < 0) made.sender_module = std::get<ModuleId>(channel.sender);
-    if (made.receiver_device < 0) {
+    if (!made.sender_device.valid()) made.sender_module = std::get<ModuleId>(channel.sender);
+    if (!made.receiver_device.valid()) {
       made.receiver_module = std::get<ModuleId>(channel.receiver);
     }
     if (channel.answer.valid()) made.answer = static_cast<int>(channel.answer.index());

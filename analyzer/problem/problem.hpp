@@ -50,7 +50,7 @@ struct Step {
   /// Only in slices, for a wait: comes once, before its module has blocks. So nobody withdraws an answer that
   /// is received there.
   bool before_blocks = false;
-  int condition = -1;              // set, read
+  ConditionId condition{};         // set, read
   std::vector<KeptId> uses;        // what an activity reads, a set is computed from, a send sends
   std::vector<KeptId> writes;      // what an activity writes
   std::optional<bool> value;       // set
@@ -77,8 +77,8 @@ struct Thread {
 };
 
 struct Channel {
-  int sender_device = -1;    // -1: a module sends
-  int receiver_device = -1;  // -1: a module receives
+  DeviceId sender_device{};    // none: a module sends
+  DeviceId receiver_device{};  // none: a module receives
   pan::ModuleId sender_module{};
   pan::ModuleId receiver_module{};
   int answer = -1;                               // of a request: channel of its answer
@@ -137,10 +137,10 @@ struct Requirement {
   enum class Measure { age, response, load, reaction, interval, loss, duration, busy };
   std::string name;
   Measure measure = Measure::age;
-  int condition = -1;        // age, reaction: of a condition
+  ConditionId condition{};   // age, reaction: of a condition
   std::vector<int> samples;  // age, reaction: of a device: its channels
   std::vector<int> events;   // response: channels, of one message from one party
-  int device = -1;           // loss, and of samples: the device; response: the device, if one sends
+  DeviceId device{};         // loss, and of samples: the device; response: the device, if one sends
   std::vector<bool> at;      // age, response, reaction, interval: by step
   Phase phase;
   std::vector<ProcessorId> processors;  // load, busy
@@ -161,8 +161,8 @@ struct Problem {
   std::vector<Thread> threads;  // a block stands behind its parent
   std::vector<Step> steps;
   std::vector<Channel> channels;
-  std::vector<Device> devices;
-  std::vector<std::string> conditions;
+  Table<DeviceId, Device> devices;
+  Table<ConditionId, std::string> conditions;
   Table<StatementId, Statement> statements;
   Table<CallId, Call> calls;
   Table<KeptId, Kept> kept;

@@ -49,20 +49,20 @@ class ProblemBuilder final : public TimesAndPlaces {
     bool module;
   };
   void devices();
-  void device(const World& thing, int index);
-  void event_device(const pan::EventDevice& event, const pan::DeviceTiming& timing, int index,
+  void device(const World& thing, DeviceId index);
+  void event_device(const pan::EventDevice& event, const pan::DeviceTiming& timing, DeviceId index,
                     std::set<int>& sent, Device& made);
   void phase(const std::optional<Duration>& value, Duration period, const pan::DeviceTiming& timing,
              const std::string& device);
   void endless_waits();
-  void served_device(const pan::DeviceTiming& timing, int index, std::set<int>& sent, Device& made);
+  void served_device(const pan::DeviceTiming& timing, DeviceId index, std::set<int>& sent, Device& made);
 
   // What is required (problem_requirements.cpp).
   std::vector<bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement);
   std::vector<bool> steps_in(const std::vector<pan::StatementRef>& loops) const;
   void requirements();
   void require(Requirement made);
-  void demanded_answer(int device);
+  void demanded_answer(DeviceId device);
   void known(const pan::Known& known, Requirement& made);
   std::vector<ProcessorId> processors_named(const std::string& name, const pan::Requirement& requirement);
   void measure(const pan::Response& response, const pan::Requirement& requirement, Requirement made);

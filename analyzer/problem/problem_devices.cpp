@@ -23,10 +23,10 @@ void ProblemBuilder::devices() {
                           "remove one of them");
     }
   }
-  for (std::size_t d = 0; d < world.size(); ++d) device(world[d], static_cast<int>(d));
+  for (std::size_t d = 0; d < world.size(); ++d) device(world[d], DeviceId(d));
 }
 
-void ProblemBuilder::device(const World& thing, int index) {
+void ProblemBuilder::device(const World& thing, DeviceId index) {
   Device made;
   made.name = thing.name;
   std::set<int> sent;
@@ -82,7 +82,7 @@ void ProblemBuilder::phase(const std::optional<Duration>& value, Duration period
                       "write the phase within one period");
 }
 
-void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& timing, int index,
+void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& timing, DeviceId index,
                                   std::set<int>& sent, Device& made) {
   made.behaviour = event;
   time(event.period, timing.where, "the period of " + made.name, true);
@@ -109,7 +109,8 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
   }
 }
 
-void ProblemBuilder::served_device(const DeviceTiming& timing, int index, std::set<int>& sent, Device& made) {
+void ProblemBuilder::served_device(const DeviceTiming& timing, DeviceId index, std::set<int>& sent,
+                                   Device& made) {
   if (const auto* request = std::get_if<RequestDevice>(&timing.behaviour)) {
     made.behaviour = *request;
     interval(request->answer, timing.where, "an answer of " + made.name);
@@ -137,10 +138,9 @@ void ProblemBuilder::served_device(const DeviceTiming& timing, int index, std::s
 /// Waits without a limit for nothing but answers that may not come.
 void ProblemBuilder::endless_waits() {
   const auto may_fail = [&](int channel) {
-    const int device = problem_.channels[static_cast<std::size_t>(channel)].sender_device;
-    if (device < 0) return false;
-    const auto* request =
-        std::get_if<RequestDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+    const DeviceId device = problem_.channels[static_cast<std::size_t>(channel)].sender_device;
+    if (!device.valid()) return false;
+    const auto* request = std::get_if<RequestDevice>(&problem_.devices[device].behaviour);
     return request != nullptr && request->may_fail;
   };
   std::set<std::pair<ModuleId, NodeId>> said;  // an executed module has its statements several times

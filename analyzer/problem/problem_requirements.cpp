@@ -64,7 +64,7 @@ void ProblemBuilder::requirements() {
       made.phase.during = steps_in(requirement.phase->during);
     std::visit([&](const auto& each) { measure(each, requirement, std::move(made)); }, requirement.measure);
   }
-  for (std::size_t d = 0; d < problem_.devices.size(); ++d) demanded_answer(static_cast<int>(d));
+  for (std::size_t d = 0; d < problem_.devices.size(); ++d) demanded_answer(DeviceId(d));
 }
 
 void ProblemBuilder::require(Requirement made) {
@@ -85,7 +85,7 @@ void ProblemBuilder::measure(const Response& response, const pan::Requirement& r
 
 void ProblemBuilder::known(const Known& known, Requirement& made) {
   if (const auto* condition = std::get_if<ConditionId>(&known)) {
-    made.condition = static_cast<int>(condition->index());
+    made.condition = ConditionId(condition->index());
     return;
   }
   for (const ChannelId channel : std::get<std::vector<ChannelId>>(known)) {
@@ -132,7 +132,7 @@ void ProblemBuilder::measure(const Loss& loss, const pan::Requirement& requireme
   made.device = device_of(network_, loss.of);
   made.limit = loss.most;
   made.in = loss.in;
-  const Device& device = problem_.devices[static_cast<std::size_t>(made.device)];
+  const Device& device = problem_.devices[made.device];
   if (device.event < 0 && device.requests.empty()) {
     diagnostics_.report(Code::PAL0818, requirement.where,
                         device.name + " sends nothing to this skill that could be lost",
@@ -174,8 +174,8 @@ void ProblemBuilder::measure(const BusyPeriod& busy, const pan::Requirement& req
 }
 
 /// What an event device demands of the thread that takes its events is a requirement like the skill's own.
-void ProblemBuilder::demanded_answer(int d) {
-  const Device& device = problem_.devices[static_cast<std::size_t>(d)];
+void ProblemBuilder::demanded_answer(DeviceId d) {
+  const Device& device = problem_.devices[d];
   const auto* event = std::get_if<EventDevice>(&device.behaviour);
   if (event == nullptr || event->answer.empty() || device.event < 0) return;
   SourceSpan where;

@@ -13,7 +13,7 @@ std::string tables_differ(const Problem& problem, const trace::Trace& run) {
   for (std::size_t t = 0; t < run.actors.size(); ++t) {
     const bool device = t >= problem.threads.size();
     const std::string& name =
-        device ? problem.devices[t - problem.threads.size()].name : problem.threads[t].name;
+        device ? problem.devices[DeviceId(t - problem.threads.size())].name : problem.threads[t].name;
     if (run.actors[t].name != name || run.actors[t].device != device)
       return "another actor " + run.actors[t].name;
     if (device) continue;
@@ -38,7 +38,9 @@ std::string tables_differ(const Problem& problem, const trace::Trace& run) {
                       of.receiver == receiver_name(problem, channel);
     if (!same) return "another channel " + of.sender + " " + of.message + " " + of.receiver;
   }
-  if (run.conditions != problem.conditions) return "other conditions";
+  if (!std::equal(run.conditions.begin(), run.conditions.end(), problem.conditions.begin(),
+                  problem.conditions.end()))
+    return "other conditions";
   return {};
 }
 

@@ -25,7 +25,7 @@ Referee::Referee(const Problem& problem, const Requirement* requirement, const s
 }
 
 bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool()>& stop) {
-  for (std::size_t d = 0; d < devices_.size(); ++d) {
+  for (const DeviceId d : devices_.ids()) {
     const auto* frames = std::get_if<pan::FrameDevice>(&problem_.devices[d].behaviour);
     if (frames == nullptr) continue;
     devices_[d].open = true;
@@ -64,7 +64,7 @@ void Referee::handle(const Event& event) {
     ++effects_;
   }
   if (event.actor >= threads) {
-    device_event(event, event.actor - threads);
+    device_event(event, DeviceId::of(event.actor - threads));
     return;
   }
   if (event.actor < 0) {
@@ -125,7 +125,7 @@ void Referee::handle(const Event& event) {
 bool Referee::is_effect(const Event& event) const {
   const int threads = static_cast<int>(threads_.size());
   if (event.actor >= threads) {
-    const Device& of = problem_.devices[static_cast<std::size_t>(event.actor - threads)];
+    const Device& of = problem_.devices[DeviceId::of(event.actor - threads)];
     const bool occurs = event.kind == Kind::put || event.kind == Kind::overrun;
     return event.kind == Kind::idle || (occurs && std::holds_alternative<pan::EventDevice>(of.behaviour));
   }
@@ -177,10 +177,10 @@ void Referee::leave_instant(Nanoseconds next) const {
   demand(!completed_, "the skill's completion has no effect");
   for (std::size_t t = 0; t < threads_.size(); ++t) check_thread(static_cast<int>(t), next);
   check_processors();
-  for (std::size_t d = 0; d < devices_.size(); ++d) check_device(static_cast<int>(d), next);
+  for (const DeviceId d : devices_.ids()) check_device(d, next);
   for (std::size_t c = 0; c < slots_.size(); ++c) {
     const Slot& of = slots_[c];
-    if (of.full && problem_.channels[c].receiver_device >= 0) check_asked(static_cast<int>(c));
+    if (of.full && problem_.channels[c].receiver_device.valid()) check_asked(static_cast<int>(c));
     demand(!of.given_up, "a message is withdrawn, and nobody gave up");
     demand(!of.to_be_dropped, "a message that was withdrawn is still there");
   }

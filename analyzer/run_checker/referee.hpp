@@ -187,18 +187,18 @@ class Referee {
   int message_of(int thread, const std::vector<int>& candidates) const;
 
   // Devices (referee_devices.cpp).
-  void open_device(int device);
-  void device_event(const Event& event, int device);
-  void occurrence(int device, int channel, bool overrun);
-  void due(int device, Nanoseconds period, Nanoseconds late);
-  void busy(int device);
-  bool serves_somebody(int device) const;
-  void idle(int device);
-  void delivered(int device, int channel);
-  void never_answers(int device, int channel);
+  void open_device(DeviceId device);
+  void device_event(const Event& event, DeviceId device);
+  void occurrence(DeviceId device, int channel, bool overrun);
+  void due(DeviceId device, Nanoseconds period, Nanoseconds late);
+  void busy(DeviceId device);
+  bool serves_somebody(DeviceId device) const;
+  void idle(DeviceId device);
+  void delivered(DeviceId device, int channel);
+  void never_answers(DeviceId device, int channel);
   void check_not_idle(int request) const;
   void check_asked(int message) const;
-  void check_device(int device, Nanoseconds next) const;
+  void check_device(DeviceId device, Nanoseconds next) const;
 
   Party& party(int thread) { return threads_[static_cast<std::size_t>(thread)]; }
   const Party& party(int thread) const { return threads_[static_cast<std::size_t>(thread)]; }
@@ -236,7 +236,7 @@ class Referee {
   bool ended_ = false;
   std::vector<Party> threads_;
   std::vector<Slot> slots_;
-  std::vector<Outside> devices_;
+  Table<DeviceId, Outside> devices_;
   Table<ProcessorId, int> holders_;  // by processor: who has it; -1: nobody
   Table<ProcessorId, int>
       preempted_;  // by processor: who has just lost it to somebody who is still to start; -1

@@ -5,10 +5,9 @@
 
 namespace pal::analyzer::rules {
 
-void Referee::open_device(int device) {
-  Outside& of = devices_[static_cast<std::size_t>(device)];
-  const auto* event =
-      std::get_if<pan::EventDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+void Referee::open_device(DeviceId device) {
+  Outside& of = devices_[device];
+  const auto* event = std::get_if<pan::EventDevice>(&problem_.devices[device].behaviour);
   if (event == nullptr || of.open) return;
   of.open = true;
   of.opened = now_;
@@ -17,9 +16,9 @@ void Referee::open_device(int device) {
   if (event->phase) of.first_lo = of.first_hi = now_ + event->phase->count();
 }
 
-void Referee::device_event(const Event& event, int device) {
-  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
-  Outside& of = devices_[static_cast<std::size_t>(device)];
+void Referee::device_event(const Event& event, DeviceId device) {
+  const Device& described = problem_.devices[device];
+  Outside& of = devices_[device];
   const bool events = std::holds_alternative<pan::EventDevice>(described.behaviour);
   switch (event.kind) {
     case Kind::busy:
@@ -70,37 +69,34 @@ void Referee::device_event(const Event& event, int device) {
   }
 }
 
-void Referee::delivered(int device, int channel) {
+void Referee::delivered(DeviceId device, int channel) {
   const int request = channel_of(channel).answers;
-  Outside& of = devices_[static_cast<std::size_t>(device)];
+  Outside& of = devices_[device];
   demand(of.answers.erase(request) == 1, "a device answers what it was not asked");
   if (of.answers.empty()) monitor_.served(device, !of.any_put);
 }
 
 /// The device has no answer to what it was asked, which is no loss.
-void Referee::never_answers(int device, int channel) {
-  const auto* request =
-      std::get_if<pan::RequestDevice>(&problem_.devices[static_cast<std::size_t>(device)].behaviour);
+void Referee::never_answers(DeviceId device, int channel) {
+  const auto* request = std::get_if<pan::RequestDevice>(&problem_.devices[device].behaviour);
   demand(request != nullptr && request->may_fail, "a message that somebody wants is discarded");
   const int asked = channel_of(channel).answers;
-  demand(devices_[static_cast<std::size_t>(device)].answers.erase(asked) == 1,
-         "a device answers what it was not asked");
+  demand(devices_[device].answers.erase(asked) == 1, "a device answers what it was not asked");
 }
 
 /// One more of a series with the given period, each up to `late` after it is due: narrows when the first was.
-void Referee::due(int device, Nanoseconds period, Nanoseconds late) {
-  Outside& of = devices_[static_cast<std::size_t>(device)];
+void Referee::due(DeviceId device, Nanoseconds period, Nanoseconds late) {
+  Outside& of = devices_[device];
   of.first_lo = std::max(of.first_lo, now_ - of.count * period - late);
   of.first_hi = std::min(of.first_hi, now_ - of.count * period);
-  demand(of.first_lo <= of.first_hi, problem_.devices[static_cast<std::size_t>(device)].name,
-         " is too early or too late");
+  demand(of.first_lo <= of.first_hi, problem_.devices[device].name, " is too early or too late");
   ++of.count;
 }
 
-void Referee::occurrence(int device, int channel, bool overrun) {
-  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+void Referee::occurrence(DeviceId device, int channel, bool overrun) {
+  const Device& described = problem_.devices[device];
   const auto& event = std::get<pan::EventDevice>(described.behaviour);
-  Outside& of = devices_[static_cast<std::size_t>(device)];
+  Outside& of = devices_[device];
   demand(of.open && described.event == channel, described.name,
          " sends before anybody waits, or another message");
   if (event.sporadic) {
@@ -122,9 +118,9 @@ void Referee::occurrence(int device, int channel, bool overrun) {
   monitor_.event(device, channel, overrun);
 }
 
-void Referee::busy(int device) {
-  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
-  Outside& of = devices_[static_cast<std::size_t>(device)];
+void Referee::busy(DeviceId device) {
+  const Device& described = problem_.devices[device];
+  Outside& of = devices_[device];
   demand(!of.busy, described.name, " serves two at once");
   of.busy = true;
   of.busy_since = now_;
@@ -141,8 +137,8 @@ void Referee::busy(int device) {
 }
 
 /// Whether the device takes a request at this instant.
-bool Referee::serves_somebody(int device) const {
-  const int actor = static_cast<int>(threads_.size()) + device;
+bool Referee::serves_somebody(DeviceId device) const {
+  const int actor = static_cast<int>(threads_.size()) + device.value;
   for (std::size_t e = next_of(actor, at_); e < events_.size() && events_[e].time_ns == now_;
        e = next_of(actor, e)) {
     if (events_[e].kind == Kind::idle) return false;
@@ -151,9 +147,9 @@ bool Referee::serves_somebody(int device) const {
   return false;
 }
 
-void Referee::idle(int device) {
-  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
-  Outside& of = devices_[static_cast<std::size_t>(device)];
+void Referee::idle(DeviceId device) {
+  const Device& described = problem_.devices[device];
+  Outside& of = devices_[device];
   demand(of.busy, described.name, " ends what it has not begun");
   Range range;
   if (const auto* request = std::get_if<pan::RequestDevice>(&described.behaviour)) {
@@ -173,19 +169,18 @@ void Referee::idle(int device) {
 
 /// A request that is to be withdrawn from its slot: a device that is idle has taken it before.
 void Referee::check_not_idle(int request) const {
-  const int device = channel_of(request).receiver_device;
-  if (device < 0) return;
-  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
+  const DeviceId device = channel_of(request).receiver_device;
+  if (!device.valid()) return;
+  const Device& described = problem_.devices[device];
   const bool on_request = std::holds_alternative<pan::RequestDevice>(described.behaviour);
-  demand(!on_request || devices_[static_cast<std::size_t>(device)].busy, described.name,
-         " is idle while somebody asks");
+  demand(!on_request || devices_[device].busy, described.name, " is idle while somebody asks");
 }
 
 /// A message to a device, while time goes on.
 void Referee::check_asked(int message) const {
   const Channel& channel = channel_of(message);
-  const Device& described = problem_.devices[static_cast<std::size_t>(channel.receiver_device)];
-  const Outside& of = devices_[static_cast<std::size_t>(channel.receiver_device)];
+  const Device& described = problem_.devices[channel.receiver_device];
+  const Outside& of = devices_[channel.receiver_device];
   demand(channel.served, described.name, " leaves a message in its slot");
   const bool on_request = std::holds_alternative<pan::RequestDevice>(described.behaviour);
   demand(!on_request || of.busy, described.name, " is idle while somebody asks");
@@ -193,9 +188,9 @@ void Referee::check_asked(int message) const {
   demand(!missed, described.name, " leaves a request out of its frame");
 }
 
-void Referee::check_device(int device, Nanoseconds next) const {
-  const Device& described = problem_.devices[static_cast<std::size_t>(device)];
-  const Outside& of = devices_[static_cast<std::size_t>(device)];
+void Referee::check_device(DeviceId device, Nanoseconds next) const {
+  const Device& described = problem_.devices[device];
+  const Outside& of = devices_[device];
   demand(of.answers.empty(), described.name, " owes an answer");
   if (const auto* event = std::get_if<pan::EventDevice>(&described.behaviour)) {
     if (!of.open || described.event < 0) return;

@@ -8,7 +8,7 @@ namespace pal::analyzer::rules {
 /// A request was put. One to a device that answers nothing is never open.
 void Referee::asks(int request, int owner) {
   const Channel& of = channel_of(request);
-  if (of.answer < 0 || (of.receiver_device >= 0 && !of.served)) return;
+  if (of.answer < 0 || (of.receiver_device.valid() && !of.served)) return;
   slot(request).asked.push_back({owner, false});
 }
 

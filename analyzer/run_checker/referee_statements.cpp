@@ -59,7 +59,7 @@ void Referee::reach(int thread, int step) {
     of.mode = Mode::arrived;
     arrive(thread);
     for (int channel : at.channels) {
-      if (channel_of(channel).sender_device >= 0) open_device(channel_of(channel).sender_device);
+      if (channel_of(channel).sender_device.valid()) open_device(channel_of(channel).sender_device);
     }
   } else {
     of.mode = Mode::ready;
@@ -268,18 +268,18 @@ void Referee::condition(const Event& event) {
   const bool value = event.value != 0;
   midway_ = event.actor;
   if (event.kind == Kind::set) {
-    demand(step.kind == Step::Kind::set && step.condition == event.subject && !of.acted, name(event.actor),
-           " sets what it does not set here");
+    demand(step.kind == Step::Kind::set && step.condition.value == event.subject && !of.acted,
+           name(event.actor), " sets what it does not set here");
     demand(!step.value || *step.value == value, name(event.actor), " sets another value");
     conditions_[condition] = value;
     of.acted = true;
     monitor_.uses(event.actor, of.step);
-    monitor_.sets(event.actor, event.subject);
+    monitor_.sets(event.actor, ConditionId::of(event.subject));
     return;
   }
   demand(conditions_[condition] == value, name(event.actor), " reads another value than was set");
   if (step.kind == Step::Kind::read) {
-    demand(step.condition == event.subject && !of.acted, name(event.actor),
+    demand(step.condition.value == event.subject && !of.acted, name(event.actor),
            " reads what it does not read here");
     of.latched[event.subject] = value;
     of.acted = true;
@@ -288,7 +288,7 @@ void Referee::condition(const Event& event) {
     demand(!of.reads.contains(event.subject), name(event.actor), " reads a condition twice");
     of.reads[event.subject] = value;
   }
-  monitor_.reads(event.actor, event.subject);
+  monitor_.reads(event.actor, ConditionId::of(event.subject));
 }
 
 void Referee::cancelled(const Event& event) {

@@ -21,13 +21,13 @@ RequirementMonitor::RequirementMonitor(const Problem& problem, const Requirement
       occurrence_(problem.channels.size(), none) {
   if (requirement != nullptr && requirement->phase.limits()) phase_ = &requirement->phase;
   if (phase_ != nullptr) at_.assign(problem.threads.size(), none);
-  if (requirement == nullptr || requirement->condition < 0) return;
+  if (requirement == nullptr || !requirement->condition.valid()) return;
   // Until the first set, what a condition says dates from the start.
-  conditions_[static_cast<std::size_t>(requirement->condition)] = birth();
+  conditions_[requirement->condition] = birth();
   if (phase_ == nullptr) reference_ = 0;
 }
 
-bool RequirementMonitor::of_condition(int condition) const {
+bool RequirementMonitor::of_condition(pan::ConditionId condition) const {
   return requirement_ != nullptr && requirement_->condition == condition;
 }
 
@@ -93,7 +93,7 @@ void RequirementMonitor::follow_loops() {
 void RequirementMonitor::phase_begins() {
   in_phase_ = true;
   begun_ = now_;
-  const bool knows = sampled_ || (requirement_->condition >= 0);
+  const bool knows = sampled_ || (requirement_->condition.valid());
   if (is(Measure::reaction) && knows) reference_ = birth();
 }
 
@@ -155,13 +155,13 @@ void RequirementMonitor::skill_ends() {
   ended_ = true;
 }
 
-void RequirementMonitor::sets(int index, int condition) {
-  if (of_condition(condition)) conditions_[static_cast<std::size_t>(condition)] = birth();
-  if (of_samples()) conditions_[static_cast<std::size_t>(condition)] = thread(index);
+void RequirementMonitor::sets(int index, pan::ConditionId condition) {
+  if (of_condition(condition)) conditions_[condition] = birth();
+  if (of_samples()) conditions_[condition] = thread(index);
 }
 
-void RequirementMonitor::reads(int index, int condition) {
-  const int known = conditions_[static_cast<std::size_t>(condition)];
+void RequirementMonitor::reads(int index, pan::ConditionId condition) {
+  const int known = conditions_[condition];
   if (of_condition(condition)) thread(index) = known;
   if (of_samples()) thread(index) = std::max(thread(index), known);
 }
@@ -234,7 +234,7 @@ void RequirementMonitor::is_due(int request) {
   due_[static_cast<std::size_t>(request)] = serving_[static_cast<std::size_t>(request)];
 }
 
-void RequirementMonitor::event(int device, int of, bool lost) {
+void RequirementMonitor::event(DeviceId device, int of, bool lost) {
   const bool responds = is_event(of);
   if (lost) {
     failed_ = failed_ || (responds && counts());
@@ -258,15 +258,15 @@ void RequirementMonitor::answers(int of, bool lost) {
   occurrence_[static_cast<std::size_t>(of)] = counts() ? static_cast<int>(lost_.size()) : none;
 }
 
-void RequirementMonitor::served(int device, bool lost) {
+void RequirementMonitor::served(DeviceId device, bool lost) {
   occurrence(device, lost);
 }
 
-void RequirementMonitor::frame_for_nobody(int device) {
+void RequirementMonitor::frame_for_nobody(DeviceId device) {
   if (occurred_) occurrence(device, true);
 }
 
-void RequirementMonitor::occurrence(int device, bool lost) {
+void RequirementMonitor::occurrence(DeviceId device, bool lost) {
   if (!is(Measure::loss) || requirement_->device != device) return;
   occurred_ = true;
   if (!counts()) return;

@@ -24,8 +24,8 @@ class RequirementMonitor {
   void reaches(int thread, int step);
   void passes(int thread, int step);
   void completes(int thread, int step, int code);
-  void sets(int thread, int condition);
-  void reads(int thread, int condition);
+  void sets(int thread, pan::ConditionId condition);
+  void reads(int thread, pan::ConditionId condition);
   void busy(ProcessorId processor);
   void idle(ProcessorId processor);
 
@@ -44,10 +44,10 @@ class RequirementMonitor {
   void serves(int request, bool first);
   /// What it has served must be answered now; it may begin to serve the next request before.
   void is_due(int request);
-  void event(int device, int channel, bool lost);
+  void event(DeviceId device, int channel, bool lost);
   void answers(int channel, bool lost);
-  void served(int device, bool lost);
-  void frame_for_nobody(int device);
+  void served(DeviceId device, bool lost);
+  void frame_for_nobody(DeviceId device);
 
   const std::vector<Measured>& measured() const { return measured_; }
   bool failed() const { return failed_; }
@@ -60,7 +60,7 @@ class RequirementMonitor {
   static constexpr int none = -1;
 
   bool is(Measure measure) const { return requirement_ != nullptr && requirement_->measure == measure; }
-  bool of_condition(int condition) const;
+  bool of_condition(pan::ConditionId condition) const;
   bool of_samples() const;
   bool is_sample(int channel) const;
   bool is_event(int channel) const;
@@ -75,7 +75,7 @@ class RequirementMonitor {
   void show(Nanoseconds born, int step);
   void respond(int thread, int step);
   void react(int thread, int step);
-  void occurrence(int device, bool lost);
+  void occurrence(DeviceId device, bool lost);
   void show_losses();
 
   const Problem& problem_;
@@ -86,17 +86,17 @@ class RequirementMonitor {
   bool in_phase_ = false;
   std::vector<int> at_;  // of a phase: the step that each thread is at
   std::vector<Nanoseconds> births_;
-  std::vector<bool> answered_;   // events
-  std::vector<bool> uncounted_;  // events outside of the phase, or left unanswered by it
-  std::vector<int> threads_;     // the birth that each carries
-  std::vector<int> channels_;    // and each message
-  std::vector<int> serving_;     // and the answer to each request that is being served
-  std::vector<int> due_;         // … to each that has been
-  std::vector<int> conditions_;  // and each condition
-  Table<KeptId, int> kept_;      // and each value that a module keeps
-  int reference_ = none;         // reactions: the latest birth that a statement has reflected
-  bool sampled_ = false;         // reactions: there was a sample
-  Nanoseconds begun_ = 0;        // durations: when they began
+  std::vector<bool> answered_;               // events
+  std::vector<bool> uncounted_;              // events outside of the phase, or left unanswered by it
+  std::vector<int> threads_;                 // the birth that each carries
+  std::vector<int> channels_;                // and each message
+  std::vector<int> serving_;                 // and the answer to each request that is being served
+  std::vector<int> due_;                     // … to each that has been
+  Table<pan::ConditionId, int> conditions_;  // and each condition
+  Table<KeptId, int> kept_;                  // and each value that a module keeps
+  int reference_ = none;                     // reactions: the latest birth that a statement has reflected
+  bool sampled_ = false;                     // reactions: there was a sample
+  Nanoseconds begun_ = 0;                    // durations: when they began
   std::optional<Nanoseconds> last_pass_;
   Table<ProcessorId, std::vector<Nanoseconds>> busy_since_;  // several, with pauses of no length between
   Table<ProcessorId, Nanoseconds> paused_;                   // when it had nothing to do last; -1: never

@@ -102,7 +102,7 @@ trace::Trace empty_trace(const Problem& problem) {
     trace.channels.push_back(
         {sender_name(problem, channel), problem.channels[c].message, receiver_name(problem, channel)});
   }
-  trace.conditions = problem.conditions;
+  trace.conditions.assign(problem.conditions.begin(), problem.conditions.end());
   return trace;
 }
 
@@ -122,10 +122,10 @@ trace::Trace ConcreteRun::trace() const {
   trace::Trace trace = empty_trace(machine_.problem());
   // A frame that no thread wanted is collected all the same; the machine does not follow it.
   std::vector<std::pair<std::size_t, trace::Event>> ends;  // each before the event of this number
-  for (std::size_t d = 0; d < machine_.problem().devices.size(); ++d) {
+  for (const DeviceId d : machine_.problem().devices.ids()) {
     const auto* frames = std::get_if<pan::FrameDevice>(&machine_.problem().devices[d].behaviour);
     if (frames == nullptr) continue;
-    const auto actor = static_cast<int>(machine_.problem().threads.size() + d);
+    const auto actor = static_cast<int>(machine_.problem().threads.size() + d.index());
     std::optional<Nanoseconds> begun;
     for (const trace::Event& event : events_) {
       if (event.actor != actor) continue;

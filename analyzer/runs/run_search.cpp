@@ -71,7 +71,8 @@ class RunSearch {
   bool align() {
     if (!best_ || best_->failed) return false;
     bool worse = false;
-    for (std::size_t device = 0; device < phases_.size() && !done(); ++device) {
+    for (const DeviceId device : phases_.ids()) {
+      if (done()) break;
       const Nanoseconds period = period_of(machine_.problem().devices[device]);
       if (period <= 0) continue;
       fix_phases();
@@ -99,14 +100,13 @@ class RunSearch {
 
   /// The phases that the best run has; what is sporadic and has not come does not come.
   void fix_phases() {
-    std::vector<Nanoseconds> first(phases_.size(), -1);
+    Table<DeviceId, Nanoseconds> first(phases_.size(), -1);
     for (const ScriptedFiring& firing : best_->script) {
-      for (std::size_t device = 0; device < first.size(); ++device) {
-        if (firing.timer == machine_.next_timer(static_cast<int>(device)) && first[device] < 0)
-          first[device] = firing.at;
+      for (const DeviceId device : first.ids()) {
+        if (firing.timer == machine_.next_timer(device) && first[device] < 0) first[device] = firing.at;
       }
     }
-    for (std::size_t device = 0; device < first.size(); ++device) {
+    for (const DeviceId device : first.ids()) {
       const auto* event = std::get_if<pan::EventDevice>(&machine_.problem().devices[device].behaviour);
       if (event != nullptr && event->sporadic && first[device] < 0) first[device] = late;
     }
@@ -179,9 +179,9 @@ class RunSearch {
   const RunSearchOptions& options_;
   std::mt19937_64 engine_{1};
   std::size_t runs_ = 0;
-  std::uint64_t seed_ = 1;           // of the best run
-  std::uint64_t seldom_ = 0;         // the same
-  std::vector<Nanoseconds> phases_;  // by device; -1: any
+  std::uint64_t seed_ = 1;               // of the best run
+  std::uint64_t seldom_ = 0;             // the same
+  Table<DeviceId, Nanoseconds> phases_;  // -1: any
   std::optional<Witness> best_;
 };
 

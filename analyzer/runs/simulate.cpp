@@ -163,10 +163,11 @@ class Run {
 
   /// The instant of the first event or frame of the device whose timer it is, the first time; else -1.
   Nanoseconds take_phase(int started) {
-    if (started < machine_.next_timer(0) || started == machine_.pause_timer() || phases_.empty()) return -1;
-    const int device = (started - machine_.next_timer(0)) / 2;
+    if (started < machine_.first_device_timer() || started == machine_.pause_timer() || phases_.empty())
+      return -1;
+    const DeviceId device = machine_.device_of(started);
     if (started != machine_.next_timer(device)) return -1;
-    return std::exchange(phases_[static_cast<std::size_t>(device)], -1);
+    return std::exchange(phases_[device], -1);
   }
 
   /// Fires one of the timers that are due first. False: the run is at its end.
@@ -211,7 +212,7 @@ class Run {
   std::uint64_t pause_;
   Dice dice_;
   ConcreteRun concrete_run_;
-  std::vector<Nanoseconds> phases_;  // -1: drawn, or over
+  Table<DeviceId, Nanoseconds> phases_;  // -1: drawn, or over
   Simulation made_;
 };
 

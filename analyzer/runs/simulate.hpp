@@ -25,7 +25,7 @@ struct SimulationOptions {
   bool record = true;
   /// By device, where not empty: the instant of its first event or frame, counted from its opening; -1:
   /// drawn.
-  std::vector<Nanoseconds> phases;
+  Table<DeviceId, Nanoseconds> phases;
   /// The beginning of the run; the rest is drawn. The beginning ends before a scripted firing that is not
   /// possible.
   std::vector<ScriptedFiring> beginning;

@@ -42,8 +42,8 @@ class Finder {
         if (hold_[t] != Hold::none) around(static_cast<int>(t));
       }
       share_processors();
-      for (std::size_t d = 0; d < devices_.size(); ++d) {
-        if (devices_[d]) around_device(static_cast<int>(d));
+      for (const DeviceId d : devices_.ids()) {
+        if (devices_[d]) around_device(d);
       }
     }
     Cone cone;
@@ -59,9 +59,9 @@ class Finder {
     hold_[at(thread)] = hold;
     changed_ = true;
   }
-  void keep_device(int device) {
-    if (device < 0 || devices_[at(device)]) return;
-    devices_[at(device)] = true;
+  void keep_device(DeviceId device) {
+    if (!device.valid() || devices_[device]) return;
+    devices_[device] = true;
     changed_ = true;
   }
   void keep_if(Hold hold, const std::function<bool(const ThreadTalk&)>& meant) {
@@ -79,7 +79,7 @@ class Finder {
     if (of.served) keep_device(of.receiver_device);
   }
 
-  void keep_channels_of(int device) {
+  void keep_channels_of(DeviceId device) {
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& of = problem_.channels[c];
       if (of.sender_device == device || (of.receiver_device == device && of.served))
@@ -94,7 +94,7 @@ class Finder {
       return std::any_of(talk.steps.begin(), talk.steps.end(),
                          [this](int step) { return watch_.at[at(step)] || is_of_phase(step); });
     });
-    if (requirement_.device >= 0) keep_device(requirement_.device);
+    if (requirement_.device.valid()) keep_device(requirement_.device);
     if (watch_.kind == Watch::Kind::loss) keep_channels_of(requirement_.device);
     for (const int channel : requirement_.events) keep_channel(channel);
     for (const int channel : requirement_.samples) keep_channel(channel);
@@ -209,7 +209,7 @@ class Finder {
       return to.uses.contains(kept) && !is_known(&ThreadTalk::keeps, kept, thread);
     });
     if (samples && keeps) return true;
-    return samples && std::any_of(from.sets.begin(), from.sets.end(), [&](int condition) {
+    return samples && std::any_of(from.sets.begin(), from.sets.end(), [&](ConditionId condition) {
              return to.reads.contains(condition) && !is_known(&ThreadTalk::sets, condition, thread);
            });
   }
@@ -243,7 +243,7 @@ class Finder {
       if (!to.uses.contains(kept) || is_known(&ThreadTalk::keeps, kept, thread)) continue;
       keep_if(Hold::strong, [kept](const ThreadTalk& of) { return of.keeps.contains(kept); });
     }
-    for (const int condition : from.sets) {
+    for (const ConditionId condition : from.sets) {
       if (!to.reads.contains(condition) || is_known(&ThreadTalk::sets, condition, thread)) continue;
       // Also who knows nothing: a set makes forgotten what an earlier one said.
       keep_if(Hold::strong, [condition](const ThreadTalk& of) { return of.sets.contains(condition); });
@@ -287,7 +287,7 @@ class Finder {
   /// Whether a device says how often a thread goes round.
   bool is_paced(const ThreadTalk& talk) const {
     return std::any_of(talk.waits_again.begin(), talk.waits_again.end(),
-                       [this](int channel) { return problem_.channels[at(channel)].sender_device >= 0; });
+                       [this](int channel) { return problem_.channels[at(channel)].sender_device.valid(); });
   }
 
   /// Who may go before a thread that is kept, or cannot be interrupted by it.
@@ -308,20 +308,20 @@ class Finder {
   }
 
   /// Nothing that is measured goes through them, and only threads that just take time wait for them.
-  std::vector<bool> pacers() const {
-    std::vector<bool> found = devices_;
-    if (requirement_.device >= 0) found[at(requirement_.device)] = false;
+  Table<DeviceId, bool> pacers() const {
+    Table<DeviceId, bool> found = devices_;
+    if (requirement_.device.valid()) found[requirement_.device] = false;
     for (std::size_t t = 0; t < talk_.size(); ++t) {
       if (hold_[t] != Hold::strong) continue;
       for (const int channel : talk_[t].waits) {
-        const int device = problem_.channels[at(channel)].sender_device;
-        if (device >= 0) found[at(device)] = false;
+        const DeviceId device = problem_.channels[at(channel)].sender_device;
+        if (device.valid()) found[device] = false;
       }
     }
     return found;
   }
 
-  void around_device(int device) {
+  void around_device(DeviceId device) {
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const Channel& of = problem_.channels[c];
       const bool its = of.sender_device == device || (of.receiver_device == device && of.served);
@@ -338,7 +338,7 @@ class Finder {
   Watch watch_;
   std::vector<ThreadTalk> talk_;
   std::vector<Hold> hold_;
-  std::vector<bool> devices_;
+  Table<DeviceId, bool> devices_;
   std::vector<std::pair<int, std::vector<bool>>> echoes_;
   bool changed_ = false;
 };
@@ -346,16 +346,15 @@ class Finder {
 }  // namespace
 
 bool Cone::whole() const {
-  const auto all = [](const std::vector<bool>& of) {
-    return std::find(of.begin(), of.end(), false) == of.end();
-  };
+  const auto all = [](const auto& of) { return std::find(of.begin(), of.end(), false) == of.end(); };
   return all(threads) && all(devices);
 }
 
 Cone cone_of(const Problem& problem, const Requirement& requirement, ProcessorId processor, Reach reach) {
   if (requirement.measure == Measure::load)
-    return {std::vector<bool>(problem.threads.size(), true), std::vector<bool>(problem.devices.size(), true),
-            std::vector<bool>(problem.devices.size(), false)};
+    return {std::vector<bool>(problem.threads.size(), true),
+            Table<DeviceId, bool>(problem.devices.size(), true),
+            Table<DeviceId, bool>(problem.devices.size(), false)};
   return Finder(problem, requirement, processor, reach).find();
 }
 

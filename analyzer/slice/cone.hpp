@@ -10,10 +10,10 @@ namespace pal::analyzer {
 /// The parts of a problem that are kept; the rest may do anything (slice.hpp).
 struct Cone {
   std::vector<bool> threads;
-  std::vector<bool> devices;
+  Table<DeviceId, bool> devices;
   /// Devices that matter only because their events make others take time: how seldom they come does not
   /// matter.
-  std::vector<bool> pacers;
+  Table<DeviceId, bool> pacers;
 
   /// Whether nothing is left out.
   bool whole() const;

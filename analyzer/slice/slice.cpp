@@ -18,7 +18,7 @@ class Slicer {
 
   Problem make() {
     for (std::size_t c = 0; c < made_.channels.size(); ++c) loosen(static_cast<int>(c));
-    for (std::size_t d = 0; d < made_.devices.size(); ++d) {
+    for (const DeviceId d : made_.devices.ids()) {
       if (!cone_.devices[d]) made_.devices[d].behaviour = std::monostate();
       if (relaxation_.periods) space_out(made_.devices[d]);
       made_.devices[d].seldom = relaxation_.periods && cone_.pacers[d];
@@ -43,15 +43,15 @@ class Slicer {
       if (uses && !cone_.threads[t]) return false;
     }
     const Channel& of = whole_.channels[index_of(channel)];
-    if (of.sender_device >= 0 && !cone_.devices[index_of(of.sender_device)]) return false;
-    return !of.served || cone_.devices[index_of(of.receiver_device)];
+    if (of.sender_device.valid() && !cone_.devices[of.sender_device]) return false;
+    return !of.served || cone_.devices[of.receiver_device];
   }
 
   /// A request and its answer are followed together or not at all.
   void loosen(int channel) {
     Channel& of = made_.channels[index_of(channel)];
     // A device takes at once what it does not serve, whatever is left out.
-    if (of.receiver_device >= 0 && !of.served) return;
+    if (of.receiver_device.valid() && !of.served) return;
     const bool kept =
         is_kept(channel) && (of.answer < 0 || is_kept(of.answer)) && (of.answers < 0 || is_kept(of.answers));
     if (kept) return;
@@ -89,7 +89,7 @@ class Slicer {
       for (const int s : talk_[t].steps) {
         const Step& step = whole_.steps[index_of(s)];
         if (step.kind != Step::Kind::set) continue;
-        const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition);
+        const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition.index());
         if (!cone_.threads[t]) left_out |= bit;
         if (step.value) told |= bit;
       }

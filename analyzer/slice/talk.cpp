@@ -95,7 +95,7 @@ void note(const Problem& problem, const Step& step, bool again, ThreadTalk& talk
   talk.uses.insert(step.uses.begin(), step.uses.end());
   if (step.kind == Step::Kind::set) talk.sets.insert(step.condition);
   if (step.kind == Step::Kind::read) talk.reads.insert(step.condition);
-  for (int c = 0; c < static_cast<int>(problem.conditions.size()); ++c) {
+  for (const ConditionId c : problem.conditions.ids()) {
     if (tests(step, c)) talk.reads.insert(c);
   }
 }
@@ -124,7 +124,7 @@ Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& ta
   if (wait.kind != Step::Kind::wait || wait.within || wait.channels.size() != 1) return 0;
   const int answer = wait.channels.front();
   const Channel& of = problem.channels[static_cast<std::size_t>(answer)];
-  if (of.sender_device < 0 || of.answers < 0) return 0;
+  if (!of.sender_device.valid() || of.answers < 0) return 0;
   for (std::size_t t = 0; t < talk.size(); ++t) {
     const bool uses = talk[t].sends.contains(of.answers) || talk[t].waits.contains(answer);
     if (uses && static_cast<int>(t) != thread) return 0;
@@ -148,7 +148,7 @@ Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& ta
     }
   }
   if (waits(problem.threads[static_cast<std::size_t>(thread)].entry)) return 0;
-  const auto& behaviour = problem.devices[static_cast<std::size_t>(of.sender_device)].behaviour;
+  const auto& behaviour = problem.devices[of.sender_device].behaviour;
   if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour)) return request->answer.best.count();
   if (const auto* frames = std::get_if<pan::FrameDevice>(&behaviour)) return frames->collecting.count();
   return 0;

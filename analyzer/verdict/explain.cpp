@@ -59,9 +59,9 @@ std::string milliseconds(Nanoseconds time) {
 namespace {
 
 std::string known_name(const Problem& problem, const Requirement& requirement) {
-  if (requirement.samples.empty()) return problem.conditions[static_cast<std::size_t>(requirement.condition)];
+  if (requirement.samples.empty()) return problem.conditions[requirement.condition];
   return problem.channels[static_cast<std::size_t>(requirement.samples.front())].message + " of " +
-         problem.devices[static_cast<std::size_t>(requirement.device)].name;
+         problem.devices[requirement.device].name;
 }
 
 std::string event_name(const Problem& problem, const Requirement& requirement) {

@@ -18,7 +18,7 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
       kept_(problem.kept.size()),
       conditions_(problem.conditions.size()),
       sets_(problem.conditions.size()) {
-  if (requirement.condition >= 0) conditions_[static_cast<std::size_t>(requirement.condition)].number = 0;
+  if (requirement.condition.valid()) conditions_[requirement.condition].number = 0;
   for (std::size_t t = 0; t < problem.threads.size() && !requirement.samples.empty(); ++t) {
     for (const int s : steps_of(problem, problem.threads[t]))
       steps_[{static_cast<int>(t), problem.steps[static_cast<std::size_t>(s)].statement}] = s;
@@ -114,7 +114,7 @@ void Origins::follow(std::size_t index) {
       if (!device) {
         if (puts_.contains(message)) put_of_[index] = puts_[message];
         // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
-        const bool reads = requirement_.condition >= 0 && reads_[static_cast<std::size_t>(event.actor)];
+        const bool reads = requirement_.condition.valid() && reads_[static_cast<std::size_t>(event.actor)];
         if (!reads || carried.number == known(event.actor).number) gain(event.actor, index, carried);
         const KeptId kept = problem_.channels[static_cast<std::size_t>(event.subject)].kept;
         if (kept.valid()) kept_[kept] = {carried, index};
@@ -128,19 +128,19 @@ void Origins::follow(std::size_t index) {
       return;
     }
     case Kind::set: {
-      const auto condition = static_cast<std::size_t>(event.subject);
+      const auto condition = ConditionId::of(event.subject);
       sets_[condition] = index;
       use(index);
-      if (event.subject == requirement_.condition) conditions_[condition] = birth(index);
+      if (condition == requirement_.condition) conditions_[condition] = birth(index);
       if (!requirement_.samples.empty()) conditions_[condition] = known(event.actor);
       return;
     }
     case Kind::read: {
-      const auto condition = static_cast<std::size_t>(event.subject);
+      const auto condition = ConditionId::of(event.subject);
       set_of_[index] = sets_[condition];
-      const bool watched = event.subject == requirement_.condition || !requirement_.samples.empty();
+      const bool watched = condition == requirement_.condition || !requirement_.samples.empty();
       if (watched) gain(event.actor, index, conditions_[condition]);
-      if (event.subject == requirement_.condition) reads_[static_cast<std::size_t>(event.actor)] = true;
+      if (condition == requirement_.condition) reads_[static_cast<std::size_t>(event.actor)] = true;
       return;
     }
     default:

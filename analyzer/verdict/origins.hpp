@@ -73,8 +73,8 @@ class Origins {
   Table<KeptId, Known> kept_;  // by what modules keep, and the event that left it there
   std::map<std::pair<int, StatementId>, int> steps_;  // by thread and statement
   std::map<std::size_t, std::size_t> kept_since_;
-  std::vector<Origin> conditions_;
-  std::vector<std::optional<std::size_t>> sets_;  // the last, by condition
+  Table<ConditionId, Origin> conditions_;
+  Table<pan::ConditionId, std::optional<std::size_t>> sets_;  // the last, by condition
   std::map<std::size_t, std::optional<std::size_t>> set_of_;
   std::map<std::size_t, std::size_t> put_of_;
   std::vector<Origin> births_;

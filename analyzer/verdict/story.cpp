@@ -129,14 +129,14 @@ struct Story {
                                         narrator.statement(reading.statement).text + " reads it",
                                     setting.statement));
     if (from < reading.time_ns)
-      narrator.tell(next_to_set(reading.subject, setting.actor, reading.time_ns), from, reading.time_ns,
-                    out.back().inside);
+      narrator.tell(next_to_set(ConditionId::of(reading.subject), setting.actor, reading.time_ns), from,
+                    reading.time_ns, out.back().inside);
     if (requirement.samples.empty()) return std::nullopt;
     return Known{setting.actor, *set};
   }
 
   /// Who is to set a condition again: the thread that set it, or a block of it that sets it from then on.
-  int next_to_set(int condition, int setter, Nanoseconds instant) const {
+  int next_to_set(ConditionId condition, int setter, Nanoseconds instant) const {
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       const Step& step = problem.steps[s];
       if (step.kind != Step::Kind::set || step.condition != condition) continue;

@@ -6,14 +6,14 @@
 namespace pal::analyzer {
 namespace {
 
-bool reads(const Step& step, int condition) {
+bool reads(const Step& step, ConditionId condition) {
   return (step.kind == Step::Kind::read && step.condition == condition) || tests(step, condition);
 }
 
 }  // namespace
 
 bool is_unread(const Problem& problem, const Requirement& requirement) {
-  if (requirement.measure != Requirement::Measure::age || requirement.condition < 0) return false;
+  if (requirement.measure != Requirement::Measure::age || !requirement.condition.valid()) return false;
   std::vector<bool> read(problem.threads.size());  // by thread: it, or one whose block it is, reads
   for (std::size_t t = 0; t < problem.threads.size(); ++t) {
     const Thread& thread = problem.threads[t];

@@ -18,8 +18,8 @@ using trace::Kind;
 
 const analyzer::Watch nothing_watched;
 
-std::int32_t actor_of(const analyzer::Problem& problem, int device) {
-  return static_cast<std::int32_t>(problem.threads.size()) + device;
+std::int32_t actor_of(const analyzer::Problem& problem, analyzer::DeviceId device) {
+  return static_cast<std::int32_t>(problem.threads.size()) + device.value;
 }
 
 /// The time from one event, answer or frame of a device to the next, as far as the environment tells.
@@ -76,8 +76,9 @@ std::optional<Nanoseconds> next_taken(const trace::Trace& run, std::int32_t acto
 
 /// Of a frame that was not requested: which thread asked too late, and what that thread did since the device
 /// gave it the frame before.
-void explain_frame(const analyzer::Problem& problem, int device, const chart::Loss& loss, LossRun& shown) {
-  const std::vector<int>& requests = problem.devices[static_cast<std::size_t>(device)].requests;
+void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, const chart::Loss& loss,
+                   LossRun& shown) {
+  const std::vector<int>& requests = problem.devices[device].requests;
   const auto late = std::find_if(shown.run.events.begin(), shown.run.events.end(), [&](const Event& event) {
     return event.kind == Kind::put && event.time_ns > loss.from_ns &&
            std::find(requests.begin(), requests.end(), event.subject) != requests.end();
@@ -122,7 +123,7 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
   const analyzer::Requirement& requirement = problem.requirements[index];
   const analyzer::Witness& witness = *proof.analysis.verdicts[index].witness;
   const std::int32_t actor = actor_of(problem, requirement.device);
-  const Nanoseconds distance = distance_of(problem.devices[static_cast<std::size_t>(requirement.device)]);
+  const Nanoseconds distance = distance_of(problem.devices[requirement.device]);
   const Nanoseconds at = witness.measured.at;
   LossRun shown;
   shown.run = made(problem, witness.script, at + 6 * distance);
@@ -130,7 +131,7 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
   const chart::Loss* loss = counted_at(shown.losses, at);
   if (loss == nullptr) {
     // The run did not go on as it began: the proved one ends where the loss is counted.
-    const analyzer::Device& device = problem.devices[static_cast<std::size_t>(requirement.device)];
+    const analyzer::Device& device = problem.devices[requirement.device];
     const bool frames = std::holds_alternative<pan::FrameDevice>(device.behaviour);
     shown.run = witness.trace;
     shown.losses = {{device.name, at, at,
@@ -155,11 +156,11 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
 }
 
 /// A run of the worst times in which the device gives a few messages, all of which are taken.
-std::optional<LossRun> without_loss(const analyzer::Problem& problem, int device) {
+std::optional<LossRun> without_loss(const analyzer::Problem& problem, analyzer::DeviceId device) {
   constexpr std::size_t wanted = 4;
   constexpr int most_tries = 8;
   const std::int32_t actor = actor_of(problem, device);
-  const Nanoseconds distance = distance_of(problem.devices[static_cast<std::size_t>(device)]);
+  const Nanoseconds distance = distance_of(problem.devices[device]);
   Nanoseconds until = 8 * distance;
   for (int tries = 0; tries < most_tries; ++tries, until *= 2) {
     LossRun shown;
@@ -179,13 +180,13 @@ std::optional<LossRun> without_loss(const analyzer::Problem& problem, int device
 
 }  // namespace
 
-std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run, int device) {
+std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run,
+                                   analyzer::DeviceId device) {
   const std::int32_t actor = actor_of(problem, device);
-  const std::string& name = problem.devices[static_cast<std::size_t>(device)].name;
+  const std::string& name = problem.devices[device].name;
   const std::vector<Event> puts = events_of(run, actor, Kind::put);
   const std::vector<Event> overruns = events_of(run, actor, Kind::overrun);
-  const bool frames =
-      std::holds_alternative<pan::FrameDevice>(problem.devices[static_cast<std::size_t>(device)].behaviour);
+  const bool frames = std::holds_alternative<pan::FrameDevice>(problem.devices[device].behaviour);
   std::vector<chart::Loss> losses;
   std::vector<Nanoseconds> with_work;  // overruns that end a stretch of work
   bool counts = false;

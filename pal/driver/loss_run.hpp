@@ -24,7 +24,8 @@ struct LossRun {
 /// The messages of a device that no thread took in a run. These are frames that no thread had asked for, and
 /// messages that found the one before them still in their slot. Frames count from the first that is passed
 /// on, and only whole ones.
-std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run, int device);
+std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run,
+                                   analyzer::DeviceId device);
 
 /// The run for requirement `index`, which is one on losses. Nothing if it cannot be simulated.
 std::optional<LossRun> loss_run(const Proof& proof, std::size_t index);

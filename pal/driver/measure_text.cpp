@@ -24,9 +24,9 @@ std::string statements_text(const analyzer::Problem& problem, const analyzer::Re
 }
 
 std::string known_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
-  if (requirement.samples.empty()) return problem.conditions[static_cast<std::size_t>(requirement.condition)];
+  if (requirement.samples.empty()) return problem.conditions[requirement.condition];
   return problem.channels[static_cast<std::size_t>(requirement.samples.front())].message + " from " +
-         problem.devices[static_cast<std::size_t>(requirement.device)].name;
+         problem.devices[requirement.device].name;
 }
 
 std::string event_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
@@ -53,7 +53,7 @@ std::string whole_run_text(const analyzer::Problem& problem, const analyzer::Req
       return std::string(requirement.at_least ? "least" : "greatest") + " interval of " +
              statements_text(problem, requirement);
     case Measure::loss:
-      return "loss of " + problem.devices[static_cast<std::size_t>(requirement.device)].name +
+      return "loss of " + problem.devices[requirement.device].name +
              (requirement.in == 1 ? "" : " in " + std::to_string(requirement.in));
     case Measure::duration:
       return "duration to completion " + std::to_string(requirement.code);
@@ -76,7 +76,7 @@ std::string measure_text(const analyzer::Problem& problem, std::size_t index) {
 std::string short_measure_text(const analyzer::Problem& problem, std::size_t index) {
   const analyzer::Requirement& requirement = problem.requirements[index];
   const std::string known =
-      requirement.condition >= 0 ? problem.conditions[static_cast<std::size_t>(requirement.condition)]
+      requirement.condition.valid() ? problem.conditions[requirement.condition]
       : requirement.samples.empty()
           ? std::string()
           : problem.channels[static_cast<std::size_t>(requirement.samples.front())].message;

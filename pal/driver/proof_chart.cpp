@@ -161,7 +161,7 @@ std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof
   const auto at = statements_of(proof, index);
   std::vector<trace::Occurrence> all;
   if (requirement.measure == Measure::age) {
-    all = trace::ages(run, proof.problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
+    all = trace::ages(run, proof.problem.conditions[requirement.condition], at);
   } else {
     const int channel = requirement.events.front();
     all = trace::responses(run, analyzer::sender_name(proof.problem, channel),

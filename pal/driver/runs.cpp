@@ -42,9 +42,10 @@ analyzer::Nanoseconds period_of(const analyzer::Device& device) {
 
 /// By device: how long after its opening its first event or frame comes, of those that are in step; else -1.
 /// A phase that the environment gives counts all the same.
-std::vector<analyzer::Nanoseconds> drawn_phases(const analyzer::Problem& problem, std::uint64_t seed) {
+Table<analyzer::DeviceId, analyzer::Nanoseconds> drawn_phases(const analyzer::Problem& problem,
+                                                              std::uint64_t seed) {
   std::mt19937_64 engine(seed);
-  std::vector<analyzer::Nanoseconds> phases;
+  Table<analyzer::DeviceId, analyzer::Nanoseconds> phases;
   for (const analyzer::Device& device : problem.devices) {
     const auto period = static_cast<std::uint64_t>(period_of(device));
     phases.push_back(period == 0 ? -1 : static_cast<analyzer::Nanoseconds>(engine() % (period + 1)));

@@ -73,7 +73,7 @@ std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& p
   std::vector<trace::Occurrence> found;
   bool failed = false;
   if (requirement.measure == Requirement::Measure::age) {
-    found = trace::ages(run, problem.conditions[static_cast<std::size_t>(requirement.condition)], at);
+    found = trace::ages(run, problem.conditions[requirement.condition], at);
   } else {
     const int channel = requirement.events.front();
     const auto responses = trace::responses(run, sender_name(problem, channel),

@@ -20,7 +20,7 @@ std::string measure_of(const Requirement& requirement) {
   std::string measure = name(requirement.measure);
   const bool known = requirement.measure == Requirement::Measure::age ||
                      requirement.measure == Requirement::Measure::reaction;
-  if (known) measure += requirement.condition < 0 ? " of a sample" : " of a condition";
+  if (known) measure += !requirement.condition.valid() ? " of a sample" : " of a condition";
   return measure + (requirement.at_least ? ", least" : "");
 }
 

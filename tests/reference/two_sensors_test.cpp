@@ -29,7 +29,7 @@ std::vector<std::string> left_out(const Problem& problem) {
   for (std::size_t t = 0; t < cone.threads.size(); ++t) {
     if (!cone.threads[t]) names.push_back(problem.threads[t].name);
   }
-  for (std::size_t d = 0; d < cone.devices.size(); ++d) {
+  for (const DeviceId d : cone.devices.ids()) {
     if (!cone.devices[d]) names.push_back(problem.devices[d].name);
   }
   std::sort(names.begin(), names.end());

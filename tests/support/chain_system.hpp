@@ -183,7 +183,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     event.sporadic = chain.sporadic;
     device.behaviour = event;
     device.event = static_cast<int>(made.channels.size());
-    const int device_index = static_cast<int>(made.devices.size());
+    const analyzer::DeviceId device_index(made.devices.size());
     made.devices.push_back(std::move(device));
     Requirement requirement;
     requirement.name = "chain-" + number;
@@ -275,7 +275,7 @@ inline void require_more(analyzer::Problem& problem) {
     if (!problem.channels[static_cast<std::size_t>(second)].sender_module.valid()) continue;
     analyzer::Requirement& rest = add(Measure::response, "rest");
     rest.events = {second};
-    rest.device = -1;
+    rest.device = {};
   }
   analyzer::Requirement busy;
   busy.name = "busy";

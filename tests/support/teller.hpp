@@ -134,8 +134,8 @@ class Teller {
     after_[static_cast<std::size_t>(event.actor)] = next;
   }
 
-  static void mentioned(const pan::Guard& guard, std::set<int>& conditions) {
-    if (guard.kind == pan::Guard::Kind::equals) conditions.insert(guard.condition.value);
+  static void mentioned(const pan::Guard& guard, std::set<pan::ConditionId>& conditions) {
+    if (guard.kind == pan::Guard::Kind::equals) conditions.insert(guard.condition);
     for (const pan::Guard& term : guard.terms) mentioned(term, conditions);
   }
 
@@ -146,14 +146,15 @@ class Teller {
       for (int step : after_[static_cast<std::size_t>(t)])
         statement(all, t, problem_.steps[static_cast<std::size_t>(step)]);
     }
-    for (int d = 0; d < static_cast<int>(problem_.devices.size()); ++d) {
-      say(all, Kind::busy, threads + d);
-      say(all, Kind::idle, threads + d);
+    for (const analyzer::DeviceId d : problem_.devices.ids()) {
+      const int device = threads + d.value;
+      say(all, Kind::busy, device);
+      say(all, Kind::idle, device);
       for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
         const int channel = static_cast<int>(c);
-        if (problem_.channels[c].receiver_device == d) say(all, Kind::take, threads + d, -1, channel);
+        if (problem_.channels[c].receiver_device == d) say(all, Kind::take, device, -1, channel);
         if (problem_.channels[c].sender_device != d) continue;
-        for (Kind kind : {Kind::put, Kind::overrun, Kind::drop}) say(all, kind, threads + d, -1, channel);
+        for (Kind kind : {Kind::put, Kind::overrun, Kind::drop}) say(all, kind, device, -1, channel);
       }
     }
     for (std::size_t c = 0; c < problem_.channels.size(); ++c)
@@ -171,12 +172,12 @@ class Teller {
       say(all, wait ? Kind::take : Kind::put, thread, is, channel);
       say(all, wait ? Kind::give_up : Kind::drop, thread, is, channel);
     }
-    std::set<int> conditions;
+    std::set<pan::ConditionId> conditions;
     for (const pan::Guard& guard : at.guards) mentioned(guard, conditions);
-    if (at.condition >= 0) conditions.insert(at.condition);
-    for (int condition : conditions) {
+    if (at.condition.valid()) conditions.insert(at.condition);
+    for (pan::ConditionId condition : conditions) {
       for (int value : {0, 1})
-        say(all, at.kind == Step::Kind::set ? Kind::set : Kind::read, thread, is, condition, value);
+        say(all, at.kind == Step::Kind::set ? Kind::set : Kind::read, thread, is, condition.value, value);
     }
     if (at.kind == Step::Kind::fork) say(all, Kind::block, thread, is);
     if (at.kind == Step::Kind::complete) say(all, Kind::complete, thread, is, -1, at.code);

@@ -84,8 +84,8 @@ bool may_give_up(const Problem& problem, int request) {
   });
 }
 
-Range AnalysisContext::device_time(int device) const {
-  const auto& behaviour = problem.devices[static_cast<std::size_t>(device)].behaviour;
+Range AnalysisContext::device_time(DeviceId device) const {
+  const auto& behaviour = problem.devices[device].behaviour;
   if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour))
     return {request->answer.best.count(), request->answer.worst.count()};
   if (const auto* frames = std::get_if<pan::FrameDevice>(&behaviour))
@@ -94,12 +94,12 @@ Range AnalysisContext::device_time(int device) const {
 }
 
 Range AnalysisContext::way(int n) const {
-  if (node(n).device >= 0) return device_time(node(n).device);
+  if (node(n).device.valid()) return device_time(node(n).device);
   return latency(problem, sent_channel(n), forest.thread_of(node(n).cause), forest.thread_of(n));
 }
 
-Nanoseconds AnalysisContext::answer_queue(int device, int request) const {
-  const Device& of = problem.devices[static_cast<std::size_t>(device)];
+Nanoseconds AnalysisContext::answer_queue(DeviceId device, int request) const {
+  const Device& of = problem.devices[device];
   const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (behaviour == nullptr) return 0;
   // It takes any of those that wait: the others could be served again and again before this one.

@@ -33,11 +33,11 @@ struct AnalysisContext {
   int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
 
   /// Time from a request to its answer when the device is free.
-  Range device_time(int device) const;
+  Range device_time(DeviceId device) const;
   /// Time from the send until the node's message, or the device's answer to it, can be received.
   Range way(int n) const;
   /// How long a request may queue at a device that answers on request; `never`: unbounded.
-  Nanoseconds answer_queue(int device, int request) const;
+  Nanoseconds answer_queue(DeviceId device, int request) const;
 };
 
 /// Whether a wait for the answer to a request may time out.

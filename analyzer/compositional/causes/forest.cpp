@@ -30,7 +30,7 @@ bool ends_with_cause(const Problem& problem, const Forest& forest, int node) {
 
 Range latency(const Problem& problem, int channel, int sender, int receiver) {
   const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
-  if (of.sender_device >= 0 || of.receiver_device >= 0) return {};
+  if (of.sender_device.valid() || of.receiver_device.valid()) return {};
   const bool same = problem.threads[static_cast<std::size_t>(sender)].processor ==
                     problem.threads[static_cast<std::size_t>(receiver)].processor;
   return same ? problem.within_processor : problem.between_processors;

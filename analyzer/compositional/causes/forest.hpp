@@ -16,7 +16,7 @@ namespace pal::analyzer::compositional {
 struct Source {
   enum class Kind { event, start, loop, joined };
   Kind kind = Kind::start;
-  int device = -1;         // event
+  DeviceId device{};       // event
   int thread = -1;         // start, loop, joined
   int segment = -1;        // loop: the first segment of each job
   int fork = -1;           // joined
@@ -29,7 +29,7 @@ struct Source {
     int node = -1;
     std::vector<int> sends;
     int wait = -1;  // that times out
-    int device = -1;
+    DeviceId device{};
   };
   std::vector<Feed> feeds;
 };
@@ -43,7 +43,7 @@ struct Node {
   int cause = -1;          // node
   int cause_step = -1;     // limit: the wait; fork: the fork
   std::vector<int> sends;  // message: the sends that trigger it; each run of the cause passes one of them
-  int device = -1;         // message: the device that answers in between
+  DeviceId device{};       // message: the device that answers in between
   int depth = 0;
   std::vector<int> effects;  // nodes whose cause this is
 };

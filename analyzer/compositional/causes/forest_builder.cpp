@@ -78,12 +78,12 @@ class ForestBuilder {
   }
 
   void sources() {
-    for (std::size_t d = 0; d < problem_.devices.size(); ++d) {
+    for (const DeviceId d : problem_.devices.ids()) {
       const auto* event = std::get_if<pan::EventDevice>(&problem_.devices[d].behaviour);
       if (event == nullptr || problem_.devices[d].event < 0) continue;
       Source source;
       source.kind = Source::Kind::event;
-      source.device = static_cast<int>(d);
+      source.device = d;
       source.period = event->period.count();
       source.jitter = event->jitter.count();
       source.regular = !event->sporadic;
@@ -124,18 +124,18 @@ class ForestBuilder {
     const Source& of = forest_.sources[static_cast<std::size_t>(source)];
     switch (of.kind) {
       case Source::Kind::event:
-        message({source, -1, Node::Release::root, -1, {}, -1},
-                problem_.devices[static_cast<std::size_t>(of.device)].event);
+        message({source, -1, Node::Release::root, -1, {}, DeviceId{}}, problem_.devices[of.device].event);
         break;
       case Source::Kind::start:
-        effect({source, -1, Node::Release::root, -1, {}, -1}, {Beginning::Kind::entry, of.thread, -1, -1});
+        effect({source, -1, Node::Release::root, -1, {}, DeviceId{}},
+               {Beginning::Kind::entry, of.thread, -1, -1});
         break;
       case Source::Kind::joined:
-        effect({source, -1, Node::Release::root, -1, {}, -1},
+        effect({source, -1, Node::Release::root, -1, {}, DeviceId{}},
                {Beginning::Kind::joined, of.thread, of.fork, -1});
         break;
       case Source::Kind::loop:
-        add({source, -1, Node::Release::root, -1, {}, -1}, of.segment);
+        add({source, -1, Node::Release::root, -1, {}, DeviceId{}}, of.segment);
         break;
     }
     while (!open_.empty() && !is_over()) {
@@ -153,7 +153,7 @@ class ForestBuilder {
     Node::Release release;
     int step;  // wait or fork
     std::vector<int> sends;
-    int device;
+    DeviceId device;
   };
 
   void add_effects(int at) {
@@ -163,8 +163,8 @@ class ForestBuilder {
       if (is_over()) return;
       const int channel = step_at(sends.front()).channels.front();
       const Channel& of = problem_.channels[static_cast<std::size_t>(channel)];
-      if (of.receiver_device < 0) {
-        message({source, at, Node::Release::message, -1, sends, -1}, channel);
+      if (!of.receiver_device.valid()) {
+        message({source, at, Node::Release::message, -1, sends, DeviceId{}}, channel);
       } else if (of.served && of.answer >= 0) {
         message({source, at, Node::Release::message, -1, sends, of.receiver_device}, of.answer);
       }
@@ -174,7 +174,7 @@ class ForestBuilder {
       if (is_over()) return;
       if (!step.within) continue;
       const int thread = segment.beginning.thread;
-      const Link link{source, at, Node::Release::limit, wait.step, {}, -1};
+      const Link link{source, at, Node::Release::limit, wait.step, {}, DeviceId{}};
       effect(link, {Beginning::Kind::give_up, thread, wait.step, -1});
       if (!limited_[static_cast<std::size_t>(wait.step)]) continue;
       for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
@@ -182,7 +182,7 @@ class ForestBuilder {
       }
     }
     for (const Segment::Arrival& fork : segment.forks) {
-      const Link link{source, at, Node::Release::fork, fork.step, {}, -1};
+      const Link link{source, at, Node::Release::fork, fork.step, {}, DeviceId{}};
       for (int block : step_at(fork.step).threads) effect(link, {Beginning::Kind::entry, block, -1, -1});
       const std::vector<int>& blocks = step_at(fork.step).threads;
       const bool goes_on = std::any_of(blocks.begin(), blocks.end(), [this](int block) {
@@ -238,11 +238,11 @@ class ForestBuilder {
   std::optional<std::set<int>> takers_of(const Link& link, int channel) {
     const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
     if (request < 0) return {};
-    if (link.device >= 0) return takers_.after(link.sends);
+    if (link.device.valid()) return takers_.after(link.sends);
     for (int at = link.cause; at >= 0; at = node(at).cause) {
       const Beginning& begins = forest_.segment_of(node(at)).beginning;
       const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
-                         node(at).device < 0 &&
+                         !node(at).device.valid() &&
                          step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)] == request;
       if (!asked) continue;
       // Between the two its module may have taken another request elsewhere, and answer that.
@@ -303,7 +303,7 @@ class ForestBuilder {
     made.cause_step = link.step;
     made.sends = link.sends;
     made.device = link.device;
-    made.depth = link.cause < 0 ? 0 : node(link.cause).depth + 1 + (link.device >= 0 ? 1 : 0);
+    made.depth = link.cause < 0 ? 0 : node(link.cause).depth + 1 + (link.device.valid() ? 1 : 0);
     const int index = static_cast<int>(forest_.nodes.size());
     forest_.nodes.push_back(made);
     if (link.cause >= 0) {

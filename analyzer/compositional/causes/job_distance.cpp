@@ -114,8 +114,8 @@ class Shortest {
   Nanoseconds answer(int channel, int depth) {
     const Channel& of = problem_.channels[static_cast<std::size_t>(channel)];
     if (of.answers < 0) return 0;
-    if (of.sender_device >= 0) {
-      const auto& behaviour = problem_.devices[static_cast<std::size_t>(of.sender_device)].behaviour;
+    if (of.sender_device.valid()) {
+      const auto& behaviour = problem_.devices[of.sender_device].behaviour;
       if (const auto* request = std::get_if<pan::RequestDevice>(&behaviour))
         return request->answer.best.count();
       if (const auto* frames = std::get_if<pan::FrameDevice>(&behaviour)) return frames->collecting.count();

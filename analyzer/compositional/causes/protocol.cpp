@@ -231,9 +231,9 @@ std::string out_of_turn(const Problem& problem, const Segments& segments, const 
     if (request.answer < 0) continue;
     if (stop && stop()) return {};
     const std::string who = receiver_name(problem, static_cast<int>(c));
-    if (request.receiver_device >= 0 && !request.served)
+    if (request.receiver_device.valid() && !request.served)
       return who + " is asked for " + request.message + ", which comes by itself";
-    if (request.receiver_device < 0 && !Answers(problem, request.answer).once())
+    if (!request.receiver_device.valid() && !Answers(problem, request.answer).once())
       return who + " may not answer each request for " + request.message + " once before it takes the next";
   }
   std::set<int> seen;

@@ -44,7 +44,7 @@ int taken_anywhere(const Problem& problem, const Segments& segments) {
     if (problem.steps[s].kind != Step::Kind::wait || segments.owner(static_cast<int>(s)) < 0) continue;
     for (int channel : problem.steps[s].channels) {
       const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
-      const bool asked = of.answer >= 0 && of.sender_device < 0;
+      const bool asked = of.answer >= 0 && !of.sender_device.valid();
       if (!asked && of.answers < 0 && ++waits[static_cast<std::size_t>(channel)] > 1) return channel;
     }
   }

@@ -274,7 +274,7 @@ class Observer {
   /// wait.
   bool drains(int n) {
     const ThreadBehaviour& of = thread(forest_.thread_of(n));
-    if (node(n).release != Release::message || node(n).device >= 0 || of.waits_within) return false;
+    if (node(n).release != Release::message || node(n).device.valid() || of.waits_within) return false;
     if (made_.job_start[static_cast<std::size_t>(n)] != n ||
         !made_.previous[static_cast<std::size_t>(n)].empty())
       return false;
@@ -328,7 +328,7 @@ class Observer {
     }
     const Channel& channel = problem_.channels[static_cast<std::size_t>(request)];
     // A device that sends requests by itself waits for no answer.
-    if (channel.answer < 0 || channel.sender_device >= 0) return;
+    if (channel.answer < 0 || channel.sender_device.valid()) return;
     for (const Step& step : problem_.steps) {
       const bool gives_up =
           step.kind == Kind::wait && step.within &&

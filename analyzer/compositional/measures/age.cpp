@@ -138,7 +138,7 @@ class Ageing {
 
 Bound age_bound(const View& view, const Requirement& requirement) {
   const Bound known = known_age_bound(view, requirement);
-  if (requirement.condition < 0) return known;
+  if (!requirement.condition.valid()) return known;
   const Bound aged = Ageing(view, requirement).run();
   return known.sum.value() < aged.sum.value() ? known : aged;
 }

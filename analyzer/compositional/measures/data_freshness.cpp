@@ -49,9 +49,9 @@ DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
     if (owner >= 0 && problem_.steps[s].kind == Kind::read)
       latched_[static_cast<std::size_t>(owner)].insert(problem_.steps[s].condition);
   }
-  if (requirement.condition < 0) find_setters();
+  if (!requirement.condition.valid()) find_setters();
   for (int iteration = 0; iteration < most_freshness_rounds; ++iteration) {
-    if (requirement.condition < 0) ages_.clear();  // samples on their way to conditions
+    if (!requirement.condition.valid()) ages_.clear();  // samples on their way to conditions
     bool changed = false;
     for (std::size_t n = 0; n < begins_.size(); ++n) changed = visit(static_cast<int>(n)) || changed;
     if (!changed) return;
@@ -213,23 +213,23 @@ bool DataFreshness::sampled(int channel) const {
 
 /// By the message that begins the node.
 Known DataFreshness::told(int node) const {
-  if (requirement_.condition >= 0) return std::nullopt;
+  if (requirement_.condition.valid()) return std::nullopt;
   const Node& of = view_.forest.nodes[static_cast<std::size_t>(node)];
   const Source& source = view_.forest.sources[static_cast<std::size_t>(of.source)];
   if (of.release == Release::message) return told_by(of.cause, of.sends, of.device);
   if (of.release != Release::root) return std::nullopt;
   if (source.kind == Source::Kind::event) {
-    const int event = problem_.devices[static_cast<std::size_t>(source.device)].event;
+    const int event = problem_.devices[source.device].event;
     return sampled(event) ? Known(Sum()) : std::nullopt;
   }
   return source.kind == Source::Kind::loop ? told_in_loop(source, of.source) : std::nullopt;
 }
 
 /// A message carries what its sender knows; a device's answer says what was so after the request.
-Known DataFreshness::told_by(int sender, const std::vector<int>& sends, int device) const {
+Known DataFreshness::told_by(int sender, const std::vector<int>& sends, DeviceId device) const {
   Known known = Sum::unbounded();
   for (int send : sends) {
-    if (device < 0) {
+    if (!device.valid()) {
       known = either(known, at({sender, send}));
       continue;
     }
@@ -256,7 +256,7 @@ Known DataFreshness::told_in_loop(const Source& source, int index) const {
 }
 
 /// Whether a step surely reads a condition, or has read it before for this very test.
-bool DataFreshness::surely_read(int step, int condition) const {
+bool DataFreshness::surely_read(int step, ConditionId condition) const {
   const Step& of = problem_.steps[static_cast<std::size_t>(step)];
   if (of.kind == Kind::read) return of.condition == condition;
   const auto thread = static_cast<std::size_t>(view_.forest.segments.owner(step));
@@ -267,7 +267,7 @@ void DataFreshness::transfer(int node, int step, State& state) {
   const Step& of = problem_.steps[static_cast<std::size_t>(step)];
   const int thread = view_.forest.thread_of(node);
   const Sum now = earliest(view_, node, step);
-  if (requirement_.condition >= 0) {
+  if (requirement_.condition.valid()) {
     if (of.kind == Kind::set && of.condition == requirement_.condition) state.set = now;
     if (surely_read(step, requirement_.condition)) {
       const Known read = earlier(now, age_when_read(requirement_.condition, thread));
@@ -281,18 +281,18 @@ void DataFreshness::transfer(int node, int step, State& state) {
   }
 }
 
-Sum DataFreshness::age_when_read(int condition, int reader) {
+Sum DataFreshness::age_when_read(ConditionId condition, int reader) {
   const auto [place, fresh] = ages_.emplace(std::pair{condition, reader}, Sum::unbounded());
   if (fresh) {
-    place->second =
-        requirement_.condition >= 0 ? value_age(view_, condition, reader).sum : sample_age(condition, reader);
+    place->second = requirement_.condition.valid() ? value_age(view_, condition, reader).sum
+                                                   : sample_age(condition, reader);
   }
   return place->second;
 }
 
 /// Greatest time since the sample that a condition carries when it is read. Before the first set of a job
 /// it is no longer than the skill has run.
-Sum DataFreshness::sample_age(int condition, int reader) const {
+Sum DataFreshness::sample_age(ConditionId condition, int reader) const {
   const auto found = setters_.find(condition);
   if (found == setters_.end()) return Sum::unbounded();
   Sum at_set;                       // age of the sample at any set

@@ -42,12 +42,12 @@ class DataFreshness {
   State before_idle(int node) const;
   Known set_by_blocks(const Node& joined) const;
   Known told(int node) const;
-  Known told_by(int sender, const std::vector<int>& sends, int device) const;
+  Known told_by(int sender, const std::vector<int>& sends, DeviceId device) const;
   Known told_in_loop(const Source& source, int index) const;
   void transfer(int node, int step, State& state);
-  Sum age_when_read(int condition, int reader);
-  Sum sample_age(int condition, int reader) const;
-  bool surely_read(int step, int condition) const;
+  Sum age_when_read(ConditionId condition, int reader);
+  Sum sample_age(ConditionId condition, int reader) const;
+  bool surely_read(int step, ConditionId condition) const;
   bool sampled(int channel) const;
 
   const View& view_;
@@ -57,10 +57,10 @@ class DataFreshness {
   std::vector<std::vector<Known>> effects_;     // by node and place in its segment
   std::vector<std::map<int, State>> arrivals_;  // by node: at the waits and forks that end it
   std::vector<bool> regular_;                   // by thread
-  std::vector<std::set<int>> latched_;          // by thread: conditions that it reads by RPC
-  std::map<int, std::vector<bool>> set_at_;     // by condition
-  std::map<int, std::vector<Setter>> setters_;  // by condition
-  std::map<std::pair<int, int>, Sum> ages_;     // by condition and reader
+  std::vector<std::set<ConditionId>> latched_;  // by thread: conditions that it reads by RPC
+  std::map<ConditionId, std::vector<bool>> set_at_;
+  std::map<ConditionId, std::vector<Setter>> setters_;
+  std::map<std::pair<ConditionId, int>, Sum> ages_;  // by condition and reader
 };
 
 }  // namespace pal::analyzer::compositional

@@ -24,7 +24,7 @@ std::string answers_lost(const View& view, int request) {
 }  // namespace
 
 Bound loss_bound(const View& view, const Requirement& requirement) {
-  const Device& device = view.problem.devices[static_cast<std::size_t>(requirement.device)];
+  const Device& device = view.problem.devices[requirement.device];
   if (std::holds_alternative<pan::EventDevice>(device.behaviour)) return event_loss_bound(view, requirement);
   if (std::holds_alternative<pan::FrameDevice>(device.behaviour))
     return {Sum::unbounded(), "how many frames start while no request for one waits is open"};

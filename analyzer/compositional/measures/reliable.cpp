@@ -121,7 +121,7 @@ class Reliability {
     const auto may_wait = [this](int step) {
       const Step& send = step_at(step);
       return send.kind == Kind::send &&
-             problem_.channels[static_cast<std::size_t>(send.channels.front())].receiver_device < 0 &&
+             !problem_.channels[static_cast<std::size_t>(send.channels.front())].receiver_device.valid() &&
              !behaviours_.never_full[static_cast<std::size_t>(send.channels.front())];
     };
     if (times_.blocked[static_cast<std::size_t>(thread)] && std::any_of(among.begin(), among.end(), may_wait))
@@ -173,7 +173,7 @@ class Reliability {
       for (int effect : node.effects) {
         // A message that no thread takes would stop its sender, sooner or later.
         const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
-        if (taker.release != Node::Release::message || taker.device >= 0) continue;
+        if (taker.release != Node::Release::message || taker.device.valid()) continue;
         const int channel = step_at(taker.sends.front()).channels.front();
         if (behaviours_.never_full[static_cast<std::size_t>(channel)]) continue;
         relies.push_back(forest_.thread_of(effect));
@@ -194,8 +194,7 @@ class Reliability {
     const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
     if (channel.answers < 0) return false;
     if (!surely_asked(thread, wait, channel.answers, answer)) return false;
-    if (channel.sender_device >= 0)
-      return serves_all(problem_.devices[static_cast<std::size_t>(channel.sender_device)]);
+    if (channel.sender_device.valid()) return serves_all(problem_.devices[channel.sender_device]);
     if (!behaviours_.never_full[static_cast<std::size_t>(answer)]) return false;
     const int server = taker_of(channel.answers);
     if (server < 0) return false;

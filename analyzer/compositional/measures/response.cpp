@@ -13,7 +13,7 @@ Bound unknown(std::string why) {
 }
 
 /// The source of a device's events; -1: no thread waits for them.
-int source_of(const View& view, int device) {
+int source_of(const View& view, DeviceId device) {
   for (std::size_t s = 0; s < view.forest.sources.size(); ++s) {
     const Source& of = view.forest.sources[s];
     if (of.kind == Source::Kind::event && of.device == device) return static_cast<int>(s);
@@ -45,15 +45,13 @@ std::string overrun(const View& view, int source) {
         view.times.unbounded_reason[static_cast<std::size_t>(view.forest.thread_of(root))];
     if (!unbounded_reason.empty()) return unbounded_reason;
   }
-  return "nothing shows that an event of " + view.problem.devices[static_cast<std::size_t>(of.device)].name +
+  return "nothing shows that an event of " + view.problem.devices[of.device].name +
          " is taken before the next one comes";
 }
 
 Bound to_event(const View& view, const Requirement& requirement, int source) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
-  if (of.roots.empty())
-    return unknown("nobody waits for events of " +
-                   view.problem.devices[static_cast<std::size_t>(of.device)].name);
+  if (of.roots.empty()) return unknown("nobody waits for events of " + view.problem.devices[of.device].name);
   const int root = of.roots.front();
   if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
@@ -66,8 +64,8 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
   return {greater(Sum(), answer), ""};
 }
 
-/// Whether the statements are all the sends of the answer to one request, and each request follows the take of
-/// the answer before. Of a request to several parties one may be made before another is answered.
+/// Whether the statements are all the sends of the answer to one request, and each request follows the take
+/// of the answer before. Of a request to several parties one may be made before another is answered.
 bool answered_in_turn(const View& view, const Requirement& requirement) {
   if (requirement.events.size() != 1) return false;
   const int request = requirement.events.front();
@@ -115,7 +113,7 @@ std::vector<bool> sends_of_events(const Problem& problem, const Requirement& req
   std::vector<bool> sends(problem.steps.size());
   const bool by_device =
       std::all_of(requirement.events.begin(), requirement.events.end(), [&problem](int channel) {
-        return problem.channels[static_cast<std::size_t>(channel)].sender_device >= 0;
+        return problem.channels[static_cast<std::size_t>(channel)].sender_device.valid();
       });
   if (by_device) return sends;  // no step sends them
   for (std::size_t s = 0; s < sends.size(); ++s) {
@@ -126,7 +124,7 @@ std::vector<bool> sends_of_events(const Problem& problem, const Requirement& req
 }
 
 Bound response_bound(const View& view, const Requirement& requirement) {
-  if (requirement.device < 0) return to_message(view, requirement);
+  if (!requirement.device.valid()) return to_message(view, requirement);
   const int source = source_of(view, requirement.device);
   return source < 0 ? unknown(
                           "a response to what a device answers has none, only one to an event, or to a "

@@ -20,7 +20,7 @@ bool beside(const Problem& problem, int one, int other) {
 
 class Staleness {
  public:
-  Staleness(const View& view, int condition, int reader)
+  Staleness(const View& view, ConditionId condition, int reader)
       : view_(view), problem_(view.problem), condition_(condition), reader_(reader) {
     at_.resize(problem_.steps.size());
     for (std::size_t s = 0; s < at_.size(); ++s) at_[s] = sets(static_cast<int>(s));
@@ -116,7 +116,7 @@ class Staleness {
 
   const View& view_;
   const Problem& problem_;
-  int condition_;
+  ConditionId condition_;
   int reader_;
   std::vector<bool> at_;  // the sets
   std::set<int> setters_;
@@ -144,7 +144,7 @@ const Sum& replaced(const View& view, const StatementOccurrences& sets, int sett
   return gives_way ? sets.released() : sets.latest();
 }
 
-Bound value_age(const View& view, int condition, int reader) {
+Bound value_age(const View& view, ConditionId condition, int reader) {
   return Staleness(view, condition, reader).run();
 }
 

@@ -6,7 +6,7 @@
 namespace pal::analyzer::compositional {
 
 /// Greatest time since the set (or since time 0) whose value `reader` may read of `condition`.
-Bound value_age(const View& view, int condition, int reader);
+Bound value_age(const View& view, ConditionId condition, int reader);
 
 /// Whether `thread` continues with its jobs for as long as `reader` does.
 bool outlasts(const View& view, int thread, int reader);

@@ -75,7 +75,7 @@ class Loop {
       raise(due, {latest_effect(context_.forest, times_.nodes, feed.node, send), Due::By::message, feed.node,
                   send});
     due.after =
-        feed.device >= 0
+        feed.device.valid()
             ? plus(context_.device_time(feed.device).worst, context_.answer_queue(feed.device, channel))
             : latency(context_.problem, channel, context_.forest.thread_of(feed.node), of_.thread).worst;
     due.at = plus(due.at, due.after);

@@ -177,7 +177,7 @@ Nanoseconds Interference::piled_up(const std::vector<int>& alternatives) const {
       if (context_.node(at).release != Node::Release::message) continue;
       const int channel = context_.sent_channel(at);
       slots.insert(channel);
-      if (context_.node(at).device < 0) continue;
+      if (!context_.node(at).device.valid()) continue;
       asked.insert(channel);
       slots.insert(context_.problem.channels[static_cast<std::size_t>(channel)].answer);
     }

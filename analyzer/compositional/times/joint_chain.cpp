@@ -37,7 +37,7 @@ class Chains : private AnalysisContext {
   /// Whether a node on its cause's processor is released by its cause's send itself, if its thread waits.
   bool follows_at_once(int n) const {
     const Node& of = node(n);
-    if (of.release != Node::Release::message || of.device >= 0 || way(n).worst != 0) return false;
+    if (of.release != Node::Release::message || of.device.valid() || way(n).worst != 0) return false;
     if (thread_of(n).processor != thread_of(of.cause).processor) return false;
     const int thread = forest.thread_of(n);
     if (!is_bounded(thread)) return false;

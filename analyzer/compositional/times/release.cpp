@@ -70,7 +70,7 @@ Due Releases::of_message(int n) const {
     }
   }
   sent.after = way(n).worst;
-  if (of.device >= 0) sent.after = plus(sent.after, answer_queue(of.device, sent_channel(n)));
+  if (of.device.valid()) sent.after = plus(sent.after, answer_queue(of.device, sent_channel(n)));
   sent.at = plus(sent.at, sent.after);
   const auto& previous = behaviours.previous[static_cast<std::size_t>(n)];
   if (previous.empty()) {

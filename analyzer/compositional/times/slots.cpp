@@ -80,7 +80,7 @@ Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTim
   Nanoseconds latest = 0;
   for (int effect : context.node(node).effects) {
     const Node& taker = context.node(effect);
-    if (taker.device >= 0 || !sent_by(taker, send)) continue;
+    if (taker.device.valid() || !sent_by(taker, send)) continue;
     const Nanoseconds end = taken(nodes, effect);
     latest = std::max(latest, end >= never ? never : end - period);
   }
@@ -102,7 +102,7 @@ Slots::Slots(const AnalysisContext& context) : context_(context), puts_(context.
 /// Whether every message of the channel is taken before the next is put.
 bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const {
   const Channel& of = context_.problem.channels[channel];
-  if (of.receiver_device >= 0 && !of.served) return true;
+  if (of.receiver_device.valid() && !of.served) return true;
   if (context_.behaviours.never_full[channel]) return true;
   const auto& puts = puts_[channel];
   if (puts.empty()) return true;

@@ -114,7 +114,8 @@ TEST_CASE("no command overwrites its input, or writes anything but PAL to a .pal
     refused({"generate", "-o", folder.path.string(), "--depfile", input}, was_read);
   }
   const std::string other = (folder.path / "other.pal").string();
-  refused({"check", "--witness", other}, "cannot write " + other + ": a name that ends in .pal is for PAL files");
+  refused({"check", "--witness", other},
+          "cannot write " + other + ": a name that ends in .pal is for PAL files");
   refused({"atc", "-o", other}, "a name that ends in .pal is for PAL files");
   CHECK_FALSE(fs::exists(other));
   CHECK(pal::test::pal({"doc", touch, "-o", other}).status == pal::driver::ExitStatus::usage);
