@@ -50,7 +50,7 @@ int main(int count, char** arguments) {
     for (std::size_t t = 0; t < cone.threads.size(); ++t)
       if (cone.threads[t]) std::cout << " " << problem.threads[t].name;
     std::cout << " |";
-    for (std::size_t d = 0; d < cone.devices.size(); ++d)
+    for (const DeviceId d : cone.devices.ids())
       if (cone.devices[d]) std::cout << " " << problem.devices[d].name;
     std::cout << "\n";
     const Nanoseconds cap = cap_of(problem, requirement.limit);

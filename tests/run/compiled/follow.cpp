@@ -82,7 +82,7 @@ class Search {
   void fix_costs(ConcreteRun& run) const {
     if (costs_ == runtime::CostPolicy::random) return;
     for (const int started : run.started()) {
-      if (started >= machine_.next_timer(0)) continue;
+      if (started >= machine_.first_device_timer()) continue;
       Range& range = run.timers()[static_cast<std::size_t>(started)].range;
       (costs_ == runtime::CostPolicy::worst ? range.best : range.worst) =
           costs_ == runtime::CostPolicy::worst ? range.worst : range.best;
