@@ -23,7 +23,7 @@ constexpr std::size_t most_steps = 30'000;
 void compile(const pan::Network& network, TimesAndPlaces& environment, const SourceManager* sources,
              Diagnostics& diagnostics, Problem& problem);
 
-/// The index of a module or device of the network among the problem's devices; -1 for a module with a body.
+/// The index of a module or device of the network among the problem's devices; none for a module with a body.
 DeviceId device_of(const pan::Network& network, const pan::Party& party);
 
 }  // namespace pal::analyzer

@@ -74,7 +74,7 @@ class Origins {
   std::map<std::pair<int, StatementId>, int> steps_;  // by thread and statement
   std::map<std::size_t, std::size_t> kept_since_;
   Table<ConditionId, Origin> conditions_;
-  Table<pan::ConditionId, std::optional<std::size_t>> sets_;  // the last, by condition
+  Table<ConditionId, std::optional<std::size_t>> sets_;  // the last
   std::map<std::size_t, std::optional<std::size_t>> set_of_;
   std::map<std::size_t, std::size_t> put_of_;
   std::vector<Origin> births_;
