@@ -4,11 +4,9 @@
 
 namespace pal::analyzer {
 
-using trace::Slice;
-
 /// What the thread that ended a wait, or is to end it, did in [from, to]. Nothing if there is none, or if it
 /// was not at work.
-std::vector<Reason> Narrator::meanwhile(const Slice& wait, Nanoseconds from, Nanoseconds to,
+std::vector<Reason> Narrator::meanwhile(const trace::Slice& wait, Nanoseconds from, Nanoseconds to,
                                         int depth) const {
   const bool goes_on = wait.to_ns > to || wait.ending == trace::Ending::open;
   if (from >= to || (!goes_on && wait.ending != trace::Ending::over)) return {};
@@ -36,12 +34,12 @@ std::vector<Reason> Narrator::meanwhile(const Slice& wait, Nanoseconds from, Nan
 }
 
 /// Whether it is a wait for room.
-bool Narrator::is_send(const Slice& wait) const {
+bool Narrator::is_send(const trace::Slice& wait) const {
   return wait.statement >= 0 && statement(wait.statement).text.rfind("TXM", 0) == 0;
 }
 
 /// Who is to send what a wait is for, if that is one thread or device.
-std::optional<int> Narrator::to_send(const Slice& wait) const {
+std::optional<int> Narrator::to_send(const trace::Slice& wait) const {
   if (wait.statement < 0 || is_send(wait)) return std::nullopt;
   const std::string& sender = run_.channels[static_cast<std::size_t>(wait.channel)].sender;
   const auto actor = std::find_if(run_.actors.begin(), run_.actors.end(),
@@ -51,7 +49,7 @@ std::optional<int> Narrator::to_send(const Slice& wait) const {
 }
 
 /// Who ended a wait: whoever put the message at that instant, or made room for one.
-std::optional<int> Narrator::waited_for(const Slice& wait) const {
+std::optional<int> Narrator::waited_for(const trace::Slice& wait) const {
   if (!is_send(wait)) return sender_at(wait);
   for (std::size_t actor = 0; actor < takes_.size(); ++actor) {
     const auto first = first_at(takes_[actor], wait.to_ns);
@@ -64,13 +62,13 @@ std::optional<int> Narrator::waited_for(const Slice& wait) const {
 }
 
 /// Who put what the wait was for.
-std::optional<int> Narrator::sender_at(const Slice& wait) const {
+std::optional<int> Narrator::sender_at(const trace::Slice& wait) const {
   const auto put = put_for(wait);
   return put ? std::optional(run_.events[*put].actor) : std::nullopt;
 }
 
 /// The put of what is taken after a wait for a message that came.
-std::optional<std::size_t> Narrator::put_for(const Slice& wait) const {
+std::optional<std::size_t> Narrator::put_for(const trace::Slice& wait) const {
   const std::vector<std::size_t>& own = takes_[static_cast<std::size_t>(wait.actor)];
   const auto take = first_at(own, wait.to_ns);
   const auto put = take == own.end() ? put_of_.end() : put_of_.find(*take);
@@ -88,9 +86,9 @@ std::vector<std::size_t>::const_iterator Narrator::first_at(const std::vector<st
 int Narrator::last_block(int thread, Nanoseconds from, Nanoseconds to) const {
   for (std::size_t block = 0; block < problem_.threads.size(); ++block) {
     if (problem_.threads[block].parent != thread) continue;
-    const std::vector<Slice>& own = of_actor_[block];
-    const auto next =
-        std::partition_point(own.begin(), own.end(), [to](const Slice& slice) { return slice.to_ns < to; });
+    const std::vector<trace::Slice>& own = of_actor_[block];
+    const auto next = std::partition_point(own.begin(), own.end(),
+                                           [to](const trace::Slice& slice) { return slice.to_ns < to; });
     if (next != own.end() && next->from_ns < to && next->to_ns == to && next->to_ns > from &&
         next->ending == trace::Ending::effect)
       return static_cast<int>(block);
@@ -101,7 +99,7 @@ int Narrator::last_block(int thread, Nanoseconds from, Nanoseconds to) const {
 /// What a device did in [from, to]: nothing to tell of one that does not work.
 void Narrator::serves(int device, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const {
   Nanoseconds at = from;
-  for (const Slice& slice : of_actor_[static_cast<std::size_t>(device)]) {
+  for (const trace::Slice& slice : of_actor_[static_cast<std::size_t>(device)]) {
     if (slice.to_ns <= at || slice.from_ns >= to) continue;
     if (slice.from_ns > at) out.push_back(reason(at, slice.from_ns, device, "is not at work", -1));
     const Nanoseconds begin = std::max<Nanoseconds>(at, slice.from_ns);
@@ -112,7 +110,7 @@ void Narrator::serves(int device, Nanoseconds from, Nanoseconds to, std::vector<
 }
 
 /// What comes of a device's work.
-std::string Narrator::works_on(int device, const Slice& slice) const {
+std::string Narrator::works_on(int device, const trace::Slice& slice) const {
   const std::vector<std::size_t>& puts = puts_[static_cast<std::size_t>(device)];
   const auto put = first_at(puts, slice.to_ns);
   if (put == puts.end() || run_.events[*put].time_ns != slice.to_ns) return "works";

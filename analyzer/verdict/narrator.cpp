@@ -5,14 +5,14 @@
 namespace pal::analyzer {
 
 using trace::Kind;
-using trace::Slice;
 
 namespace {
 
 /// By processor: who ran on it, in order. Two do not at one time.
-Table<ProcessorId, std::vector<Slice>> running_on(const Problem& problem, const std::vector<Slice>& slices) {
-  Table<ProcessorId, std::vector<Slice>> by_processor(problem.processors.size());
-  for (const Slice& slice : slices) {
+Table<ProcessorId, std::vector<trace::Slice>> running_on(const Problem& problem,
+                                                         const std::vector<trace::Slice>& slices) {
+  Table<ProcessorId, std::vector<trace::Slice>> by_processor(problem.processors.size());
+  for (const trace::Slice& slice : slices) {
     if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
     const ProcessorId processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
     by_processor[processor].push_back(slice);
@@ -21,9 +21,10 @@ Table<ProcessorId, std::vector<Slice>> running_on(const Problem& problem, const 
 }
 
 /// By thread and device: what it did, in order.
-std::vector<std::vector<Slice>> by_actor(const trace::Trace& trace, const std::vector<Slice>& slices) {
-  std::vector<std::vector<Slice>> by(trace.actors.size());
-  for (const Slice& slice : slices) by[static_cast<std::size_t>(slice.actor)].push_back(slice);
+std::vector<std::vector<trace::Slice>> by_actor(const trace::Trace& trace,
+                                                const std::vector<trace::Slice>& slices) {
+  std::vector<std::vector<trace::Slice>> by(trace.actors.size());
+  for (const trace::Slice& slice : slices) by[static_cast<std::size_t>(slice.actor)].push_back(slice);
   return by;
 }
 
@@ -63,7 +64,7 @@ Reason Narrator::reason(Nanoseconds from, Nanoseconds to, int actor, std::string
   return made;
 }
 
-std::string Narrator::doing(const Slice& slice) const {
+std::string Narrator::doing(const trace::Slice& slice) const {
   const std::string text = slice.statement < 0 ? "" : statement(slice.statement).text;
   switch (slice.state) {
     case trace::State::running:
@@ -80,21 +81,21 @@ std::string Narrator::doing(const Slice& slice) const {
 }
 
 bool Narrator::is_at_work(int thread, Nanoseconds instant) const {
-  const std::vector<Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
-  return std::any_of(own.begin(), own.end(), [instant](const Slice& slice) {
+  const std::vector<trace::Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
+  return std::any_of(own.begin(), own.end(), [instant](const trace::Slice& slice) {
     return slice.from_ns <= instant && slice.to_ns >= instant;
   });
 }
 
 /// Who kept a thread from its processor in [from, to], piece by piece.
-void Narrator::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
+void Narrator::interference(const trace::Slice& kept, Nanoseconds from, Nanoseconds to,
                             std::vector<Reason>& out) const {
   const ProcessorId processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
-  const std::vector<Slice>& here = running_[processor];
+  const std::vector<trace::Slice>& here = running_[processor];
   auto at = std::partition_point(here.begin(), here.end(),
-                                 [from](const Slice& slice) { return slice.to_ns <= from; });
+                                 [from](const trace::Slice& slice) { return slice.to_ns <= from; });
   for (; at != here.end() && at->from_ns <= from && from < to; ++at) {
-    const Slice& slice = *at;
+    const trace::Slice& slice = *at;
     if (slice.actor == kept.actor) continue;
     const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
     const std::string by = run_.actors[static_cast<std::size_t>(slice.actor)].name;
@@ -109,11 +110,11 @@ void Narrator::interference(const Slice& kept, Nanoseconds from, Nanoseconds to,
 /// depth.
 void Narrator::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
   Nanoseconds at = from;
-  const std::vector<Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
+  const std::vector<trace::Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
   auto next = std::partition_point(own.begin(), own.end(),
-                                   [from](const Slice& slice) { return slice.to_ns <= from; });
+                                   [from](const trace::Slice& slice) { return slice.to_ns <= from; });
   for (; next != own.end() && next->from_ns < to; ++next) {
-    const Slice& slice = *next;
+    const trace::Slice& slice = *next;
     if (slice.to_ns <= at) continue;
     if (slice.from_ns > at) rest(thread, at, slice.from_ns, out, depth);
     const Nanoseconds end = std::min<Nanoseconds>(slice.to_ns, to);
@@ -148,9 +149,9 @@ void Narrator::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Re
 bool Narrator::blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const {
   for (std::size_t block = 0; block < problem_.threads.size(); ++block) {
     if (problem_.threads[block].parent != thread) continue;
-    const std::vector<Slice>& own = of_actor_[block];
+    const std::vector<trace::Slice>& own = of_actor_[block];
     const auto next = std::partition_point(own.begin(), own.end(),
-                                           [from](const Slice& slice) { return slice.to_ns <= from; });
+                                           [from](const trace::Slice& slice) { return slice.to_ns <= from; });
     const bool works = next != own.end() && next->from_ns < to;
     if (works || blocks_at_work(static_cast<int>(block), from, to)) return true;
   }

@@ -11,7 +11,6 @@ namespace pal::analyzer {
 namespace {
 
 using trace::Kind;
-using trace::Slice;
 
 /// The thread whose step it is: a statement of an executed module is one step for each thread that executes
 /// it.
@@ -171,7 +170,7 @@ struct Story {
     for (const ProcessorId processor : requirement.processors) {
       std::vector<Reason> pieces;
       Nanoseconds at = measured.born;
-      for (const Slice& slice : narrator.slices()) {
+      for (const trace::Slice& slice : narrator.slices()) {
         const bool here = slice.state == trace::State::running &&
                           problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
         if (!here || slice.from_ns != at || slice.to_ns == at || slice.to_ns > measured.at) continue;

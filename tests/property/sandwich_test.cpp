@@ -198,7 +198,7 @@ TEST_CASE("simulated <= exact <= compositional for blocks within blocks") {
   Tally tally;
   std::map<std::string, int> refused;
   const std::uint64_t first = setting("PAL_SEED", 1);
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 200); ++seed) {
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 150); ++seed) {
     const std::string text = test::NestedSkill(seed).text();
     const auto skill = test::any_skill(text, &refused);
     if (!skill->problem) continue;
