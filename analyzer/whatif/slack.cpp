@@ -24,8 +24,8 @@ struct Round {
   bool last_classes = false;  // more are not allowed
 };
 
-/// A skill that is decided as it is within this time is explored from the first round on.
-constexpr double soon = first_share;
+/// If the skill as it is was decided within this time, rounds with fewer classes than that took are left out.
+constexpr double soon = first_share / 2;
 
 /// Number `number` of the rounds, from 0, when the first `skipped` are left out.
 Round round_of(std::size_t number, std::size_t skipped, const Options& options) {
@@ -135,10 +135,10 @@ class Rounds {
 
   void add(std::unique_ptr<FigureSearch> search) { searches_.push_back(std::move(search)); }
 
-  /// `soon_decided`: the skill as it is.
-  void run(const RequirementIds& all, bool soon_decided) {
+  /// `skipped`: rounds that are left out.
+  void run(const RequirementIds& all, std::size_t skipped) {
     for (std::size_t number = 0; settled_ < slacks_.size() && !checker_.stopped(); ++number) {
-      const Round round = round_of(number, soon_decided ? 1 : 0, checker_.options());
+      const Round round = round_of(number, skipped, checker_.options());
       for (std::size_t n = 0; n < slacks_.size(); ++n) {
         if (!searches_[n] || checker_.stopped()) continue;
         turn(n, round, number == 0 ? &all : nullptr);
@@ -180,15 +180,20 @@ class Rounds {
 /// rest.
 constexpr std::size_t rounds_of_now = 5;
 
-/// What holds as things are.
-Ruling ruling_now(RequirementChecker& checker, const Problem& problem, const RequirementIds& all) {
+/// What holds as things are, and the round that found it.
+struct RulingNow {
+  Ruling ruling;
+  std::size_t round = 0;
+};
+
+RulingNow ruling_now(RequirementChecker& checker, const Problem& problem, const RequirementIds& all) {
   for (std::size_t number = 0;; ++number) {
     const Round round = round_of(number, 0, checker.options());
     const Effort effort = effort_of(round, checker.options());
-    const Ruling now = checker.ask(problem, all, effort);
+    const Ruling ruling = checker.ask(problem, all, effort);
     const bool last =
         (round.last_classes && !effort.over()) || (checker.options().deadline && number + 1 == rounds_of_now);
-    if (now.state != Is::undecided || last || checker.stopped()) return now;
+    if (ruling.state != Is::undecided || last || checker.stopped()) return {ruling, number};
   }
 }
 
@@ -211,7 +216,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
 
   const RequirementIds everything = requirements_of(*problem);
   const double begun = options.clock ? options.clock() : 0;
-  const Ruling now = ruling_now(checker, *problem, everything);
+  const auto [now, round] = ruling_now(checker, *problem, everything);
   const bool soon_decided = options.clock && options.clock() - begun < soon;
   if (now.state != Is::holds) {
     for (Slack& slack : all) {
@@ -225,7 +230,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
     rounds.add(std::make_unique<FigureSearch>(
         environment, slack.figure.empty() ? names : std::vector<std::string>{slack.figure}, *problem));
   }
-  rounds.run(everything, soon_decided);
+  rounds.run(everything, soon_decided ? round : 0);
   return all;
 }
 
