@@ -24,7 +24,8 @@ struct Round {
   bool last_classes = false;  // more are not allowed
 };
 
-/// If the skill as it is was decided within this time, rounds with fewer classes than that took are left out.
+/// If the skill as it is was decided within this time, rounds with fewer classes than that took are left out,
+/// and so is the one without exploration.
 constexpr double soon = first_share / 2;
 
 /// Number `number` of the rounds, from 0, when the first `skipped` are left out.
@@ -230,7 +231,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
     rounds.add(std::make_unique<FigureSearch>(
         environment, slack.figure.empty() ? names : std::vector<std::string>{slack.figure}, *problem));
   }
-  rounds.run(everything, soon_decided ? round : 0);
+  rounds.run(everything, soon_decided ? std::max<std::size_t>(round, 1) : 0);
   return all;
 }
 
