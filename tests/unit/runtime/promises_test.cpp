@@ -4,6 +4,7 @@
 
 #include "runtime/device_watch.hpp"
 #include "tests/run/support/bench.hpp"
+#include "tests/unit/runtime/one_index.hpp"
 
 using namespace pal;
 using namespace pal::test;
@@ -23,13 +24,6 @@ using Measure = RequirementSpec::Measure;
 
 namespace {
 
-const std::array rows{0, 1, 2, 3};
-
-/// The row with this index, as a list.
-std::span<const int> row(int index) {
-  return std::span(rows).subspan(static_cast<std::size_t>(index), 1);
-}
-
 // A asks the sensor for x, three times. The sensor promises 2 to 3 ms, and takes what the test says.
 struct Asker {
   Asker() {
@@ -48,8 +42,8 @@ struct Asker {
                            .measure = Measure::other,
                            .channels = {},
                            .at = {},
-                           .threads = row(0),
-                           .devices = row(0)},
+                           .threads = only(0),
+                           .devices = only(0)},
                           {.name = "elsewhere", .channels = {}, .at = {}, .threads = {}, .devices = {}}};
     skill.thread("A", p, 1, [this](Thread& t) -> Task {
       for (int i = 0; i < 3; ++i) {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/run/support/bench.hpp"
+#include "tests/unit/runtime/one_index.hpp"
 
 using namespace pal;
 using namespace pal::test;
@@ -17,13 +18,6 @@ using Behaviour = DeviceTimes::Behaviour;
 using Measure = RequirementSpec::Measure;
 
 namespace {
-
-const std::array indices{0, 1, 2};
-
-/// The channel or statement with this index, as a list.
-std::span<const int> only(int index) {
-  return std::span(indices).subspan(static_cast<std::size_t>(index), 1);
-}
 
 // A bell rings every 10 ms. A hears it, works, sets c, reads it and rings back.
 struct Bell {
