@@ -1,9 +1,9 @@
-// Requests whose answers are still to come: to whom they belong, and how they are withdrawn.
+// Requests whose answers are still to come: the threads to which they belong, and how they are withdrawn.
 #include "analyzer/machine/firing.hpp"
 
 namespace pal::analyzer {
 
-/// Whether the messages of the channel are requests that somebody answers.
+/// Whether the messages of the channel are requests that a party answers.
 bool Firing::tracked(int channel) const {
   const Channel& of = channel_of(channel);
   return of.answer >= 0 && (!of.receiver_device.valid() || of.served);

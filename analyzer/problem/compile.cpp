@@ -307,7 +307,7 @@ class Compiler {
   }
 
  public:
-  /// Who takes a message keeps it where somebody may use it.
+  /// The taker of a message keeps it where a statement may use it.
   void keep_taken() {
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
       const auto known = kept_.find({problem_.channels[c].receiver_module, network_.channels[c].message});

@@ -53,7 +53,7 @@ bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeT
     if (context.in_job(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
   if (!waits_for_others(context, thread)) return last < plus(of.period, soonest);
-  // Whom it has set to work, and who ends the skill, may leave it waiting till then.
+  // The threads that it has set to work, and those that end the skill, may leave it waiting till then.
   for (int n : context.behaviours
                    .endings[static_cast<std::size_t>(context.node(behaviours.job_starts.front()).source)]) {
     if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
