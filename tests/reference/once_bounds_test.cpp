@@ -105,3 +105,101 @@ TEST_CASE("a server goes on with a request that was withdrawn") {
 )"),
                 {{15, 8}});
 }
+
+namespace {
+
+/// SM1 asks two servers that share a processor. The work of each takes 4 ms. On the same processor, between
+/// them, `tick` takes 3 ms of every 6 ms if `ticking`.
+std::string two_servers(const std::string& client, bool ticking = false) {
+  const std::string tick = R"(
+DEVICE clock
+MESSAGE time : SIGNAL
+Sensor Driver: SD1
+  ACTIVITY tick
+BEGIN
+  REPEAT
+    WTM( time from clock )
+    tick
+  UNTIL( forever )
+END
+)";
+  const std::string ticks = R"(
+  DEVICE clock EVENT time EVERY 6 ms
+  PLACE SD1 ON P1 PRIORITY 2
+  TIME tick : 3 ms
+)";
+  return R"(
+MESSAGE low  : SIGNAL
+MESSAGE high : SIGNAL
+)" + (ticking ? tick : "") +
+         R"(
+Machine Controller: MC1
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( request low from SM1 )
+    work
+    TXM( low to SM1 )
+  UNTIL( forever )
+END
+Machine Controller: MC2
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( request high from SM1 )
+    work
+    TXM( high to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+)" + client +
+         R"(
+  TXM( Completion Protocol 0 )
+END
+SKILL twice
+)" + (ticking ? "  SENSOR DRIVER SD1\n" : "") +
+         R"(
+  MACHINE CONTROLLER MC1, MC2
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT span : DURATION TO COMPLETION 0 AT MOST 1 s
+END SKILL
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR P1
+  PLACE SM1 ON P0 PRIORITY 1
+  PLACE MC1 ON P1 PRIORITY 1
+  PLACE MC2 ON P1 PRIORITY 3
+  TIME work : 4 ms
+)" + (ticking ? ticks : "") +
+         "END ENVIRONMENT\n";
+}
+
+}  // namespace
+
+TEST_CASE("what is over does not delay work that comes once") {
+  // 8 ms a round: MC2 works from 0 to 4, MC1 from 4 to 8.
+  const std::string round = R"(
+  TXM( request low from MC1 )
+  TXM( request high from MC2 )
+  WTM( high from MC2 )
+  WTM( low from MC1 )
+)";
+  expect_bounds(two_servers(round + round), {{16, 16}});
+}
+
+TEST_CASE("what is over may have held up work that recurs") {
+  // MC2 works from 0 to 4. The ticks of 0 and 6 then run from 4 to 10, and MC1 until 17, with that of 12 in
+  // between. Without MC2's work the bound would be 14.
+  expect_bounds(two_servers(R"(
+  TXM( request high from MC2 )
+  WTM( high from MC2 )
+  TXM( request low from MC1 )
+  WTM( low from MC1 )
+)",
+                            true),
+                {{21, 17}});
+}

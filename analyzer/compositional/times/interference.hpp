@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
-#include "analyzer/compositional/causes/precedence.hpp"
 #include "analyzer/compositional/times/busy_window.hpp"
+#include "analyzer/compositional/times/excluded_work.hpp"
 #include "analyzer/compositional/times/times.hpp"
 
 namespace pal::analyzer::compositional {
@@ -66,13 +66,11 @@ class Interference {
   std::vector<int> task_;                            // by node
   std::vector<std::vector<int>> nodes_of_;           // by transaction and task
   Table<ProcessorId, std::vector<int>> threads_on_;  // by processor
-  Table<ProcessorId, std::vector<int>> nodes_on_;    // by processor
   std::vector<Nanoseconds> burst_;                   // by thread
-  Order order_;
-  std::vector<std::vector<int>> never_together_;  // by node
-  std::vector<bool> done_before_next_;            // by thread, as given
-  std::vector<bool> in_turn_;                     // by source, as given
-  std::vector<bool> pauses_;  // by thread: it is not free-running, or always waits in each job
+  ExcludedWork excluded_;
+  std::vector<bool> done_before_next_;  // by thread, as given
+  std::vector<bool> in_turn_;           // by source, as given
+  std::vector<bool> pauses_;            // by thread: it is not free-running, or always waits in each job
 };
 
 /// How long a cancelled block, and the blocks that it has started, may take to finish what they have begun.
