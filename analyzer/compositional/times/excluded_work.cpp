@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "analyzer/compositional/causes/alternatives.hpp"
 
@@ -9,7 +10,7 @@ namespace pal::analyzer::compositional {
 namespace {
 
 /// Of a processor with more nodes, no work is taken out as a whole.
-constexpr std::size_t most_nodes = 2'000;
+constexpr std::size_t most_excluding = 2'000;
 
 /// Whether `other` comes of what `node` does.
 bool brings_about(const AnalysisContext& context, int node, int other) {
@@ -33,12 +34,13 @@ void move_if(std::vector<int>& nodes, const Moves& moves, const Take& take) {
 
 }  // namespace
 
-ExcludedWork::ExcludedWork(const AnalysisContext& context, const std::function<bool()>& stop)
+ExcludedWork::ExcludedWork(const AnalysisContext& context, std::shared_ptr<const Order> order,
+                           const std::function<bool()>& stop)
     : context_(context),
       nodes_on_(context.problem.processors.size()),
       place_(context.forest.nodes.size()),
       after_(context.forest.nodes.size()),
-      order_(order_of(context, stop)),
+      order_(std::move(order)),
       never_together_(never_together(context.problem, context.forest, stop)) {
   for (std::size_t n = 0; n < place_.size(); ++n) {
     std::vector<int>& here = nodes_on_[context.thread_of(static_cast<int>(n)).processor];
@@ -47,7 +49,7 @@ ExcludedWork::ExcludedWork(const AnalysisContext& context, const std::function<b
   }
   for (std::size_t n = 0; n < place_.size(); ++n) {
     const ProcessorId processor = context_.thread_of(static_cast<int>(n)).processor;
-    if (nodes_on_[processor].size() <= most_nodes) after_[n] = set_of(processor, order_.later[n]);
+    if (nodes_on_[processor].size() <= most_excluding) after_[n] = set_of(processor, order_->later[n]);
   }
 }
 
@@ -69,7 +71,7 @@ bool ExcludedWork::is_once_with(int node, int other) const {
 
 bool ExcludedWork::comes_later(int node, int other) const {
   return (is_once_with(node, other) && brings_about(context_, node, other)) ||
-         contains(order_.later[static_cast<std::size_t>(node)], other);
+         contains(order_->later[static_cast<std::size_t>(node)], other);
 }
 
 /// A thread's own segments are one after the other. Those of the node's job are over when it is released.
@@ -79,7 +81,7 @@ bool ExcludedWork::never_overlap(int node, int other, bool done_before_next, boo
   const auto n = static_cast<std::size_t>(node);
   return (done_before_next && context_.forest.thread_of(other) == context_.forest.thread_of(node)) ||
          (is_once_with(node, other) && context_.job_start_of(other) == context_.job_start_of(node)) ||
-         (in_turn && contains(never_together_[n], other)) || contains(order_.never_overlapping[n], other);
+         (in_turn && contains(never_together_[n], other)) || contains(order_->never_overlapping[n], other);
 }
 
 bool ExcludedWork::recurs(int node) const {
@@ -107,7 +109,7 @@ std::vector<int> ExcludedWork::of(int node, bool done_before_next, bool in_turn)
     if (context_.thread_of(other).priority < mine.priority) continue;
     if (comes_later(node, other)) {
       excluded.push_back(other);
-    } else if (contains(order_.later[static_cast<std::size_t>(other)], node)) {
+    } else if (contains(order_->later[static_cast<std::size_t>(other)], node)) {
       over.push_back(other);
     } else if (never_overlap(node, other, done_before_next, in_turn)) {
       apart.push_back(other);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
@@ -13,7 +14,8 @@ namespace pal::analyzer::compositional {
 class ExcludedWork {
  public:
   /// After `stop` has returned true, less is known to be excluded.
-  ExcludedWork(const AnalysisContext& context, const std::function<bool()>& stop);
+  ExcludedWork(const AnalysisContext& context, std::shared_ptr<const Order> order,
+               const std::function<bool()>& stop);
 
   /// Nodes whose work does not count in the busy window of `node`. `done_before_next`: each job of its thread
   /// ends before the next is released. `in_turn`: all that an occurrence of its source triggers ends before
@@ -44,7 +46,7 @@ class ExcludedWork {
   Table<ProcessorId, std::vector<int>> nodes_on_;
   std::vector<std::size_t> place_;  // by node: in nodes_on_
   std::vector<Bits> after_;         // by node: those of its processor that are released only after it is done
-  Order order_;
+  std::shared_ptr<const Order> order_;
   std::vector<std::vector<int>> never_together_;  // by node
 };
 

@@ -27,7 +27,9 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
       nodes_of_(context.forest.sources.size()),
       threads_on_(context.problem.processors.size()),
       burst_(context.problem.threads.size()),
-      excluded_(context, stop) {
+      order_(std::make_shared<const Order>(order_of(context, stop))),
+      excluded_(context, order_, stop),
+      since_cause_(context, order_) {
   std::vector<Transaction> transactions(context.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s) {
     transactions[s].period = context.forest.sources[s].period;
@@ -40,7 +42,7 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
     task_[i] = static_cast<int>(tasks.size());
     nodes_of_[static_cast<std::size_t>(context.node(n).source)].push_back(n);
     tasks.push_back(
-        {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}});
+        {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}, {}});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(context, static_cast<int>(n), transactions);
   for (const std::vector<int>& alternatives : context.behaviours.alternatives) {
@@ -89,11 +91,32 @@ void Interference::precede(const AnalysisContext& context, int node,
 }
 
 void Interference::exclude(int node, bool done_before_next, bool in_turn) {
+  const std::vector<int> excluded = excluded_.of(node, done_before_next, in_turn);
   std::vector<std::pair<int, int>> without;
-  for (const int other : excluded_.of(node, done_before_next, in_turn))
+  for (const int other : excluded)
     without.emplace_back(context_.node(other).source, task_[static_cast<std::size_t>(other)]);
   std::sort(without.begin(), without.end());
   windows_.set_without(context_.node(node).source, task_[static_cast<std::size_t>(node)], std::move(without));
+  if (context_.source(node).period == never) separate(node, {excluded.begin(), excluded.end()});
+}
+
+/// What comes of the same cause as a node that comes once may come too late to delay it.
+void Interference::separate(int node, const std::set<int>& excluded) {
+  const Thread& mine = context_.thread_of(node);
+  std::vector<Separation> separations;
+  for (const int other : excluded_.nodes_on(mine.processor)) {
+    if (context_.node(other).source != context_.node(node).source || context_.segment(other).worst == 0)
+      continue;
+    if (other == node || context_.thread_of(other).priority < mine.priority || excluded.contains(other))
+      continue;
+    const int cause = since_cause_.common(node, other);
+    if (cause < 0 || cause == other || !since_cause_.counts_from(cause, node)) continue;
+    separations.push_back({task_[static_cast<std::size_t>(other)], task_[static_cast<std::size_t>(cause)],
+                           since_cause_.least(cause, other)});
+  }
+  // Tasks have the order of their nodes.
+  windows_.set_separations(context_.node(node).source, task_[static_cast<std::size_t>(node)],
+                           std::move(separations));
 }
 
 void Interference::find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
