@@ -168,13 +168,10 @@ Nanoseconds BusyWindows::of_siblings(int transaction, int task, Nanoseconds leng
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
   Tally tally(of, transaction, shares);
-  for (std::size_t t = 0; t < of.tasks.size(); ++t) {
-    const Task& other = of.tasks[t];
-    if (!counts(&self, transaction, static_cast<int>(t)) || other.cost == 0) continue;
-    if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
-      continue;
-    if (comes_after(of, self, static_cast<int>(t), length)) continue;
-    tally.add(static_cast<int>(t), 1);
+  for (const int t : group_of(transaction, self.processor)->tasks) {
+    const Task& other = of.tasks[static_cast<std::size_t>(t)];
+    if (t == task || other.cost == 0 || other.priority < self.priority) continue;
+    if (counts(&self, transaction, t) && !comes_after(of, self, t, length)) tally.add(t, 1);
   }
   return tally.total([](const Alternatives&) { return Nanoseconds{1}; });
 }
