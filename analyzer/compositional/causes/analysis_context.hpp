@@ -43,6 +43,9 @@ struct AnalysisContext {
 /// Whether a wait for the answer to a request may time out.
 bool may_give_up(const Problem& problem, int request);
 
+/// Least time from the release of a node's cause to its own; the node is no root.
+Nanoseconds earliest_after_cause(const AnalysisContext& context, int node);
+
 /// The earliest release of each node after the nominal instant of its source. After `stop` has returned true,
 /// a lower bound of it.
 std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context, const std::function<bool()>& stop);
