@@ -30,7 +30,7 @@ struct AnalysisContext {
   std::vector<int> endings_before_idle(int thread) const;
   /// The same before the first job of a loop. An event has none.
   std::vector<int> endings_before_first(int loop) const;
-  int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
+  ChannelId sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
 
   /// Time from a request to its answer when the device is free.
   Range device_time(DeviceId device) const;
