@@ -47,6 +47,7 @@ function(pal_add_skill name)
             -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines}
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
+            --depfile-folder "${CMAKE_SOURCE_DIR}"
     DEPENDS pal::pal "${pal_file}" "${environment_file}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     DEPFILE "${directory}/${prefix}.d"
     WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"

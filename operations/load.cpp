@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "operations/read.hpp"
+#include "operations/parse.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::operations {
@@ -29,7 +29,7 @@ std::optional<Program> load(const FileSystem& files, SourceManager& sources, con
       continue;
     }
     const FileId file = sources.add(next.path, std::get<std::string>(content));
-    auto document = read(sources, file, diagnostics);
+    auto document = parse(sources, file, diagnostics);
     if (!document) continue;
     for (Operation& operation : document->operations) {
       for (const Icon& icon : operation.icons) {

@@ -12,7 +12,7 @@
 namespace pal::operations {
 
 /// Reads `path` and every file that a hierarchical icon names, each once; adds their texts to `sources`.
-/// Reports what read() does, and files that cannot be read (PAL0111). Nothing if `path` holds no operation.
+/// Reports what parse() does, and files that cannot be read (PAL0111). Nothing if `path` holds no operation.
 std::optional<Program> load(const FileSystem& files, SourceManager& sources, const std::string& path,
                             Diagnostics& diagnostics);
 

@@ -8,7 +8,7 @@
 namespace pal::operations {
 
 /// The canonical form of a document: fields in a fixed order, an icon a line, icons in their order. So two
-/// versions differ in the lines of the icons that differ. read() of it gives the same document.
+/// versions differ in the lines of the icons that differ. parse() of it gives the same document.
 std::string write(const Document& document);
 
 }  // namespace pal::operations

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "analyzer/zones/move.hpp"
+#include "analyzer/zones/successors.hpp"
 
 namespace pal::analyzer {
 

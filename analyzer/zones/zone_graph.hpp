@@ -17,7 +17,7 @@
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/zones/known_zones.hpp"
-#include "analyzer/zones/move.hpp"
+#include "analyzer/zones/successors.hpp"
 #include "analyzer/zones/workers.hpp"
 
 namespace pal::analyzer {

@@ -2,10 +2,10 @@
 #include <sstream>
 
 #include "pal/check/read_sources.hpp"
+#include "pal/driver/check_report.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/junit.hpp"
-#include "pal/driver/report.hpp"
 #include "pal/driver/sarif.hpp"
 #include "pal/driver/statistics.hpp"
 #include "pal/driver/witness.hpp"

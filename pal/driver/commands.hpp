@@ -95,6 +95,7 @@ struct GenerateOptions {
   std::string output = ".";
   std::string depfile;         // a make rule with every text that was read
   std::string depfile_target;  // its target; empty: the files written
+  std::string depfile_folder;  // stands before relative paths of texts
   ProofLimits limits;
   bool allow_failing = false;  // nothing is proved
   bool debug_lines = false;    // debuggers show lines of PAL

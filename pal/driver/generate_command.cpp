@@ -14,15 +14,30 @@
 namespace pal::driver {
 namespace {
 
-/// A make rule: `target`, or else the generated files, depend on every text that was read.
-std::string depfile_text(const std::vector<OutputFile>& outputs, const std::string& target,
+/// `path` as make rules spell it.
+std::string for_make(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    if (c == ' ' || c == '#') text += '\\';
+    if (c == '$') text += '$';
+    text += c;
+  }
+  return text;
+}
+
+/// A make rule: the target, or else the generated files, depend on every text that was read.
+std::string depfile_text(const std::vector<OutputFile>& outputs, const GenerateOptions& options,
                          const SourceManager& sources) {
-  std::string text = target;
+  std::string text = for_make(options.depfile_target);
   for (const OutputFile& file : outputs) {
-    if (target.empty()) text += (text.empty() ? "" : " ") + file.path;
+    if (options.depfile_target.empty()) text += (text.empty() ? "" : " ") + for_make(file.path);
   }
   text += ":";
-  for (std::size_t i = 0; i < sources.size(); ++i) text += " \\\n  " + sources.name(FileId(i));
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const std::string& name = sources.name(FileId(i));
+    const bool relative = !options.depfile_folder.empty() && !name.starts_with('/');
+    text += " \\\n  " + for_make(relative ? options.depfile_folder + "/" + name : name);
+  }
   return text + "\n";
 }
 
@@ -82,7 +97,7 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
     files.push_back({options.output + "/" + file.name, std::move(file.text)});
   }
   if (!options.depfile.empty())
-    files.push_back({options.depfile, depfile_text(files, options.depfile_target, session.sources)});
+    files.push_back({options.depfile, depfile_text(files, options, session.sources)});
   return write_and_list(files, inputs_of(session), console);
 }
 

@@ -8,10 +8,10 @@
 #include "operations/load.hpp"
 #include "operations/ways.hpp"
 #include "pal/check/resources.hpp"
+#include "pal/driver/check_report.hpp"
 #include "pal/driver/commands.hpp"
 #include "pal/driver/interruption.hpp"
 #include "pal/driver/private/operation_files.hpp"
-#include "pal/driver/report.hpp"
 #include "pal/driver/sarif.hpp"
 #include "pal/support/duration_text.hpp"
 

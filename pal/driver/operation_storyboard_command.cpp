@@ -1,7 +1,7 @@
 #include <ostream>
 
 #include "operations/load.hpp"
-#include "operations/read.hpp"
+#include "operations/parse.hpp"
 #include "operations/read_log.hpp"
 #include "operations/storyboard.hpp"
 #include "operations/write.hpp"
@@ -66,7 +66,7 @@ ExitStatus format_operation(const OperationOptions& options, const Console& cons
     }
     const std::string& text = std::get<std::string>(content);
     const auto document =
-        operations::read(session.sources, session.sources.add(path, text), session.diagnostics);
+        operations::parse(session.sources, session.sources.add(path, text), session.diagnostics);
     if (!document || session.diagnostics.has_errors()) continue;
     std::string written = operations::write(*document);
     if (written != text) changed.push_back({path, std::move(written)});

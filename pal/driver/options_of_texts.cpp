@@ -16,6 +16,10 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
       ->add_option("--depfile-target", options.depfile_target,
                    "target of that rule; without it, the files written")
       ->type_name("FILE");
+  command
+      ->add_option("--depfile-folder", options.depfile_folder,
+                   "stands in that rule before the relative paths of files that were read")
+      ->type_name("FOLDER");
   add_limits(*command, options.limits);
   command->add_flag("--allow-failing", options.allow_failing, "prove nothing, and always generate");
   command->add_flag("--debug-lines", options.debug_lines, "make debuggers show the lines of PAL (#line)");

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/press.hpp"
+#include "sim/contact_stiffness.hpp"
 #include "sim/program/statistics.hpp"
 
 namespace pal::workcell {

@@ -6,6 +6,7 @@ function(run)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${ARGN}\n${output}")
   endif()
+  set(output "${output}" PARENT_SCOPE)
 endfunction()
 
 if(FROM STREQUAL install)
@@ -38,3 +39,9 @@ run(${CMAKE_COMMAND} -G "${GENERATOR}" -S "${SKILL}" -B "${WORK}/build" "-DCMAKE
     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror ${FLAGS}")
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 run("${WORK}/build/${PROGRAM}")
+
+# The files of a skill are found again: a second build has nothing to generate.
+run(${CMAKE_COMMAND} --build "${WORK}/build")
+if(output MATCHES "Checking skill")
+  message(FATAL_ERROR "what was built is built again:\n${output}")
+endif()

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "sim/press.hpp"
+#include "sim/contact_stiffness.hpp"
 #include "tests/run/skills/support/slowed_cell.hpp"
 
 using namespace pal;

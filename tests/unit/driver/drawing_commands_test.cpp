@@ -127,6 +127,20 @@ TEST_CASE("pal generate writes nothing when something is wrong") {
   CHECK(content(folder.file("d")).find("touch_modules.pal") != std::string::npos);
 }
 
+TEST_CASE("the rule of pal generate --depfile names files by absolute paths, spelled for make") {
+  const Folder folder("depfile");
+  fs::create_directories(folder.path());
+  fs::copy_file(cell, folder.file("a cell.pal"));
+  const std::string relative = fs::relative(touch).string();
+  const auto run =
+      pal::test::pal({"generate", relative, "-e", folder.file("a cell.pal"), "-o", folder.path(), "--depfile",
+                      folder.file("d"), "--depfile-target", "touch.hpp", "--depfile-folder", "/some where"});
+  REQUIRE(run.status == ExitStatus::all_hold);
+  const std::string rule = content(folder.file("d"));
+  CHECK(rule.starts_with("touch.hpp: \\\n  /some\\ where/" + relative + " \\\n  /"));
+  CHECK(rule.find("/a\\ cell.pal \\\n  /some\\ where/") != std::string::npos);
+}
+
 TEST_CASE("the chart of a long run tells its story in short, as the finding does") {
   const Folder folder("long");
   fs::create_directories(folder.path());

@@ -1,5 +1,5 @@
 // What is written can be read, and says the same.
-#include "operations/read.hpp"
+#include "operations/parse.hpp"
 #include "operations/write.hpp"
 #include "tests/unit/operations/support.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 std::optional<Document> document_of(const std::string& text, Diagnostics& diagnostics) {
   SourceManager sources;
-  return read(sources, sources.add("o.op.json", text), diagnostics);
+  return parse(sources, sources.add("o.op.json", text), diagnostics);
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ TEST_CASE("places are those of the text") {
       R"({"id": "a", "kind": "skill", "skill": "g\"o", "parameters": {"n":-1.5e1, "t":true}, "next": "a"})");
   SourceManager sources;
   Diagnostics diagnostics;
-  const auto document = read(sources, sources.add("o.op.json", text), diagnostics);
+  const auto document = parse(sources, sources.add("o.op.json", text), diagnostics);
   REQUIRE(document);
   const Icon& icon = document->operations[0].icons[1];
   CHECK(sources.text(icon.where) == "\"a\"");

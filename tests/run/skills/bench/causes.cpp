@@ -6,7 +6,7 @@
 #include <array>
 #include <ostream>
 
-#include "sim/press.hpp"
+#include "sim/contact_stiffness.hpp"
 #include "tests/run/skills/bench/press_runs.hpp"
 #include "tests/run/skills/bench/touch_runs.hpp"
 #include "tests/run/skills/support/physical_run.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/press.hpp"
+#include "sim/contact_stiffness.hpp"
 #include "tests/run/skills/bench/table.hpp"
 #include "tests/run/skills/bench/touch_runs.hpp"
 #include "tests/run/skills/support/physical_run.hpp"

@@ -1,4 +1,4 @@
-#include "sim/press.hpp"
+#include "sim/contact_stiffness.hpp"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "operations/read.hpp"
+#include "operations/parse.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -317,7 +317,7 @@ Operation read_operation(const JsonValue& value, Fields& fields, Diagnostics& di
 
 }  // namespace
 
-std::optional<Document> read(const SourceManager& sources, FileId file, Diagnostics& diagnostics) {
+std::optional<Document> parse(const SourceManager& sources, FileId file, Diagnostics& diagnostics) {
   const auto root = parse_json(sources, file, diagnostics);
   if (!root) return std::nullopt;
   Fields fields(*root, diagnostics);

@@ -1,4 +1,4 @@
-#include "analyzer/zones/move.hpp"
+#include "analyzer/zones/successors.hpp"
 
 #include <algorithm>
 

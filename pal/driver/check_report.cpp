@@ -1,4 +1,4 @@
-#include "pal/driver/report.hpp"
+#include "pal/driver/check_report.hpp"
 
 #include <fmt/format.h>
 
