@@ -1,6 +1,7 @@
 #include "analyzer/compositional/breakdown.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "analyzer/compositional/times/joint_chain.hpp"
 #include "analyzer/compositional/times/release.hpp"
@@ -22,7 +23,8 @@ class Writer {
         nominal_{view.times.nodes, {context_, view.times.nodes, *view.times.interference}, Since::occurrence},
         since_event_{view.times.since_event,
                      {context_, view.times.since_event, view.times.nodes, *view.times.interference},
-                     Since::release} {}
+                     Since::release},
+        since_cause_(view.times.interference->since_cause()) {}
 
   std::vector<Addend> run(const Sum& bound) {
     for (const Sum::Addend& each : bound.addends()) add(each);
@@ -77,6 +79,12 @@ class Writer {
         const Clock& clock = term.kind == Term::Kind::latest ? nominal_ : since_event_;
         if (each.amount == instant(clock, term)) return until(clock, term.node, term.step);
         return say(each.amount, actor(term.node), "at the latest, until " + place(term), statement(term));
+      }
+      case Term::Kind::since_cause: {
+        const int cause = std::exchange(from_, term.cause);
+        if (each.amount == instant(nominal_, term) - begun()) until(nominal_, term.node, term.step);
+        from_ = cause;
+        return;
       }
       case Term::Kind::earliest:
         return say(each.amount, actor(term.node), "at the earliest, until " + place(term), statement(term));
@@ -282,14 +290,21 @@ class Writer {
     return begins_with(of, place) ? of.steps[place].worst : context_.step_at(of.steps[place].step).cost.worst;
   }
 
+  /// When the cause from which instants count is released at the latest.
+  Nanoseconds begun() const { return from_ < 0 ? 0 : nominal_.times(from_).latest; }
+
   /// To the latest release of a node.
   void release(const Clock& asked, int node) {
-    const Nanoseconds at = asked.times(node).latest;
-    const Clock& clock = at == nominal_.times(node).latest ? nominal_ : asked;
+    if (node == from_) return;
+    const Nanoseconds latest_at = asked.times(node).latest;
+    const Clock& clock = latest_at == nominal_.times(node).latest ? nominal_ : asked;
     const Due latest = clock.releases.latest(node, view_.times.unbounded_reason, view_.times.blocked);
     const Node& of = context_.node(node);
     const std::string& name = actor(node);
-    if (latest.at != at || deep_ > 200) return say(at, name, "begins so late", statement_of(node));
+    const Nanoseconds at = latest_at - begun();
+    const bool before = from_ >= 0 && !since_cause_.counts_from(from_, node);
+    if (latest.at != latest_at || before || deep_ > 200)
+      return say(at, name, "begins so late", statement_of(node));
     ++deep_;
     switch (latest.by) {
       case By::source:
@@ -317,6 +332,8 @@ class Writer {
   AnalysisContext context_;
   Clock nominal_;
   Clock since_event_;
+  SinceCause since_cause_;
+  int from_ = -1;  // the node from whose release instants count; -1: the nominal instant of their source
   std::vector<Addend> out_;
   int deep_ = 0;
 };

@@ -34,7 +34,7 @@ constexpr std::size_t most_of_beginning = 60'000;
 bool is_loose(const Problem& slice, const Step& step) {
   const bool talks = step.kind == Step::Kind::wait || step.kind == Step::Kind::send;
   return talks && std::any_of(step.channels.begin(), step.channels.end(),
-                              [&](int c) { return slice.channels[static_cast<std::size_t>(c)].loose; });
+                              [&](ChannelId c) { return slice.channels[c].loose; });
 }
 
 /// Steps that lead to `step`.

@@ -84,7 +84,7 @@ State Grid::masked(State state) const {
     }
     state.threads[t] = {};
   }
-  for (std::size_t c = 0; c < state.slots.size(); ++c) {
+  for (const ChannelId c : state.slots.ids()) {
     if (!slice_.channels[c]) state.slots[c] = {};
   }
   for (const DeviceId d : state.devices.ids()) {

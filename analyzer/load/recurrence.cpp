@@ -174,11 +174,11 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
     }
   }
   const auto device = [&](DeviceId d) { return threads + d.index(); };
-  const auto channel = [&](int c) { return threads + devices + static_cast<std::size_t>(c); };
-  for (std::size_t c = 0; c < channels; ++c) {
+  const auto channel = [&](ChannelId c) { return threads + devices + c.index(); };
+  for (const ChannelId c : problem.channels.ids()) {
     const Channel& of = problem.channels[c];
-    if (of.sender_device.valid()) groups.join(channel(static_cast<int>(c)), device(of.sender_device));
-    if (of.receiver_device.valid()) groups.join(channel(static_cast<int>(c)), device(of.receiver_device));
+    if (of.sender_device.valid()) groups.join(channel(c), device(of.sender_device));
+    if (of.receiver_device.valid()) groups.join(channel(c), device(of.receiver_device));
   }
   for (std::size_t t = 0; t < threads; ++t) {
     if (!active[t]) continue;
@@ -186,11 +186,11 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
       if (active[s] && problem.threads[s].processor == problem.threads[t].processor) groups.join(s, t);
     }
     for (int step : steps[t]) {
-      for (int c : problem.steps[static_cast<std::size_t>(step)].channels) {
+      for (ChannelId c : problem.steps[static_cast<std::size_t>(step)].channels) {
         groups.join(t, channel(c));
-        const Channel& of = problem.channels[static_cast<std::size_t>(c)];
-        if (of.answers >= 0) groups.join(t, channel(of.answers));
-        if (of.answer >= 0) groups.join(t, channel(of.answer));
+        const Channel& of = problem.channels[c];
+        if (of.answers.valid()) groups.join(t, channel(of.answers));
+        if (of.answer.valid()) groups.join(t, channel(of.answer));
       }
     }
   }
@@ -221,9 +221,9 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
         slice.free_conditions |= std::uint64_t{1} << static_cast<unsigned>(of.condition.index());
     }
   }
-  for (std::size_t c = 0; c < channels; ++c) {
-    slice.channels[c] = groups.of(channel(static_cast<int>(c))) == group;
-    const auto flight = static_cast<std::size_t>(machine.flight_timer(static_cast<int>(c)));
+  for (const ChannelId c : problem.channels.ids()) {
+    slice.channels[c] = groups.of(channel(c)) == group;
+    const auto flight = static_cast<std::size_t>(machine.flight_timer(c));
     slice.timers[flight] = slice.timers[flight + 1] = slice.channels[c];
   }
   for (const DeviceId d : problem.devices.ids()) {

@@ -22,7 +22,7 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph);
 /// through the values of conditions does not count.
 struct Slice {
   std::vector<bool> threads;
-  std::vector<bool> channels;
+  Table<ChannelId, bool> channels;
   Table<DeviceId, bool> devices;
   std::vector<bool> timers;
   /// Threads outside that are active: they are left out.

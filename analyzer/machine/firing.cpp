@@ -38,7 +38,7 @@ void Firing::emit_device(Kind kind, DeviceId device, int subject, int value) {
 
 void Firing::fire(int timer) {
   const bool was_busy = watched_busy();
-  if (timer < machine_.flight_timer(0)) {
+  if (timer < machine_.first_flight_timer()) {
     if (is_loose(timer)) {
       loosened(timer);
     } else if (state_of(timer).status == Status::waiting) {
@@ -49,7 +49,7 @@ void Firing::fire(int timer) {
       effect(timer);
     }
   } else if (timer < machine_.first_device_timer()) {
-    const int channel = (timer - machine_.flight_timer(0)) / 2;
+    const ChannelId channel = machine_.channel_of(timer);
     SlotState& of = slot(channel);
     (timer == machine_.flight_timer(channel) ? of.near : of.far) = SlotState::Way::there;
     if (of.fill == SlotState::Fill::full) message_available(channel);
@@ -143,9 +143,9 @@ void Firing::effect_wait(int thread) {
     return;
   }
   if (state.choice == ThreadState::gives_up) {
-    std::vector<int> freed;
-    for (int channel : step.channels) {
-      if (channel_of(channel).answers >= 0) withdraw_all(channel_of(channel).answers, freed);
+    std::vector<ChannelId> freed;
+    for (ChannelId channel : step.channels) {
+      if (channel_of(channel).answers.valid()) withdraw_all(channel_of(channel).answers, freed);
     }
     measure(thread);
     go_on_and_admit(thread, step.next.back(), freed);
@@ -153,7 +153,7 @@ void Firing::effect_wait(int thread) {
   }
   const auto branch = static_cast<std::size_t>(state.choice);
   if (ends_loosely(step, branch)) return effect_loose_wait(thread, branch);
-  const int channel = step.channels[branch];
+  const ChannelId channel = step.channels[branch];
   take(channel, thread, DeviceId{});
   state.choice = ThreadState::no_choice;
   clear(channel);
@@ -162,19 +162,19 @@ void Firing::effect_wait(int thread) {
 }
 
 /// The thread goes on, and the channels are there for senders that are blocked.
-void Firing::go_on_and_admit(int thread, int next, std::vector<int> channels) {
-  std::erase_if(channels, [this](int channel) { return !somebody_sends(channel); });
+void Firing::go_on_and_admit(int thread, int next, std::vector<ChannelId> channels) {
+  std::erase_if(channels, [this](ChannelId channel) { return !somebody_sends(channel); });
   if (state_of(thread).cancelled) {
-    in_any_order(std::move(channels), [this](int channel) { admit(channel); });
+    in_any_order(std::move(channels), [this](ChannelId channel) { admit(channel); });
     finish(thread, next);
     return;
   }
-  for (int channel : channels) admit_later(channel);
+  for (ChannelId channel : channels) admit_later(channel);
   go_on_later(thread, next);
 }
 
 void Firing::effect_send(int thread) {
-  const int channel = step_of(thread).channels.front();
+  const ChannelId channel = step_of(thread).channels.front();
   if (channel_of(channel).loose) return effect_loose_send(thread);
   SlotState& to = slot(channel);
   if (discards(channel)) {
@@ -201,7 +201,7 @@ void Firing::sent(int thread, bool put_it) {
   const Step& step = step_of(thread);
   uses_kept(thread);
   const std::uint8_t carries = sent_along(thread);
-  const int channel = step.channels.front();
+  const ChannelId channel = step.channels.front();
   if (put_it) place(channel, thread, DeviceId{}, carries);
   measure(thread);
   if (state_of(thread).cancelled) {

@@ -42,7 +42,7 @@ class Firing {
   void happen(const Due& due);
   void go_on_later(int thread, int next);
   void queue_later(int thread);
-  void admit_later(int channel);
+  void admit_later(ChannelId channel);
   void forget(int thread);
   bool orderless(const Due& due) const;
   bool keeps_processor(const Due& due) const;
@@ -82,14 +82,14 @@ class Firing {
   bool read(int thread, ConditionId condition);
   std::uint64_t values_for_test(int thread, const Step& step);
   void complete(int thread, int code);
-  void go_on_and_admit(int thread, int next, std::vector<int> channels);
+  void go_on_and_admit(int thread, int next, std::vector<ChannelId> channels);
 
   /// Calls `each` for all of `of`, in every order.
-  template <class Each>
-  void in_any_order(std::vector<int> of, Each each) {
+  template <class Of, class Each>
+  void in_any_order(std::vector<Of> of, Each each) {
     while (!of.empty()) {
       const int chosen = of.size() == 1 ? 0 : choices_.pick(static_cast<int>(of.size()));
-      const int next = of[static_cast<std::size_t>(chosen)];
+      const Of next = of[static_cast<std::size_t>(chosen)];
       of.erase(of.begin() + chosen);
       each(next);
     }
@@ -109,55 +109,55 @@ class Firing {
   bool may_be_withdrawn(const Step& step, std::size_t branch) const;
 
   // Messages and devices (firing_mail.cpp).
-  void place(int channel, int thread, DeviceId device, std::uint8_t carries);
-  void announce(int channel);
-  bool available(int channel, int thread) const;
-  int claimed_by(int channel);
-  void message_available(int channel);
+  void place(ChannelId channel, int thread, DeviceId device, std::uint8_t carries);
+  void announce(ChannelId channel);
+  bool available(ChannelId channel, int thread) const;
+  int claimed_by(ChannelId channel);
+  void message_available(ChannelId channel);
   bool stays_at_home(int sender) const;
-  void fill(int channel, int sender);
-  void take(int channel, int thread, DeviceId device);
-  void clear(int channel);
-  void admit(int channel);
-  bool somebody_sends(int channel) const;
-  std::vector<int> waiting_for(int channel) const;
-  void empty(int channel);
-  void drop(int channel);
+  void fill(ChannelId channel, int sender);
+  void take(ChannelId channel, int thread, DeviceId device);
+  void clear(ChannelId channel);
+  void admit(ChannelId channel);
+  bool somebody_sends(ChannelId channel) const;
+  std::vector<int> waiting_for(ChannelId channel) const;
+  void empty(ChannelId channel);
+  void drop(ChannelId channel);
 
   // Open requests (firing_requests.cpp).
-  bool tracked(int channel) const;
-  void ask(int request, int thread);
-  int answered_next(int answer) const;
-  bool discards(int answer) const;
-  void discard(int answer);
-  bool in_slot(int request, int at) const;
+  bool tracked(ChannelId channel) const;
+  void ask(ChannelId request, int thread);
+  int answered_next(ChannelId answer) const;
+  bool discards(ChannelId answer) const;
+  void discard(ChannelId answer);
+  bool in_slot(ChannelId request, int at) const;
   template <class Meant>
-  void withdraw(int request, Meant meant, std::vector<int>& freed);
-  void withdraw_all(int request, std::vector<int>& freed);
+  void withdraw(ChannelId request, Meant meant, std::vector<ChannelId>& freed);
+  void withdraw_all(ChannelId request, std::vector<ChannelId>& freed);
   void hand_over(int block, int parent);
-  bool answers_to(int channel, int owner) const;
-  std::vector<int> abandon(int thread);
+  bool answers_to(ChannelId channel, int owner) const;
+  std::vector<ChannelId> abandon(int thread);
   void open_device(DeviceId device);
-  void arrives_at_device(int channel);
+  void arrives_at_device(ChannelId channel);
   void take_pending(DeviceId device);
   void device_next(DeviceId device);
   void device_service(DeviceId device);
   bool never_answers(const Device& of, const DeviceState::Served& served);
-  void answer(int request, std::uint8_t carries);
+  void answer(ChannelId request, std::uint8_t carries);
   void event_occurs(DeviceId device);
 
   // Measuring (firing_measure.cpp).
   void measure(int thread);
   void has_read(int thread, ConditionId condition);
   void has_set(int thread, ConditionId condition);
-  void has_taken(int thread, int channel, std::uint8_t carries);
+  void has_taken(int thread, ChannelId channel, std::uint8_t carries);
   void uses_kept(int thread);
   void has_written(int thread);
   std::uint8_t sent_along(int thread) const;
-  std::uint8_t sampled(int request);
+  std::uint8_t sampled(ChannelId request);
   std::uint8_t new_sample();
-  std::uint8_t occurred(int channel);
-  bool awaits_response(int channel) const;
+  std::uint8_t occurred(ChannelId channel);
+  bool awaits_response(ChannelId channel) const;
   std::uint8_t new_event();
   void has_completed(int thread, int code);
   void forget_event(std::uint8_t event);
@@ -182,7 +182,7 @@ class Firing {
   bool counts_losses(DeviceId device) const;
   bool arrives(DeviceId device, const DeviceState::Served& served) const;
   void occurrence(DeviceId device, bool lost);
-  void lost_after_all(int channel);
+  void lost_after_all(ChannelId channel);
   void count_losses();
 
   // What is forgotten, and in which order the rest is numbered (settle.cpp).
@@ -199,16 +199,18 @@ class Firing {
   const Step& step_of(int thread) const {
     return problem_.steps[static_cast<std::size_t>(state_of(thread).step)];
   }
-  SlotState& slot(int channel) { return state_.slots[static_cast<std::size_t>(channel)]; }
-  const Channel& channel_of(int channel) const {
-    return problem_.channels[static_cast<std::size_t>(channel)];
-  }
+  SlotState& slot(ChannelId channel) { return state_.slots[channel]; }
+  const Channel& channel_of(ChannelId channel) const { return problem_.channels[channel]; }
   ThreadNumber& running(ProcessorId processor) { return state_.running[processor]; }
 
   void start_timer(int timer, Range range);
   void stop_timer(int timer);
   void emit(Kind kind, int thread, int subject = -1, int value = 0);
+  void emit(Kind kind, int thread, ChannelId channel) { emit(kind, thread, channel.value); }
   void emit_device(Kind kind, DeviceId device, int subject = -1, int value = 0);
+  void emit_device(Kind kind, DeviceId device, ChannelId channel) {
+    emit_device(kind, device, channel.value);
+  }
 
   const Machine& machine_;
   const Problem& problem_;

@@ -26,11 +26,11 @@ void Firing::happen(const Due& due) {
       queued_.push_back(due.who);
       return;
     case Due::What::admit:
-      return admit(due.who);
+      return admit(ChannelId::of(due.who));
     case Due::What::parent:
       return go_on_behind_blocks(due.who);
     case Due::What::answer:
-      return answer(due.who, due.carries);
+      return answer(ChannelId::of(due.who), due.carries);
     case Due::What::serve:
       return take_pending(DeviceId::of(due.who));
   }
@@ -44,8 +44,8 @@ void Firing::queue_later(int thread) {
   due_.push_back({Due::What::queue, thread});
 }
 
-void Firing::admit_later(int channel) {
-  if (somebody_sends(channel)) due_.push_back({Due::What::admit, channel});
+void Firing::admit_later(ChannelId channel) {
+  if (somebody_sends(channel)) due_.push_back({Due::What::admit, channel.value});
 }
 
 /// The thread has been stopped.
@@ -62,11 +62,12 @@ bool Firing::orderless(const Due& due) const {
   if (phase_may_change()) return false;
   if (due.what == Due::What::go_on) return keeps_processor(due) && !may_be_stopped(due);
   if (due.what == Due::What::serve) {
-    const std::vector<int>& requests = problem_.devices[DeviceId::of(due.who)].requests;
+    const std::vector<ChannelId>& requests = problem_.devices[DeviceId::of(due.who)].requests;
     return std::none_of(requests.begin(), requests.end(),
-                        [this](int request) { return somebody_sends(request); });
+                        [this](ChannelId request) { return somebody_sends(request); });
   }
-  if (due.what != Due::What::answer || awaits_response(channel_of(due.who).answer)) return false;
+  if (due.what != Due::What::answer || awaits_response(channel_of(ChannelId::of(due.who)).answer))
+    return false;
   const bool alone =
       std::all_of(due_.begin(), due_.end(), [](const Due& other) { return other.what == Due::What::answer; });
   return alone && !meets_other_answers(due);
@@ -76,12 +77,12 @@ bool Firing::orderless(const Due& due) const {
 /// that does.
 bool Firing::meets_other_answers(const Due& due) const {
   std::set<Queue> queues;
-  const std::vector<int> waiting = waiting_for(channel_of(due.who).answer);
+  const std::vector<int> waiting = waiting_for(channel_of(ChannelId::of(due.who)).answer);
   for (const int thread : waiting) queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
   if (queues.empty()) return false;
   return std::any_of(due_.begin(), due_.end(), [&](const Due& other) {
     if (&other == &due) return false;
-    const std::vector<int> others = waiting_for(channel_of(other.who).answer);
+    const std::vector<int> others = waiting_for(channel_of(ChannelId::of(other.who)).answer);
     return std::any_of(others.begin(), others.end(), [&](int thread) {
       return queues.contains({thread_of(thread).processor, thread_of(thread).priority});
     });

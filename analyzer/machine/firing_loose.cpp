@@ -15,9 +15,8 @@ constexpr int left_out_ends = 1;
 
 bool Firing::is_loose(const Problem& problem, const Step& step) {
   if (step.kind == Step::Kind::wait && step.channels.empty()) return true;
-  return std::any_of(step.channels.begin(), step.channels.end(), [&problem](int channel) {
-    return problem.channels[static_cast<std::size_t>(channel)].loose;
-  });
+  return std::any_of(step.channels.begin(), step.channels.end(),
+                     [&problem](ChannelId channel) { return problem.channels[channel].loose; });
 }
 
 /// Whether the thread is stopped at a wait or a send that a party that is left out may end.
@@ -92,7 +91,7 @@ void Firing::loosened(int thread) {
 bool Firing::may_be_withdrawn(const Step& step, std::size_t branch) const {
   if (step.channels.empty()) return false;
   const Channel& of = channel_of(step.channels[branch]);
-  return of.withdrawable && !(step.before_blocks && of.answers >= 0);
+  return of.withdrawable && !(step.before_blocks && of.answers.valid());
 }
 
 void Firing::effect_loose_wait(int thread, std::size_t branch) {

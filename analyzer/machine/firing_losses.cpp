@@ -21,11 +21,11 @@ bool Firing::counts_losses(DeviceId device) const {
 
 /// Whether one of the answers that are due finds its slot free, and a thread that waits for it.
 bool Firing::arrives(DeviceId device, const DeviceState::Served& served) const {
-  const std::vector<int>& requests = problem_.devices[device].requests;
+  const std::vector<ChannelId>& requests = problem_.devices[device].requests;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (!served[i]) continue;
-    const int answer = channel_of(requests[i]).answer;
-    const bool free = state_.slots[static_cast<std::size_t>(answer)].fill == SlotState::Fill::empty;
+    const ChannelId answer = channel_of(requests[i]).answer;
+    const bool free = state_.slots[answer].fill == SlotState::Fill::empty;
     if (free && !discards(answer)) return true;
   }
   return false;
@@ -40,9 +40,9 @@ void Firing::occurrence(DeviceId device, bool lost) {
   outcome_.passed = true;
   const std::uint64_t all = (std::uint64_t{1} << remembered(watch_.in)) - 1;
   state_.lost = (state_.lost << 1U | (lost ? 1U : 0U)) & all;
-  for (std::size_t c = 0; c < state_.slots.size(); ++c) {
+  for (const ChannelId c : state_.slots.ids()) {
     SlotState& of = state_.slots[c];
-    if (channel_of(static_cast<int>(c)).sender_device != device || of.carries == tag::none) continue;
+    if (channel_of(ChannelId(c)).sender_device != device || of.carries == tag::none) continue;
     if (of.carries < remembered(watch_.in)) ++of.carries;
   }
   count_losses();
@@ -50,7 +50,7 @@ void Firing::occurrence(DeviceId device, bool lost) {
 
 /// What was put is withdrawn. So many may have come after it that what was before it is forgotten. Then they
 /// were all lost, because its slot was full. The exception: they came into other slots.
-void Firing::lost_after_all(int channel) {
+void Firing::lost_after_all(ChannelId channel) {
   const std::uint8_t since = slot(channel).carries;
   const DeviceId device = channel_of(channel).sender_device;
   if (!counts_losses(device) || since == tag::none) return;

@@ -7,7 +7,7 @@
 namespace pal::analyzer {
 
 /// The message is in its slot; announce() is still to be called.
-void Firing::place(int channel, int thread, DeviceId device, std::uint8_t carries) {
+void Firing::place(ChannelId channel, int thread, DeviceId device, std::uint8_t carries) {
   SlotState& to = slot(channel);
   fill(channel, thread);
   to.carries = awaits_response(channel) ? new_event() : carries;
@@ -20,7 +20,7 @@ void Firing::place(int channel, int thread, DeviceId device, std::uint8_t carrie
   ask(channel, thread);
 }
 
-void Firing::announce(int channel) {
+void Firing::announce(ChannelId channel) {
   if (channel_of(channel).receiver_device.valid()) {
     arrives_at_device(channel);
   } else {
@@ -38,7 +38,7 @@ bool Firing::stays_at_home(int sender) const {
 }
 
 /// The message sets out for the processors on which a thread waits for it. `sender`: -1: a device.
-void Firing::fill(int channel, int sender) {
+void Firing::fill(ChannelId channel, int sender) {
   const ProcessorId processor = sender < 0 ? ProcessorId{} : thread_of(sender).processor;
   SlotState& to = slot(channel);
   to.fill = SlotState::Fill::full;
@@ -65,14 +65,14 @@ void Firing::fill(int channel, int sender) {
   if (far) fly(to.far, machine_.flight_timer(channel) + 1, problem_.between_processors);
 }
 
-bool Firing::available(int channel, int thread) const {
-  const SlotState& of = state_.slots[static_cast<std::size_t>(channel)];
+bool Firing::available(ChannelId channel, int thread) const {
+  const SlotState& of = state_.slots[channel];
   if (of.fill != SlotState::Fill::full) return false;
   return (of.from == thread_of(thread).processor ? of.near : of.far) == SlotState::Way::there;
 }
 
 /// Gives the message to one of the threads that wait for it, if any, which has to come to its queue yet.
-int Firing::claimed_by(int channel) {
+int Firing::claimed_by(ChannelId channel) {
   std::vector<std::pair<int, int>> waiting;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
     if (state_.threads[t].status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
@@ -94,7 +94,7 @@ int Firing::claimed_by(int channel) {
 }
 
 /// Gives the message to one of the threads that wait for it, if any.
-void Firing::message_available(int channel) {
+void Firing::message_available(ChannelId channel) {
   const int thread = claimed_by(channel);
   if (thread < 0) return;
   enqueue(thread, false);
@@ -102,7 +102,7 @@ void Firing::message_available(int channel) {
 }
 
 /// The message leaves its slot; empty() is still to be called.
-void Firing::take(int channel, int thread, DeviceId device) {
+void Firing::take(ChannelId channel, int thread, DeviceId device) {
   SlotState& from = slot(channel);
   if (device.valid()) {
     emit_device(Kind::take, device, channel);
@@ -114,13 +114,13 @@ void Firing::take(int channel, int thread, DeviceId device) {
 }
 
 /// Frees the slot, for a sender that is blocked perhaps.
-void Firing::empty(int channel) {
+void Firing::empty(ChannelId channel) {
   clear(channel);
   admit_later(channel);
 }
 
 /// The slot is free; admit() is still to be called.
-void Firing::clear(int channel) {
+void Firing::clear(ChannelId channel) {
   SlotState& of = slot(channel);
   if (of.near == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel));
   if (of.far == SlotState::Way::flying) stop_timer(machine_.flight_timer(channel) + 1);
@@ -131,7 +131,7 @@ void Firing::clear(int channel) {
   of.answers = false;
 }
 
-bool Firing::somebody_sends(int channel) const {
+bool Firing::somebody_sends(ChannelId channel) const {
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
     if (state_.threads[t].status == Status::sending &&
         step_of(static_cast<int>(t)).channels.front() == channel)
@@ -141,11 +141,11 @@ bool Firing::somebody_sends(int channel) const {
 }
 
 /// The threads that wait for a message of the channel.
-std::vector<int> Firing::waiting_for(int channel) const {
+std::vector<int> Firing::waiting_for(ChannelId channel) const {
   std::vector<int> waiting;
   for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
     if (state_.threads[t].status != Status::waiting) continue;
-    const std::vector<int>& channels = step_of(static_cast<int>(t)).channels;
+    const std::vector<ChannelId>& channels = step_of(static_cast<int>(t)).channels;
     if (std::find(channels.begin(), channels.end(), channel) != channels.end())
       waiting.push_back(static_cast<int>(t));
   }
@@ -153,7 +153,7 @@ std::vector<int> Firing::waiting_for(int channel) const {
 }
 
 /// The slot is there for a sender that is blocked, unless another party has filled it.
-void Firing::admit(int channel) {
+void Firing::admit(ChannelId channel) {
   SlotState& of = slot(channel);
   if (of.fill != SlotState::Fill::empty) return;
   std::vector<int> senders;
@@ -178,7 +178,7 @@ void Firing::admit(int channel) {
 }
 
 /// A thread withdrew the message that is in the slot, or on its way to it.
-void Firing::drop(int channel) {
+void Firing::drop(ChannelId channel) {
   SlotState& of = slot(channel);
   if (of.fill == SlotState::Fill::claimed) {
     for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
@@ -190,7 +190,7 @@ void Firing::drop(int channel) {
         thread.choice = ThreadState::withdrawn;
     }
   }
-  if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel, 0});
+  if (record_) outcome_.events.push_back({0, Kind::drop, -1, -1, channel.value, 0});
   lost_after_all(channel);
   if (awaits_response(channel) && of.carries != tag::none) forget_event(of.carries);
   clear(channel);
@@ -206,7 +206,7 @@ void Firing::open_device(DeviceId device) {
   start_timer(machine_.next_timer(device), first);
 }
 
-void Firing::arrives_at_device(int channel) {
+void Firing::arrives_at_device(ChannelId channel) {
   const Channel& of = channel_of(channel);
   const DeviceId device = of.receiver_device;
   if (!of.served) {
@@ -289,12 +289,12 @@ void Firing::device_service(DeviceId device) {
   if (counts_losses(device)) occurrence(device, !arrives(device, served));
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
     if (!served[i]) continue;
-    const int request = of.requests[i];
+    const ChannelId request = of.requests[i];
     const std::uint8_t carries = !counts_losses(device)
                                      ? std::exchange(slot(request).serving_carries, tag::none)
                                  : counts() ? std::uint8_t{0}
                                             : tag::none;
-    due_.push_back({Due::What::answer, request, -1, carries});
+    due_.push_back({Due::What::answer, request.value, -1, carries});
   }
   if (std::holds_alternative<pan::RequestDevice>(of.behaviour))
     due_.push_back({Due::What::serve, device.value});
@@ -306,7 +306,7 @@ bool Firing::never_answers(const Device& of, const DeviceState::Served& served) 
   const auto* request = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (request == nullptr || !request->may_fail) return false;
   for (std::size_t i = 0; i < of.requests.size(); ++i) {
-    const int channel = channel_of(of.requests[i]).answer;
+    const ChannelId channel = channel_of(of.requests[i]).answer;
     if (!served[i] || discards(channel) || choices_.pick(2) == 0) continue;
     slot(of.requests[i]).serving_carries = tag::none;
     discard(channel);
@@ -317,8 +317,8 @@ bool Firing::never_answers(const Device& of, const DeviceState::Served& served) 
 }
 
 /// The answer to a request is there, or lost, or not wanted any more.
-void Firing::answer(int request, std::uint8_t carries) {
-  const int channel = channel_of(request).answer;
+void Firing::answer(ChannelId request, std::uint8_t carries) {
+  const ChannelId channel = channel_of(request).answer;
   const DeviceId device = channel_of(request).receiver_device;
   if (discards(channel)) {
     discard(channel);
@@ -334,8 +334,8 @@ void Firing::answer(int request, std::uint8_t carries) {
 }
 
 void Firing::event_occurs(DeviceId device) {
-  const int channel = problem_.devices[device].event;
-  if (channel < 0) return;
+  const ChannelId channel = problem_.devices[device].event;
+  if (!channel.valid()) return;
   if (slot(channel).fill != SlotState::Fill::empty) {
     emit_device(Kind::overrun, device, channel);
     occurrence(device, true);

@@ -118,7 +118,7 @@ void Firing::has_set(int thread, ConditionId condition) {
 }
 
 /// A message without an event leaves the thread with the one that it has, one with an older sample likewise.
-void Firing::has_taken(int thread, int channel, std::uint8_t carries) {
+void Firing::has_taken(int thread, ChannelId channel, std::uint8_t carries) {
   const KeptId kept = channel_of(channel).kept;
   if (watch_.kind == Watch::Kind::sample && kept.valid()) state_.kept[kept] = carries;
   std::uint8_t& own = state_of(thread).carries;
@@ -154,25 +154,25 @@ std::uint8_t Firing::new_sample() {
 }
 
 /// What the answer to a request will carry: the event of the request, or a sample that is taken now.
-std::uint8_t Firing::sampled(int request) {
+std::uint8_t Firing::sampled(ChannelId request) {
   if (watch_.kind == Watch::Kind::response) return slot(request).carries;
   if (watch_.kind != Watch::Kind::sample) return tag::none;
-  if (!watch_.samples[static_cast<std::size_t>(channel_of(request).answer)]) return tag::none;
+  if (!watch_.samples[channel_of(request).answer]) return tag::none;
   return new_sample();
 }
 
 /// What the message of a device's event carries, if no response to it is awaited.
-std::uint8_t Firing::occurred(int channel) {
+std::uint8_t Firing::occurred(ChannelId channel) {
   if (counts_losses(channel_of(channel).sender_device)) return counts() ? std::uint8_t{0} : tag::none;
-  if (watch_.kind == Watch::Kind::sample && watch_.samples[static_cast<std::size_t>(channel)]) {
+  if (watch_.kind == Watch::Kind::sample && watch_.samples[channel]) {
     return new_sample();
   }
   return tag::none;
 }
 
 /// Whether messages of the channel are what is to be responded to.
-bool Firing::awaits_response(int channel) const {
-  return watch_.kind == Watch::Kind::response && watch_.events[static_cast<std::size_t>(channel)];
+bool Firing::awaits_response(ChannelId channel) const {
+  return watch_.kind == Watch::Kind::response && watch_.events[channel];
 }
 
 /// What such a message carries.

@@ -1,16 +1,16 @@
-// Requests whose answers are still to come: the threads to which they belong, and how they are withdrawn.
+// Requests whose answers are still to come: to whom they belong, and how they are withdrawn.
 #include "analyzer/machine/firing.hpp"
 
 namespace pal::analyzer {
 
 /// Whether the messages of the channel are requests that a party answers.
-bool Firing::tracked(int channel) const {
+bool Firing::tracked(ChannelId channel) const {
   const Channel& of = channel_of(channel);
-  return of.answer >= 0 && (!of.receiver_device.valid() || of.served);
+  return of.answer.valid() && (!of.receiver_device.valid() || of.served);
 }
 
 /// A request was put, by a thread or by a device (-1).
-void Firing::ask(int request, int thread) {
+void Firing::ask(ChannelId request, int thread) {
   if (!tracked(request)) return;
   Asked& asked = slot(request).asked;
   if (asked.count == Asked::most) {
@@ -21,30 +21,30 @@ void Firing::ask(int request, int thread) {
 }
 
 /// Whether the request at place `at` is still in its slot.
-bool Firing::in_slot(int request, int at) const {
-  const SlotState& of = state_.slots[static_cast<std::size_t>(request)];
+bool Firing::in_slot(ChannelId request, int at) const {
+  const SlotState& of = state_.slots[request];
   return of.fill != SlotState::Fill::empty && at + 1 == of.asked.count;
 }
 
 /// The place of the request that the next message of the channel answers; -1: it answers none.
-int Firing::answered_next(int answer) const {
-  const int request = channel_of(answer).answers;
-  if (request < 0) return -1;
-  const int at = state_.slots[static_cast<std::size_t>(answer)].answers ? 1 : 0;
-  const Asked& asked = state_.slots[static_cast<std::size_t>(request)].asked;
+int Firing::answered_next(ChannelId answer) const {
+  const ChannelId request = channel_of(answer).answers;
+  if (!request.valid()) return -1;
+  const int at = state_.slots[answer].answers ? 1 : 0;
+  const Asked& asked = state_.slots[request].asked;
   return at < asked.count && !in_slot(request, at) ? at : -1;
 }
 
 /// Whether no thread wants the next message of the channel.
-bool Firing::discards(int answer) const {
+bool Firing::discards(ChannelId answer) const {
   const int at = answered_next(answer);
   if (at < 0) return false;
-  const Asked& asked = state_.slots[static_cast<std::size_t>(channel_of(answer).answers)].asked;
+  const Asked& asked = state_.slots[channel_of(answer).answers].asked;
   return asked.by[static_cast<std::size_t>(at)] == Asked::withdrawn;
 }
 
 /// A message that answers a request does not get into its slot.
-void Firing::discard(int answer) {
+void Firing::discard(ChannelId answer) {
   const int at = answered_next(answer);
   if (at >= 0) slot(channel_of(answer).answers).asked.erase(at);
 }
@@ -52,9 +52,9 @@ void Firing::discard(int answer) {
 /// Withdraws the open requests whose owner is meant. admit() is still to be called for the channels that
 /// `freed` gets.
 template <class Meant>
-void Firing::withdraw(int request, Meant meant, std::vector<int>& freed) {
+void Firing::withdraw(ChannelId request, Meant meant, std::vector<ChannelId>& freed) {
   Asked& asked = slot(request).asked;
-  const int answer = channel_of(request).answer;
+  const ChannelId answer = channel_of(request).answer;
   // What is asked for from here on, by a sender whose slot becomes free, is not meant.
   for (int at = asked.count - 1; at >= 0; --at) {
     ThreadNumber& owner = asked.by[static_cast<std::size_t>(at)];
@@ -62,7 +62,7 @@ void Firing::withdraw(int request, Meant meant, std::vector<int>& freed) {
     const bool asking = in_slot(request, at);
     const bool answered = at == 0 && slot(answer).answers;
     if (asking || answered) {
-      const int channel = asking ? request : answer;
+      const ChannelId channel = asking ? request : answer;
       asked.erase(at);
       drop(channel);
       freed.push_back(channel);
@@ -72,7 +72,7 @@ void Firing::withdraw(int request, Meant meant, std::vector<int>& freed) {
   }
 }
 
-void Firing::withdraw_all(int request, std::vector<int>& freed) {
+void Firing::withdraw_all(ChannelId request, std::vector<ChannelId>& freed) {
   withdraw(
       request, [](ThreadNumber) { return true; }, freed);
 }
@@ -87,20 +87,20 @@ void Firing::hand_over(int block, int parent) {
 }
 
 /// Whether a message answers a request of `owner` that is open.
-bool Firing::answers_to(int channel, int owner) const {
-  const int request = channel_of(channel).answers;
-  if (request < 0 || !state_.slots[static_cast<std::size_t>(channel)].answers) return false;
-  return state_.slots[static_cast<std::size_t>(request)].asked.by.front() == owner;
+bool Firing::answers_to(ChannelId channel, int owner) const {
+  const ChannelId request = channel_of(channel).answers;
+  if (!request.valid() || !state_.slots[channel].answers) return false;
+  return state_.slots[request].asked.by.front() == owner;
 }
 
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
 /// If both are one message, it goes to another thread before it is withdrawn, or it does not. admit() is
 /// still to be called for the channels that are free now.
-std::vector<int> Firing::abandon(int thread) {
+std::vector<ChannelId> Firing::abandon(int thread) {
   const ThreadState& state = state_of(thread);
   // A block that is stopped before it has begun is at no step yet; one with a choice is at a wait.
   if (state.choice >= 0 && !step_of(thread).channels.empty()) {
-    const int channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
+    const ChannelId channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
     if (slot(channel).fill == SlotState::Fill::claimed) {
       slot(channel).fill = SlotState::Fill::full;
       const bool goes_first =
@@ -109,10 +109,10 @@ std::vector<int> Firing::abandon(int thread) {
       if (other >= 0) queue_later(other);
     }
   }
-  std::vector<int> freed;
+  std::vector<ChannelId> freed;
   for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
     withdraw(
-        static_cast<int>(c), [thread](ThreadNumber owner) { return owner == thread; }, freed);
+        ChannelId(c), [thread](ThreadNumber owner) { return owner == thread; }, freed);
   }
   return freed;
 }

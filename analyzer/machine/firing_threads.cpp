@@ -103,7 +103,7 @@ void Firing::reach(int thread, int step) {
 
 void Firing::reach_wait(int thread) {
   const Step& step = step_of(thread);
-  for (int channel : step.channels) {
+  for (ChannelId channel : step.channels) {
     if (channel_of(channel).sender_device.valid()) open_device(channel_of(channel).sender_device);
   }
   if (step.channels.empty() && step.next.size() > 1 && choices_.pick(2) == 1) {
@@ -128,7 +128,7 @@ void Firing::reach_wait(int thread) {
   }
   leave_processor(thread);
   state_of(thread).status = Status::waiting;
-  emit(Kind::block, thread, step.channels.empty() ? -1 : step.channels.front());
+  emit(Kind::block, thread, step.channels.empty() ? ChannelId{} : step.channels.front());
   if (is_loose(thread)) {
     wait_loosely(thread);
   } else if (step.within) {
@@ -249,8 +249,8 @@ void Firing::cancel_all(std::vector<int> blocks) {
 bool Firing::leaves_answer_to_others(int thread) const {
   const ThreadState& state = state_of(thread);
   if (state.choice < 0 || step_of(thread).channels.empty()) return false;
-  const int channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
-  return state_.slots[static_cast<std::size_t>(channel)].answers && !waiting_for(channel).empty();
+  const ChannelId channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
+  return state_.slots[channel].answers && !waiting_for(channel).empty();
 }
 
 /// A thread that is cancelled stops, or will when it has finished its statement.
@@ -274,10 +274,10 @@ void Firing::stop(int thread) {
   if (goes_on && limited()) measure_now(thread);
   state_of(thread).status = Status::off;
   forget(thread);
-  const std::vector<int> freed = abandon(thread);
+  const std::vector<ChannelId> freed = abandon(thread);
   state_of(thread) = {};
   follow_phase();
-  for (int channel : freed) admit_later(channel);
+  for (ChannelId channel : freed) admit_later(channel);
   if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, true);
 }
 

@@ -48,13 +48,11 @@ Range Machine::cost(const State& state, int timer) const {
 }
 
 std::string Machine::timer_name(int timer) const {
-  if (timer < flight_timer(0)) return problem_.threads[static_cast<std::size_t>(timer)].name;
+  if (timer < first_flight_timer()) return problem_.threads[static_cast<std::size_t>(timer)].name;
   if (timer < first_device_timer()) {
-    const int flight = timer - flight_timer(0);
-    const int channel = flight / 2;
-    return problem_.channels[static_cast<std::size_t>(channel)].message + " from " +
-           sender_name(problem_, channel) + " to " + receiver_name(problem_, channel) +
-           (flight % 2 == 0 ? "" : " between processors");
+    const ChannelId channel = channel_of(timer);
+    return problem_.channels[channel].message + " from " + sender_name(problem_, channel) + " to " +
+           receiver_name(problem_, channel) + (timer == flight_timer(channel) ? "" : " between processors");
   }
   if (timer == pause_timer()) return "a pause";
   const DeviceId device = device_of(timer);

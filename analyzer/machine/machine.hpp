@@ -88,9 +88,14 @@ class Machine {
   /// - one that ends a busy period behind a pause of no length.
   int timer_count() const;
   int thread_timer(int thread) const { return thread; }
-  int flight_timer(int channel) const { return static_cast<int>(problem_.threads.size()) + 2 * channel; }
+  int flight_timer(ChannelId channel) const {
+    return static_cast<int>(problem_.threads.size()) + 2 * channel.value;
+  }
+  int first_flight_timer() const { return flight_timer(ChannelId{0}); }
+  /// Whose timer it is, from first_flight_timer() on.
+  ChannelId channel_of(int timer) const { return ChannelId::of((timer - first_flight_timer()) / 2); }
   int next_timer(DeviceId device) const {
-    return flight_timer(static_cast<int>(problem_.channels.size())) + 2 * device.value;
+    return flight_timer(ChannelId(problem_.channels.size())) + 2 * device.value;
   }
   int service_timer(DeviceId device) const { return next_timer(device) + 1; }
   int first_device_timer() const { return next_timer(DeviceId{0}); }

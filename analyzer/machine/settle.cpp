@@ -67,11 +67,10 @@ void Firing::settle_ordered() {
     for (const ConditionId c : state_.known.ids())
       keep(state_.known[c], (watch_.condition_counts >> c.index() & 1U) != 0);
     for (const KeptId k : state_.kept.ids()) keep(state_.kept[k], watch_.kept_counts[k]);
-    for (std::size_t c = 0; c < state_.slots.size(); ++c) {
+    for (const ChannelId c : state_.slots.ids()) {
       keep(state_.slots[c].carries, watch_.message_counts[c]);
-      const int answer = channel_of(static_cast<int>(c)).answer;
-      keep(state_.slots[c].serving_carries,
-           answer >= 0 && watch_.message_counts[static_cast<std::size_t>(answer)]);
+      const ChannelId answer = channel_of(ChannelId(c)).answer;
+      keep(state_.slots[c].serving_carries, answer.valid() && watch_.message_counts[answer]);
     }
   }
   std::vector<std::uint8_t> order;

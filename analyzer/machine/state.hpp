@@ -112,7 +112,7 @@ struct State {
   std::vector<ThreadState> threads;
   Table<ProcessorId, ThreadNumber> running;  // -1: idle
   std::vector<ThreadNumber> queue;           // ready threads, by processor, priority, place in the queue
-  std::vector<SlotState> slots;
+  Table<ChannelId, SlotState> slots;
   Table<DeviceId, DeviceState> devices;
   std::uint64_t conditions = 0;
   std::uint8_t condition_carries = tag::none;

@@ -92,12 +92,12 @@ class Samples {
     const bool used = watch_.at[s] || after;
     bool changed = false;
     if (step.kind == Step::Kind::wait) {
-      for (const int channel : step.channels) {
-        const KeptId kept = problem_.channels[static_cast<std::size_t>(channel)].kept;
+      for (const ChannelId channel : step.channels) {
+        const KeptId kept = problem_.channels[channel].kept;
         const bool left = kept.valid() && watch_.kept_counts[kept];
         if (!used && !left) continue;
-        if (watch_.message_counts[static_cast<std::size_t>(channel)]) continue;
-        watch_.message_counts[static_cast<std::size_t>(channel)] = changed = true;
+        if (watch_.message_counts[channel]) continue;
+        watch_.message_counts[channel] = changed = true;
       }
     }
     for (std::size_t c = 0; c < problem_.conditions.size() && used; ++c) {
@@ -122,7 +122,7 @@ class Samples {
   /// The thread gets a newer sample here, whatever it had.
   bool renews(const Step& step) const {
     return step.kind == Step::Kind::wait && !step.within && step.channels.size() == 1 && sources_ == 1 &&
-           watch_.samples[static_cast<std::size_t>(step.channels.front())];
+           watch_.samples[step.channels.front()];
   }
 
   bool passes_on(const Step& step) const {
@@ -130,7 +130,7 @@ class Samples {
                                     [this](KeptId kept) { return watch_.kept_counts[kept]; });
     if (writes) return true;
     if (step.kind == Step::Kind::send) {
-      return watch_.message_counts[static_cast<std::size_t>(step.channels.front())];
+      return watch_.message_counts[step.channels.front()];
     }
     return step.kind == Step::Kind::set && (watch_.condition_counts >> step.condition.index() & 1U) != 0;
   }
@@ -167,7 +167,7 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, Processor
     case Measure::response:
       watch.kind = Watch::Kind::response;
       watch.events.assign(problem.channels.size(), false);
-      for (const int channel : requirement.events) watch.events[static_cast<std::size_t>(channel)] = true;
+      for (const ChannelId channel : requirement.events) watch.events[channel] = true;
       break;
     case Measure::age:
     case Measure::reaction:
@@ -182,7 +182,7 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, Processor
       watch.samples.assign(problem.channels.size(), false);
       watch.message_counts.assign(problem.channels.size(), false);
       watch.kept_counts.assign(problem.kept.size(), false);
-      for (const int channel : requirement.samples) watch.samples[static_cast<std::size_t>(channel)] = true;
+      for (const ChannelId channel : requirement.samples) watch.samples[channel] = true;
       Samples(problem, watch).follow();
       break;
     case Measure::interval:

@@ -16,15 +16,15 @@ namespace pal::analyzer {
 struct Watch {
   enum class Kind { nothing, age, response, sample, interval, loss, duration, busy };
   Kind kind = Kind::nothing;
-  bool reaction = false;      // age, sample: what is measured is the reaction
-  ConditionId condition{};    // age
-  std::vector<bool> events;   // response: by channel
-  std::vector<bool> samples;  // sample: by channel
-  DeviceId device{};          // loss
-  int in = 1;                 // loss: the length of the row
-  int code = 0;               // duration
-  ProcessorId processor;      // busy
-  bool least = false;         // interval: the least is asked for
+  bool reaction = false;           // age, sample: what is measured is the reaction
+  ConditionId condition{};         // age
+  Table<ChannelId, bool> events;   // response
+  Table<ChannelId, bool> samples;  // sample
+  DeviceId device{};               // loss
+  int in = 1;                      // loss: the length of the row
+  int code = 0;                    // duration
+  ProcessorId processor;           // busy
+  bool least = false;              // interval: the least is asked for
   Nanoseconds limit = 0;
   std::vector<bool> at;  // by step
   Phase phase;           // by step; not limited: the whole run
@@ -40,9 +40,9 @@ struct Watch {
   std::vector<bool> counts;
   std::vector<bool> read_ahead;
   std::vector<bool> live;
-  std::vector<bool> message_counts;    // sample: by channel
-  std::uint64_t condition_counts = 0;  // sample: by bit
-  Table<KeptId, bool> kept_counts;     // sample: by what modules keep
+  Table<ChannelId, bool> message_counts;  // sample
+  std::uint64_t condition_counts = 0;     // sample: by bit
+  Table<KeptId, bool> kept_counts;        // sample: by what modules keep
 };
 
 /// `processor`: of a busy period; -1: the first of the requirement.

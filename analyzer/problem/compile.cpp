@@ -209,13 +209,13 @@ class Compiler {
       made.kind = Step::Kind::wait;
       made.cost = range(costs.receive);
       made.give_up_cost = range(costs.test);
-      for (ChannelId channel : wait->channels) made.channels.push_back(static_cast<int>(channel.index()));
+      for (ChannelId channel : wait->channels) made.channels.push_back(channel);
       if (wait->within) made.within = wait->within->count();
       follow(place, node, made);
     } else if (const auto* send = std::get_if<Send>(&node.content)) {
       made.kind = Step::Kind::send;
       made.cost = range(costs.send);
-      made.channels.push_back(static_cast<int>(send->channel.index()));
+      made.channels.push_back(send->channel);
       made.uses = kept(place, {network_.channels[send->channel.index()].message});
       follow(place, node, made);
     } else if (const auto* complete = std::get_if<Complete>(&node.content)) {
@@ -309,8 +309,9 @@ class Compiler {
  public:
   /// The taker of a message keeps it where a statement may use it.
   void keep_taken() {
-    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-      const auto known = kept_.find({problem_.channels[c].receiver_module, network_.channels[c].message});
+    for (const ChannelId c : problem_.channels.ids()) {
+      const auto known =
+          kept_.find({problem_.channels[c].receiver_module, network_.channels[c.index()].message});
       if (known != kept_.end()) problem_.channels[c].kept = known->second;
     }
   }

@@ -30,17 +30,17 @@ const std::string& party(const Problem& problem, DeviceId device, ModuleId modul
 
 }  // namespace
 
-bool Requirement::is_event(int channel) const {
+bool Requirement::is_event(ChannelId channel) const {
   return std::find(events.begin(), events.end(), channel) != events.end();
 }
 
-const std::string& sender_name(const Problem& problem, int channel) {
-  const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+const std::string& sender_name(const Problem& problem, ChannelId channel) {
+  const Channel& of = problem.channels[channel];
   return party(problem, of.sender_device, of.sender_module);
 }
 
-const std::string& receiver_name(const Problem& problem, int channel) {
-  const Channel& of = problem.channels[static_cast<std::size_t>(channel)];
+const std::string& receiver_name(const Problem& problem, ChannelId channel) {
+  const Channel& of = problem.channels[channel];
   return party(problem, of.receiver_device, of.receiver_module);
 }
 
@@ -244,13 +244,13 @@ void ProblemBuilder::channels() {
     if (!made.receiver_device.valid()) {
       made.receiver_module = std::get<ModuleId>(channel.receiver);
     }
-    if (channel.answer.valid()) made.answer = static_cast<int>(channel.answer.index());
+    if (channel.answer.valid()) made.answer = channel.answer;
     made.message = network_.messages[channel.message.index()].name;
     problem_.channels.push_back(std::move(made));
   }
-  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    const int answer = problem_.channels[c].answer;
-    if (answer >= 0) problem_.channels[static_cast<std::size_t>(answer)].answers = static_cast<int>(c);
+  for (const ChannelId c : problem_.channels.ids()) {
+    const ChannelId answer = problem_.channels[c].answer;
+    if (answer.valid()) problem_.channels[answer].answers = c;
   }
 }
 
@@ -259,20 +259,20 @@ void ProblemBuilder::latencies() {
   const Interval& between = environment_.latency.between_processors;
   problem_.within_processor = {within.best.count(), within.worst.count()};
   problem_.between_processors = {between.best.count(), between.worst.count()};
-  const std::vector<std::set<ProcessorId>> takers_of = takers();
-  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+  const Table<ChannelId, std::set<ProcessorId>> takers_of = takers();
+  for (const ChannelId c : problem_.channels.ids()) {
     const std::set<ProcessorId>& processors = takers_of[c];
     problem_.channels[c].receiver_processors.assign(processors.begin(), processors.end());
   }
 }
 
-std::vector<std::set<ProcessorId>> ProblemBuilder::takers() const {
-  std::vector<std::set<ProcessorId>> found(problem_.channels.size());
+Table<ChannelId, std::set<ProcessorId>> ProblemBuilder::takers() const {
+  Table<ChannelId, std::set<ProcessorId>> found(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
     for (const int s : steps_of(problem_, thread)) {
       const Step& step = problem_.steps[static_cast<std::size_t>(s)];
       if (step.kind != Step::Kind::wait) continue;
-      for (int c : step.channels) found[static_cast<std::size_t>(c)].insert(thread.processor);
+      for (ChannelId c : step.channels) found[c].insert(thread.processor);
     }
   }
   return found;

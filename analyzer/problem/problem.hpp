@@ -42,7 +42,7 @@ struct Step {
 
   /// wait: in the order of preference; send: the one. A wait without (only in slices) is over at any time,
   /// or at once, and goes on with any of `next`.
-  std::vector<int> channels;
+  std::vector<ChannelId> channels;
   std::optional<Nanoseconds> within;  // wait
   /// Only in slices, for a wait for a party that is left out: the time after reaching it within which a
   /// message comes. For a send to one: within the greatest the slot is free.
@@ -81,8 +81,8 @@ struct Channel {
   DeviceId receiver_device{};  // none: a module receives
   pan::ModuleId sender_module{};
   pan::ModuleId receiver_module{};
-  int answer = -1;                               // of a request: channel of its answer
-  int answers = -1;                              // of an answer: channel of the request
+  ChannelId answer{};                            // of a request: channel of its answer
+  ChannelId answers{};                           // of an answer: channel of the request
   bool served = false;                           // a request that its device answers
   std::vector<ProcessorId> receiver_processors;  // of the threads that wait for it
   std::string message;
@@ -95,9 +95,9 @@ struct Channel {
 struct Device {
   std::string name;
   std::variant<std::monostate, pan::EventDevice, pan::RequestDevice, pan::FrameDevice> behaviour;
-  int event = -1;             // event device: the channel of its event; -1: no thread waits for it
-  std::vector<int> requests;  // on request, frames: channels of what it serves
-  bool seldom = false;        // frames, only in slices: they start a period or more apart
+  ChannelId event{};                // event device: the channel of its event; none: no thread waits for it
+  std::vector<ChannelId> requests;  // on request, frames: channels of what it serves
+  bool seldom = false;              // frames, only in slices: they start a period or more apart
 };
 
 struct Statement {
@@ -137,11 +137,11 @@ struct Requirement {
   enum class Measure { age, response, load, reaction, interval, loss, duration, busy };
   std::string name;
   Measure measure = Measure::age;
-  ConditionId condition{};   // age, reaction: of a condition
-  std::vector<int> samples;  // age, reaction: of a device: its channels
-  std::vector<int> events;   // response: channels, of one message from one party
-  DeviceId device{};         // loss, and of samples: the device; response: the device, if one sends
-  std::vector<bool> at;      // age, response, reaction, interval: by step
+  ConditionId condition{};         // age, reaction: of a condition
+  std::vector<ChannelId> samples;  // age, reaction: of a device: its channels
+  std::vector<ChannelId> events;   // response: channels, of one message from one party
+  DeviceId device{};               // loss, and of samples: the device; response: the device, if one sends
+  std::vector<bool> at;            // age, response, reaction, interval: by step
   Phase phase;
   std::vector<ProcessorId> processors;  // load, busy
   int in = 1;                           // loss: at most `limit` of this many in a row
@@ -151,7 +151,7 @@ struct Requirement {
   SourceSpan where;
 
   /// Response: whether the messages of the channel are what is responded to.
-  bool is_event(int channel) const;
+  bool is_event(ChannelId channel) const;
 };
 
 struct Problem {
@@ -160,7 +160,7 @@ struct Problem {
   Table<ProcessorId, pan::Processor> processors;
   std::vector<Thread> threads;  // a block stands behind its parent
   std::vector<Step> steps;
-  std::vector<Channel> channels;
+  Table<ChannelId, Channel> channels;
   Table<DeviceId, Device> devices;
   Table<ConditionId, std::string> conditions;
   Table<StatementId, Statement> statements;
@@ -177,8 +177,8 @@ struct Problem {
 };
 
 /// Name of the device or module that sends on the channel, or to which it leads.
-const std::string& sender_name(const Problem& problem, int channel);
-const std::string& receiver_name(const Problem& problem, int channel);
+const std::string& sender_name(const Problem& problem, ChannelId channel);
+const std::string& receiver_name(const Problem& problem, ChannelId channel);
 
 /// Builds the model of `network` in `environment`. Reports everything in the environment that is missing,
 /// unknown or impossible (PAL072x), and requirements that make no sense (PAL081x). After such an error there

@@ -33,8 +33,8 @@ class ProblemBuilder final : public TimesAndPlaces {
   void common_times();
   void channels();
   void latencies();
-  /// By channel: the processors of the threads that wait for it.
-  std::vector<std::set<ProcessorId>> takers() const;
+  /// The processors of the threads that wait for each channel.
+  Table<ChannelId, std::set<ProcessorId>> takers() const;
   void limits();
   void time(Duration value, SourceSpan where, const std::string& what, bool positive = false);
   void interval(const Interval& value, SourceSpan where, const std::string& what);
@@ -51,11 +51,12 @@ class ProblemBuilder final : public TimesAndPlaces {
   void devices();
   void device(const World& thing, DeviceId index);
   void event_device(const pan::EventDevice& event, const pan::DeviceTiming& timing, DeviceId index,
-                    std::set<int>& sent, Device& made);
+                    std::set<ChannelId>& sent, Device& made);
   void phase(const std::optional<Duration>& value, Duration period, const pan::DeviceTiming& timing,
              const std::string& device);
   void endless_waits();
-  void served_device(const pan::DeviceTiming& timing, DeviceId index, std::set<int>& sent, Device& made);
+  void served_device(const pan::DeviceTiming& timing, DeviceId index, std::set<ChannelId>& sent,
+                     Device& made);
 
   // What is required (problem_requirements.cpp).
   std::vector<bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement);

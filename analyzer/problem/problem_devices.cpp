@@ -29,9 +29,9 @@ void ProblemBuilder::devices() {
 void ProblemBuilder::device(const World& thing, DeviceId index) {
   Device made;
   made.name = thing.name;
-  std::set<int> sent;
-  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-    if (problem_.channels[c].sender_device == index) sent.insert(static_cast<int>(c));
+  std::set<ChannelId> sent;
+  for (const ChannelId c : problem_.channels.ids()) {
+    if (problem_.channels[c].sender_device == index) sent.insert(c);
   }
   const DeviceTiming* timing = nullptr;
   for (const DeviceTiming& each : environment_.devices) {
@@ -63,12 +63,11 @@ void ProblemBuilder::device(const World& thing, DeviceId index) {
   } else {
     served_device(*timing, index, sent, made);
   }
-  for (int c : sent) {
-    diagnostics_.report(Code::PAL0727, timing->where,
-                        thing.name + " never sends " +
-                            problem_.channels[static_cast<std::size_t>(c)].message +
-                            ", which the skill waits for",
-                        "describe " + thing.name + " as a device that sends it, or do not wait for it");
+  for (ChannelId c : sent) {
+    diagnostics_.report(
+        Code::PAL0727, timing->where,
+        thing.name + " never sends " + problem_.channels[c].message + ", which the skill waits for",
+        "describe " + thing.name + " as a device that sends it, or do not wait for it");
   }
   problem_.devices.push_back(std::move(made));
 }
@@ -83,7 +82,7 @@ void ProblemBuilder::phase(const std::optional<Duration>& value, Duration period
 }
 
 void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& timing, DeviceId index,
-                                  std::set<int>& sent, Device& made) {
+                                  std::set<ChannelId>& sent, Device& made) {
   made.behaviour = event;
   time(event.period, timing.where, "the period of " + made.name, true);
   time(event.jitter, timing.where, "the jitter of " + made.name);
@@ -93,14 +92,14 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
                         "make JITTER shorter than EVERY: a later event does not overtake an earlier one");
   }
   phase(event.phase, event.period, timing, made.name);
-  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+  for (const ChannelId c : problem_.channels.ids()) {
     const Channel& channel = problem_.channels[c];
     if (channel.sender_device == index && channel.message == event.message) {
-      made.event = static_cast<int>(c);
+      made.event = c;
       sent.erase(made.event);
     }
   }
-  if (made.event < 0) {
+  if (!made.event.valid()) {
     diagnostics_.report(
         Code::PAL0727, timing.where,
         "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name,
@@ -109,7 +108,7 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
   }
 }
 
-void ProblemBuilder::served_device(const DeviceTiming& timing, DeviceId index, std::set<int>& sent,
+void ProblemBuilder::served_device(const DeviceTiming& timing, DeviceId index, std::set<ChannelId>& sent,
                                    Device& made) {
   if (const auto* request = std::get_if<RequestDevice>(&timing.behaviour)) {
     made.behaviour = *request;
@@ -126,19 +125,19 @@ void ProblemBuilder::served_device(const DeviceTiming& timing, DeviceId index, s
     }
     phase(frames.phase, frames.period, timing, made.name);
   }
-  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+  for (const ChannelId c : problem_.channels.ids()) {
     Channel& channel = problem_.channels[c];
-    if (channel.receiver_device != index || channel.answer < 0) continue;
+    if (channel.receiver_device != index || !channel.answer.valid()) continue;
     channel.served = true;
-    made.requests.push_back(static_cast<int>(c));
+    made.requests.push_back(c);
     sent.erase(channel.answer);
   }
 }
 
 /// Waits without a limit for nothing but answers that may not come.
 void ProblemBuilder::endless_waits() {
-  const auto may_fail = [&](int channel) {
-    const DeviceId device = problem_.channels[static_cast<std::size_t>(channel)].sender_device;
+  const auto may_fail = [&](ChannelId channel) {
+    const DeviceId device = problem_.channels[channel].sender_device;
     if (!device.valid()) return false;
     const auto* request = std::get_if<RequestDevice>(&problem_.devices[device].behaviour);
     return request != nullptr && request->may_fail;

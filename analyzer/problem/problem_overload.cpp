@@ -15,12 +15,12 @@ __extension__ using WideShare = __int128;
 constexpr WideShare whole_time = 1'000'000'000'000;
 constexpr WideShare most_asked = 1'000 * whole_time;
 
-/// By channel: whether it brings the events of a device.
-std::vector<bool> event_channels(const Problem& problem) {
-  std::vector<bool> events(problem.channels.size());
+/// Whether each channel brings the events of a device.
+Table<ChannelId, bool> event_channels(const Problem& problem) {
+  Table<ChannelId, bool> events(problem.channels.size());
   for (const Device& device : problem.devices) {
-    const bool sends = std::holds_alternative<pan::EventDevice>(device.behaviour) && device.event >= 0;
-    if (sends) events[static_cast<std::size_t>(device.event)] = true;
+    const bool sends = std::holds_alternative<pan::EventDevice>(device.behaviour) && device.event.valid();
+    if (sends) events[device.event] = true;
   }
   return events;
 }
@@ -28,7 +28,7 @@ std::vector<bool> event_channels(const Problem& problem) {
 /// The least processor time from taking an event at `wait` until the thread waits for an event again, this or
 /// another. Each action takes its worst time. Nothing if the thread never waits for an event again. E. W.
 /// Dijkstra, A note on two problems in connexion with graphs, 1959.
-std::optional<Nanoseconds> least_round(const Problem& problem, const std::vector<bool>& events,
+std::optional<Nanoseconds> least_round(const Problem& problem, const Table<ChannelId, bool>& events,
                                        const Step& wait, std::size_t branch) {
   using Reached = std::pair<Nanoseconds, int>;
   std::vector<bool> done(problem.steps.size());
@@ -40,7 +40,7 @@ std::optional<Nanoseconds> least_round(const Problem& problem, const std::vector
     const Step& step = problem.steps[static_cast<std::size_t>(at)];
     const bool waits = step.kind == Step::Kind::wait;
     const bool again = waits && std::any_of(step.channels.begin(), step.channels.end(),
-                                            [&events](int c) { return events[static_cast<std::size_t>(c)]; });
+                                            [&events](ChannelId c) { return events[c]; });
     if (again) return work;
     if (done[static_cast<std::size_t>(at)]) continue;
     done[static_cast<std::size_t>(at)] = true;
@@ -67,13 +67,13 @@ std::string percent(WideShare part) {
 }  // namespace
 
 void ProblemBuilder::overload() {
-  const std::vector<bool> events = event_channels(problem_);
-  std::vector<Taker> takers(problem_.channels.size());
+  const Table<ChannelId, bool> events = event_channels(problem_);
+  Table<ChannelId, Taker> takers(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
     for (const int s : steps_of(problem_, thread)) {
       const Step& step = problem_.steps[static_cast<std::size_t>(s)];
       for (std::size_t i = 0; step.kind == Step::Kind::wait && i < step.channels.size(); ++i) {
-        const auto channel = static_cast<std::size_t>(step.channels[i]);
+        const ChannelId channel = step.channels[i];
         if (!events[channel]) continue;
         Taker& taker = takers[channel];
         taker.alone = taker.alone && (taker.thread == nullptr || taker.thread == &thread);
@@ -87,8 +87,8 @@ void ProblemBuilder::overload() {
   Table<ProcessorId, std::string> by(problem_.processors.size());
   for (const Device& device : problem_.devices) {
     const auto* event = std::get_if<pan::EventDevice>(&device.behaviour);
-    if (event == nullptr || device.event < 0) continue;
-    const Taker& taker = takers[static_cast<std::size_t>(device.event)];
+    if (event == nullptr || !device.event.valid()) continue;
+    const Taker& taker = takers[device.event];
     // Which of several threads takes how many events is open.
     if (!taker.alone || !taker.round || *taker.round == 0) continue;
     const WideShare part =
@@ -96,7 +96,7 @@ void ProblemBuilder::overload() {
     const ProcessorId processor = taker.thread->processor;
     asked[processor] += part;
     by[processor] += (by[processor].empty() ? "" : ", ") + taker.thread->name + " " + percent(part) +
-                     " for " + problem_.channels[static_cast<std::size_t>(device.event)].message;
+                     " for " + problem_.channels[device.event].message;
   }
   for (const ProcessorId p : asked.ids()) {
     if (asked[p] <= whole_time) continue;

@@ -76,8 +76,8 @@ void ProblemBuilder::measure(const Response& response, const pan::Requirement& r
                              Requirement made) {
   made.measure = Requirement::Measure::response;
   for (const ChannelId channel : response.of) {
-    made.events.push_back(static_cast<int>(channel.index()));
-    made.device = problem_.channels[channel.index()].sender_device;
+    made.events.push_back(channel);
+    made.device = problem_.channels[channel].sender_device;
   }
   made.at = steps_at(response.at, requirement);
   require(std::move(made));
@@ -88,9 +88,9 @@ void ProblemBuilder::known(const Known& known, Requirement& made) {
     made.condition = ConditionId(condition->index());
     return;
   }
-  for (const ChannelId channel : std::get<std::vector<ChannelId>>(known)) {
-    made.samples.push_back(static_cast<int>(channel.index()));
-    made.device = problem_.channels[channel.index()].sender_device;
+  for (const ChannelId channel : std::get<std::vector<pan::ChannelId>>(known)) {
+    made.samples.push_back(channel);
+    made.device = problem_.channels[channel].sender_device;
   }
 }
 
@@ -133,7 +133,7 @@ void ProblemBuilder::measure(const Loss& loss, const pan::Requirement& requireme
   made.limit = loss.most;
   made.in = loss.in;
   const Device& device = problem_.devices[made.device];
-  if (device.event < 0 && device.requests.empty()) {
+  if (!device.event.valid() && device.requests.empty()) {
     diagnostics_.report(Code::PAL0818, requirement.where,
                         device.name + " sends nothing to this skill that could be lost",
                         "name a device that the skill takes messages from");
@@ -177,7 +177,7 @@ void ProblemBuilder::measure(const BusyPeriod& busy, const pan::Requirement& req
 void ProblemBuilder::demanded_answer(DeviceId d) {
   const Device& device = problem_.devices[d];
   const auto* event = std::get_if<EventDevice>(&device.behaviour);
-  if (event == nullptr || event->answer.empty() || device.event < 0) return;
+  if (event == nullptr || event->answer.empty() || !device.event.valid()) return;
   SourceSpan where;
   for (const DeviceTiming& timing : environment_.devices) {
     if (timing.device == device.name) where = timing.where;
@@ -193,7 +193,7 @@ void ProblemBuilder::demanded_answer(DeviceId d) {
   for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
     const Step& step = problem_.steps[s];
     if (step.kind != Step::Kind::send) continue;
-    const Channel& channel = problem_.channels[static_cast<std::size_t>(step.channels.front())];
+    const Channel& channel = problem_.channels[step.channels.front()];
     if (channel.receiver_device == d && channel.message == event->answer) made.at[s] = any = true;
   }
   if (!any) {

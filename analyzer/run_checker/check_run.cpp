@@ -30,12 +30,11 @@ std::string tables_differ(const Problem& problem, const trace::Trace& run) {
     if (!same) return "another statement " + said.text;
   }
   if (run.channels.size() != problem.channels.size()) return "other channels";
-  for (std::size_t c = 0; c < run.channels.size(); ++c) {
-    const trace::Channel& of = run.channels[c];
-    const int channel = static_cast<int>(c);
-    const bool same = of.message == problem.channels[c].message &&
-                      of.sender == sender_name(problem, channel) &&
-                      of.receiver == receiver_name(problem, channel);
+  for (const ChannelId c : problem.channels.ids()) {
+    const trace::Channel& of = run.channels[c.index()];
+
+    const bool same = of.message == problem.channels[c].message && of.sender == sender_name(problem, c) &&
+                      of.receiver == receiver_name(problem, c);
     if (!same) return "another channel " + of.sender + " " + of.message + " " + of.receiver;
   }
   if (!std::equal(run.conditions.begin(), run.conditions.end(), problem.conditions.begin(),

@@ -130,8 +130,8 @@ bool Referee::is_effect(const Event& event) const {
     return event.kind == Kind::idle || (occurs && std::holds_alternative<pan::EventDevice>(of.behaviour));
   }
   // The effect of a wait that gives up begins with what it withdraws.
-  if (event.actor < 0 && event.subject >= 0 && slot(event.subject).full)
-    return !slot(event.subject).to_be_dropped;
+  if (event.actor < 0 && event.subject >= 0 && slot(ChannelId::of(event.subject)).full)
+    return !slot(ChannelId::of(event.subject)).to_be_dropped;
   if (event.actor < 0 || event.actor == midway_) return false;
   const Party& of = party(event.actor);
   if (of.mode != Mode::running || of.acted || !of.reads.empty()) return false;
@@ -151,7 +151,7 @@ void Referee::check_settled() const {
       demand(slot(step_of(thread).channels.front()).full && !of.acted, name(thread),
              " waits for a slot that is free");
     if (of.mode != Mode::waiting) continue;
-    for (int channel : step_of(thread).channels)
+    for (ChannelId channel : step_of(thread).channels)
       demand(!surely_there(channel, thread), name(thread), " waits for a message that is there");
   }
   check_processors();
@@ -178,9 +178,9 @@ void Referee::leave_instant(Nanoseconds next) const {
   for (std::size_t t = 0; t < threads_.size(); ++t) check_thread(static_cast<int>(t), next);
   check_processors();
   for (const DeviceId d : devices_.ids()) check_device(d, next);
-  for (std::size_t c = 0; c < slots_.size(); ++c) {
+  for (const ChannelId c : slots_.ids()) {
     const Slot& of = slots_[c];
-    if (of.full && problem_.channels[c].receiver_device.valid()) check_asked(static_cast<int>(c));
+    if (of.full && problem_.channels[c].receiver_device.valid()) check_asked(c);
     demand(!of.given_up, "a message is withdrawn, but no thread gave up");
     demand(!of.to_be_dropped, "a message that was withdrawn is still there");
   }
@@ -207,7 +207,7 @@ void Referee::check_thread(int thread, Nanoseconds next) const {
   if (of.mode != Mode::waiting) return;
   const Step& step = step_of(thread);
   demand(!step.within || next <= of.reached + *step.within, name(thread), " waits beyond its limit");
-  for (int channel : step.channels) {
+  for (ChannelId channel : step.channels) {
     const Slot& from = slot(channel);
     if (!from.full || from.claimed) continue;
     demand(!surely_there(channel, thread) && arrival(channel, thread).hi >= next, name(thread),

@@ -61,7 +61,7 @@ class Referee {
     Nanoseconds since = 0;  // running: since when
     bool gives_up = false;
     bool must_stop = false;  // cancelled
-    int claim = -1;          // channel of the message that is this thread's
+    ChannelId claim{};       // of the message that is this thread's
     bool withdrawn = false;  // … and is gone
     bool acted = false;      // the put, take, set or read of the statement has happened at this instant
     bool told = false;       // joining: that it waits for its blocks
@@ -108,9 +108,9 @@ class Referee {
     bool busy = false;
     Nanoseconds busy_since = 0;
     Nanoseconds frame_at = -1;
-    std::set<int> served;   // request channels
-    std::set<int> answers;  // due at this instant
-    bool any_put = false;   // of them
+    std::set<ChannelId> served;   // requests
+    std::set<ChannelId> answers;  // due at this instant
+    bool any_put = false;         // of them
   };
 
   struct Queued {
@@ -153,8 +153,8 @@ class Referee {
   void release(int thread);
   void enqueue(int thread, bool front, bool ordered, std::size_t with);
   void arrive(int thread);
-  bool found_there(int thread, int channel) const;
-  bool left_to_later(int channel, int thread) const;
+  bool found_there(int thread, ChannelId channel) const;
+  bool left_to_later(ChannelId channel, int thread) const;
   bool comes_to_queue(const Queued& queued) const;
   void check_turn(int thread) const;
   void check_work(int thread) const;
@@ -162,42 +162,42 @@ class Referee {
   Range cost(int thread) const;
 
   // Messages (referee_messages.cpp).
-  void fill(int channel, ProcessorId processor);
+  void fill(ChannelId channel, ProcessorId processor);
   void put(const Event& event);
   void take(const Event& event);
   void drop(const Event& event);
-  void claim_withdrawn(int channel);
-  void empty(int channel);
-  void asks(int request, int owner);
-  std::optional<std::size_t> answered_next(int answer) const;
-  bool wanted(int answer) const;
-  void answered_in_vain(int answer);
-  void withdraw(int request, std::optional<int> owner);
-  void gives_up(int request);
-  int who_gives_up(int request) const;
+  void claim_withdrawn(ChannelId channel);
+  void empty(ChannelId channel);
+  void asks(ChannelId request, int owner);
+  std::optional<std::size_t> answered_next(ChannelId answer) const;
+  bool wanted(ChannelId answer) const;
+  void answered_in_vain(ChannelId answer);
+  void withdraw(ChannelId request, std::optional<int> owner);
+  void gives_up(ChannelId request);
+  int who_gives_up(ChannelId request) const;
   void hands_over(int block, int parent);
   void abandon(int thread);
   std::size_t next_of(int actor, std::size_t after) const;
   bool goes_on(int thread) const;
   bool takes_next(int thread) const;
-  Arrival& arrival(int channel, int thread);
-  const Arrival& arrival(int channel, int thread) const;
-  bool surely_there(int channel, int thread) const;
-  void not_there_yet(int channel, int thread);
-  int message_of(int thread, const std::vector<int>& candidates) const;
+  Arrival& arrival(ChannelId channel, int thread);
+  const Arrival& arrival(ChannelId channel, int thread) const;
+  bool surely_there(ChannelId channel, int thread) const;
+  void not_there_yet(ChannelId channel, int thread);
+  ChannelId message_of(int thread, const std::vector<ChannelId>& candidates) const;
 
   // Devices (referee_devices.cpp).
   void open_device(DeviceId device);
   void device_event(const Event& event, DeviceId device);
-  void occurrence(DeviceId device, int channel, bool overrun);
+  void occurrence(DeviceId device, ChannelId channel, bool overrun);
   void due(DeviceId device, Nanoseconds period, Nanoseconds late);
   void busy(DeviceId device);
   bool serves_somebody(DeviceId device) const;
   void idle(DeviceId device);
-  void delivered(DeviceId device, int channel);
-  void never_answers(DeviceId device, int channel);
-  void check_not_idle(int request) const;
-  void check_asked(int message) const;
+  void delivered(DeviceId device, ChannelId channel);
+  void never_answers(DeviceId device, ChannelId channel);
+  void check_not_idle(ChannelId request) const;
+  void check_asked(ChannelId message) const;
   void check_device(DeviceId device, Nanoseconds next) const;
 
   Party& party(int thread) { return threads_[static_cast<std::size_t>(thread)]; }
@@ -206,11 +206,9 @@ class Referee {
   const Step& step_of(int thread) const {
     return problem_.steps[static_cast<std::size_t>(party(thread).step)];
   }
-  Slot& slot(int channel) { return slots_[static_cast<std::size_t>(channel)]; }
-  const Slot& slot(int channel) const { return slots_[static_cast<std::size_t>(channel)]; }
-  const Channel& channel_of(int channel) const {
-    return problem_.channels[static_cast<std::size_t>(channel)];
-  }
+  Slot& slot(ChannelId channel) { return slots_[channel]; }
+  const Slot& slot(ChannelId channel) const { return slots_[channel]; }
+  const Channel& channel_of(ChannelId channel) const { return problem_.channels[channel]; }
   int& holder(int thread) { return holders_[thread_of(thread).processor]; }
   [[noreturn]] void broken(const std::string& what) const { throw Broken(what); }
   /// The text of the rule is put together only when it is broken.
@@ -235,7 +233,7 @@ class Referee {
   bool completed_ = false;
   bool ended_ = false;
   std::vector<Party> threads_;
-  std::vector<Slot> slots_;
+  Table<ChannelId, Slot> slots_;
   Table<DeviceId, Outside> devices_;
   Table<ProcessorId, int> holders_;  // by processor: the thread that has it; -1: none
   Table<ProcessorId, int>

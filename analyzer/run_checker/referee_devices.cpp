@@ -26,61 +26,62 @@ void Referee::device_event(const Event& event, DeviceId device) {
     case Kind::idle:
       return idle(device);
     case Kind::take: {
-      const Channel& channel = channel_of(event.subject);
-      demand(channel.receiver_device == device && slot(event.subject).full,
+      const Channel& channel = channel_of(ChannelId::of(event.subject));
+      demand(channel.receiver_device == device && slot(ChannelId::of(event.subject)).full,
              "a device takes what it has not got");
       if (channel.served) {
         demand(of.busy && of.busy_since == now_, described.name, " takes a request outside its time");
         demand(of.served.empty() || std::holds_alternative<pan::FrameDevice>(described.behaviour),
                described.name, " serves two at once");
-        monitor_.serves(event.subject, of.served.empty());
-        of.served.insert(event.subject);
+        monitor_.serves(ChannelId::of(event.subject), of.served.empty());
+        of.served.insert(ChannelId::of(event.subject));
       }
-      empty(event.subject);
+      empty(ChannelId::of(event.subject));
       return;
     }
     case Kind::put:
     case Kind::overrun:
-      demand(channel_of(event.subject).sender_device == device, "a device sends what is not its own");
-      demand(slot(event.subject).full == (event.kind == Kind::overrun), described.name,
+      demand(channel_of(ChannelId::of(event.subject)).sender_device == device,
+             "a device sends what is not its own");
+      demand(slot(ChannelId::of(event.subject)).full == (event.kind == Kind::overrun), described.name,
              " sends into a full slot, or loses without need");
-      if (events) return occurrence(device, event.subject, event.kind == Kind::overrun);
-      demand(wanted(event.subject), "a message is put that no party waits for");
+      if (events) return occurrence(device, ChannelId::of(event.subject), event.kind == Kind::overrun);
+      demand(wanted(ChannelId::of(event.subject)), "a message is put that no party waits for");
       if (event.kind == Kind::overrun) {
-        answered_in_vain(event.subject);
-        monitor_.answers(event.subject, true);
+        answered_in_vain(ChannelId::of(event.subject));
+        monitor_.answers(ChannelId::of(event.subject), true);
       } else {
         of.any_put = true;
-        monitor_.answers(event.subject, false);
-        fill(event.subject, ProcessorId{});
+        monitor_.answers(ChannelId::of(event.subject), false);
+        fill(ChannelId::of(event.subject), ProcessorId{});
       }
-      delivered(device, event.subject);
+      delivered(device, ChannelId::of(event.subject));
       return;
     case Kind::drop:
-      if (wanted(event.subject)) {
-        never_answers(device, event.subject);
+      if (wanted(ChannelId::of(event.subject))) {
+        never_answers(device, ChannelId::of(event.subject));
       } else {
-        delivered(device, event.subject);
+        delivered(device, ChannelId::of(event.subject));
       }
-      answered_in_vain(event.subject);
+      answered_in_vain(ChannelId::of(event.subject));
       return;
     default:
       broken("a device has no such event");
   }
 }
 
-void Referee::delivered(DeviceId device, int channel) {
-  const int request = channel_of(channel).answers;
+void Referee::delivered(DeviceId device, ChannelId channel) {
+  const ChannelId request = channel_of(channel).answers;
   Outside& of = devices_[device];
   demand(of.answers.erase(request) == 1, "a device answers what it was not asked");
   if (of.answers.empty()) monitor_.served(device, !of.any_put);
 }
 
 /// The device has no answer to what it was asked, which is no loss.
-void Referee::never_answers(DeviceId device, int channel) {
+void Referee::never_answers(DeviceId device, ChannelId channel) {
   const auto* request = std::get_if<pan::RequestDevice>(&problem_.devices[device].behaviour);
   demand(request != nullptr && request->may_fail, "a message is discarded that a party waits for");
-  const int asked = channel_of(channel).answers;
+  const ChannelId asked = channel_of(channel).answers;
   demand(devices_[device].answers.erase(asked) == 1, "a device answers what it was not asked");
 }
 
@@ -93,7 +94,7 @@ void Referee::due(DeviceId device, Nanoseconds period, Nanoseconds late) {
   ++of.count;
 }
 
-void Referee::occurrence(DeviceId device, int channel, bool overrun) {
+void Referee::occurrence(DeviceId device, ChannelId channel, bool overrun) {
   const Device& described = problem_.devices[device];
   const auto& event = std::get<pan::EventDevice>(described.behaviour);
   Outside& of = devices_[device];
@@ -131,7 +132,7 @@ void Referee::busy(DeviceId device) {
     demand(std::holds_alternative<pan::RequestDevice>(described.behaviour), described.name,
            " serves nothing");
     const bool asked = std::any_of(described.requests.begin(), described.requests.end(),
-                                   [this](int request) { return slot(request).full; });
+                                   [this](ChannelId request) { return slot(request).full; });
     demand(asked, described.name, " serves before it is asked");
   }
 }
@@ -164,11 +165,11 @@ void Referee::idle(DeviceId device) {
   of.any_put = false;
   of.answers = std::move(of.served);
   of.served.clear();
-  for (int request : of.answers) monitor_.is_due(request);
+  for (ChannelId request : of.answers) monitor_.is_due(request);
 }
 
 /// A request that is to be withdrawn from its slot: a device that is idle has taken it before.
-void Referee::check_not_idle(int request) const {
+void Referee::check_not_idle(ChannelId request) const {
   const DeviceId device = channel_of(request).receiver_device;
   if (!device.valid()) return;
   const Device& described = problem_.devices[device];
@@ -177,7 +178,7 @@ void Referee::check_not_idle(int request) const {
 }
 
 /// A message to a device, while time goes on.
-void Referee::check_asked(int message) const {
+void Referee::check_asked(ChannelId message) const {
   const Channel& channel = channel_of(message);
   const Device& described = problem_.devices[channel.receiver_device];
   const Outside& of = devices_[channel.receiver_device];
@@ -193,7 +194,7 @@ void Referee::check_device(DeviceId device, Nanoseconds next) const {
   const Outside& of = devices_[device];
   demand(of.answers.empty(), described.name, " owes an answer");
   if (const auto* event = std::get_if<pan::EventDevice>(&described.behaviour)) {
-    if (!of.open || described.event < 0) return;
+    if (!of.open || !described.event.valid()) return;
     const Nanoseconds late = event->jitter.count();
     if (event->sporadic) {
       demand(of.count > 0 || !event->phase || next <= of.first_hi + late, described.name, " is too late");

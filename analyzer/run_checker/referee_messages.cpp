@@ -5,17 +5,17 @@
 
 namespace pal::analyzer::rules {
 
-Referee::Arrival& Referee::arrival(int channel, int thread) {
+Referee::Arrival& Referee::arrival(ChannelId channel, int thread) {
   Slot& of = slot(channel);
   return of.arrival[of.from == thread_of(thread).processor ? 0 : 1];
 }
 
-const Referee::Arrival& Referee::arrival(int channel, int thread) const {
+const Referee::Arrival& Referee::arrival(ChannelId channel, int thread) const {
   const Slot& of = slot(channel);
   return of.arrival[of.from == thread_of(thread).processor ? 0 : 1];
 }
 
-bool Referee::surely_there(int channel, int thread) const {
+bool Referee::surely_there(ChannelId channel, int thread) const {
   const Slot& of = slot(channel);
   if (!of.full || of.claimed) return false;
   return of.immediate[of.from == thread_of(thread).processor ? 0 : 1] || arrival(channel, thread).hi < now_;
@@ -23,7 +23,7 @@ bool Referee::surely_there(int channel, int thread) const {
 
 /// Whether a thread that has come to a wait left the message that it found there to one that came together
 /// with it, and later.
-bool Referee::left_to_later(int channel, int thread) const {
+bool Referee::left_to_later(ChannelId channel, int thread) const {
   const Slot& of = slot(channel);
   const Party& earlier = party(thread);
   if (!of.claimed || earlier.mode != Mode::arrived || of.put_by >= earlier.reached_by) return false;
@@ -36,13 +36,13 @@ bool Referee::left_to_later(int channel, int thread) const {
 }
 
 /// A thread goes on as if the channel had nothing for it: what is there must still be on its way.
-void Referee::not_there_yet(int channel, int thread) {
+void Referee::not_there_yet(ChannelId channel, int thread) {
   // Unless it is there for another thread, which goes on with it at this instant.
   for (std::size_t t = 0; t < threads_.size() && surely_there(channel, thread); ++t) {
     const int other = static_cast<int>(t);
     const bool waits = threads_[t].mode == Mode::arrived || threads_[t].mode == Mode::waiting;
     if (!waits || other == thread || !goes_on(other)) continue;
-    const std::vector<int>& channels = step_of(other).channels;
+    const std::vector<ChannelId>& channels = step_of(other).channels;
     if (std::find(channels.begin(), channels.end(), channel) != channels.end()) resolve(other);
   }
   demand(!surely_there(channel, thread) && !left_to_later(channel, thread), name(thread),
@@ -54,16 +54,17 @@ void Referee::not_there_yet(int channel, int thread) {
 /// Which of several messages the thread has chosen. It is the one that the thread takes in the end. Or it was
 /// withdrawn, so the thread comes to its wait again; of several such messages it is the first. If the run
 /// does not say, it is the first of all.
-int Referee::message_of(int thread, const std::vector<int>& candidates) const {
+ChannelId Referee::message_of(int thread, const std::vector<ChannelId>& candidates) const {
   auto withdrawn = candidates.end();
   bool started = false;
   bool stopped = false;
   for (std::size_t e = at_; candidates.size() > 1 && e < events_.size(); ++e) {
     const Event& event = events_[e];
-    const auto which = std::find(candidates.begin(), candidates.end(), event.subject);
+    const auto which = std::find(candidates.begin(), candidates.end(), ChannelId::of(event.subject));
     if (event.kind == Kind::drop && event.actor < 0) withdrawn = std::min(withdrawn, which);
     if (event.actor != thread) continue;
-    if (event.kind == Kind::take) return which != candidates.end() ? event.subject : candidates.front();
+    if (event.kind == Kind::take)
+      return which != candidates.end() ? ChannelId::of(event.subject) : candidates.front();
     if (event.kind == Kind::cancel) break;
     const bool again = event.kind == Kind::block || (event.kind == Kind::start && started && !stopped);
     if (withdrawn != candidates.end() && again) return *withdrawn;
@@ -73,7 +74,7 @@ int Referee::message_of(int thread, const std::vector<int>& candidates) const {
   return candidates.front();
 }
 
-void Referee::fill(int channel, ProcessorId processor) {
+void Referee::fill(ChannelId channel, ProcessorId processor) {
   Slot& to = slot(channel);
   to.answers = answered_next(channel).has_value();
   to.full = true;
@@ -94,34 +95,34 @@ void Referee::fill(int channel, ProcessorId processor) {
 void Referee::put(const Event& event) {
   const int thread = event.actor;
   Party& of = party(thread);
-  demand(!slot(event.subject).full, "a message is put into a slot that is full");
-  demand(wanted(event.subject), "a message is put that no party waits for");
+  demand(!slot(ChannelId::of(event.subject)).full, "a message is put into a slot that is full");
+  demand(wanted(ChannelId::of(event.subject)), "a message is put that no party waits for");
   const Step& step = step_of(thread);
-  demand(step.kind == Step::Kind::send && step.channels.front() == event.subject && !of.acted, name(thread),
-         " sends what it does not send here");
+  demand(step.kind == Step::Kind::send && step.channels.front() == ChannelId::of(event.subject) && !of.acted,
+         name(thread), " sends what it does not send here");
   if (of.mode != Mode::sending) check_work(thread);
   of.acted = true;
   if (of.mode == Mode::running) midway_ = thread;
   monitor_.uses(thread, of.step);
-  monitor_.puts(thread, event.subject);
-  fill(event.subject, thread_of(thread).processor);
-  asks(event.subject, thread);
+  monitor_.puts(thread, ChannelId::of(event.subject));
+  fill(ChannelId::of(event.subject), thread_of(thread).processor);
+  asks(ChannelId::of(event.subject), thread);
 }
 
 void Referee::take(const Event& event) {
   Party& of = party(event.actor);
   check_work(event.actor);
   demand(step_of(event.actor).kind == Step::Kind::wait && !of.gives_up && !of.acted && !of.withdrawn &&
-             of.claim == event.subject && slot(event.subject).full,
+             of.claim == ChannelId::of(event.subject) && slot(ChannelId::of(event.subject)).full,
          name(event.actor), " takes a message that is not its own");
-  monitor_.takes(event.actor, event.subject);
+  monitor_.takes(event.actor, ChannelId::of(event.subject));
   of.acted = true;
   midway_ = event.actor;
-  empty(event.subject);
+  empty(ChannelId::of(event.subject));
 }
 
 /// A message is taken, or withdrawn.
-void Referee::empty(int channel) {
+void Referee::empty(ChannelId channel) {
   Slot& of = slot(channel);
   if (of.answers)
     slot(channel_of(channel).answers).asked.erase(slot(channel_of(channel).answers).asked.begin());
@@ -133,7 +134,7 @@ void Referee::empty(int channel) {
 
 /// With an actor: the thread's message is not wanted. Without: the message in the slot is withdrawn.
 void Referee::drop(const Event& event) {
-  const int channel = event.subject;
+  const ChannelId channel = ChannelId::of(event.subject);
   if (event.actor >= 0) {
     demand(!wanted(channel), "a message is discarded that a party waits for");
     answered_in_vain(channel);
@@ -146,16 +147,16 @@ void Referee::drop(const Event& event) {
     monitor_.uses(event.actor, of.step);
     return;
   }
-  demand(channel >= 0 && slot(channel).full, "nothing is there to withdraw");
-  const int request = channel_of(channel).answer >= 0 ? channel : channel_of(channel).answers;
-  demand(request >= 0, "what is no request is withdrawn");
+  demand(channel.valid() && slot(channel).full, "nothing is there to withdraw");
+  const ChannelId request = channel_of(channel).answer.valid() ? channel : channel_of(channel).answers;
+  demand(request.valid(), "what is no request is withdrawn");
   if (!slot(channel).to_be_dropped) {
     // The effect of a wait that gives up has begun: all that is open goes at once.
     demand(!slot(request).given_up, "a request that is not open is withdrawn");
     midway_ = who_gives_up(request);
-    for (const int awaited : step_of(midway_).channels) {
-      const int asked = channel_of(awaited).answers;
-      if (asked < 0) continue;
+    for (const ChannelId awaited : step_of(midway_).channels) {
+      const ChannelId asked = channel_of(awaited).answers;
+      if (!asked.valid()) continue;
       withdraw(asked, std::nullopt);
       slot(asked).given_up = true;
     }
@@ -177,13 +178,13 @@ void Referee::drop(const Event& event) {
 /// A thread that goes on at this instant after waiting for a message that is withdrawn had it already, unless
 /// it takes what comes later. With a put a thread has stopped waiting, also if the message is withdrawn at
 /// once.
-void Referee::claim_withdrawn(int channel) {
+void Referee::claim_withdrawn(ChannelId channel) {
   const bool put_for_a_thread = !slot(channel).there_again;
   const auto each_waiting = [&](const auto& visit) {
     for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
       const int thread = static_cast<int>(t);
       if (threads_[t].mode != Mode::waiting) continue;
-      const std::vector<int>& channels = step_of(thread).channels;
+      const std::vector<ChannelId>& channels = step_of(thread).channels;
       if (std::find(channels.begin(), channels.end(), channel) != channels.end()) visit(thread);
     }
   };
@@ -201,16 +202,16 @@ void Referee::claim_withdrawn(int channel) {
 
 /// The thread that has given up waiting for an answer to the request, and whose test is done now; of several
 /// the next that is.
-int Referee::who_gives_up(int request) const {
+int Referee::who_gives_up(ChannelId request) const {
   for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
     const int thread = events_[e].actor;
     const bool is_done = events_[e].kind == Kind::done && thread >= 0;
     if (!is_done || thread >= static_cast<int>(threads_.size())) continue;
     const Party& of = party(thread);
     if (of.mode != Mode::running || !of.gives_up) continue;
-    const std::vector<int>& channels = step_of(thread).channels;
+    const std::vector<ChannelId>& channels = step_of(thread).channels;
     const bool asked = std::any_of(channels.begin(), channels.end(),
-                                   [&](int channel) { return channel_of(channel).answers == request; });
+                                   [&](ChannelId channel) { return channel_of(channel).answers == request; });
     if (asked) return thread;
   }
   broken("a message is withdrawn, but no thread gives up");

@@ -31,7 +31,7 @@ void Referee::arrive(int thread) {
 }
 
 /// Whether a thread that has come to a wait found the message of the channel as it did.
-bool Referee::found_there(int thread, int channel) const {
+bool Referee::found_there(int thread, ChannelId channel) const {
   return surely_there(channel, thread) && slot(channel).put_by < party(thread).reached_by;
 }
 
@@ -41,7 +41,7 @@ bool Referee::comes_to_queue(const Queued& queued) const {
   const Step& at = step_of(queued.thread);
   if (at.within && *at.within == 0) return true;
   const bool there = std::any_of(at.channels.begin(), at.channels.end(),
-                                 [&](int channel) { return found_there(queued.thread, channel); });
+                                 [&](ChannelId channel) { return found_there(queued.thread, channel); });
   return there && goes_on(queued.thread);
 }
 
@@ -53,16 +53,16 @@ void Referee::resolve(int thread) {
   const bool waited = of.mode == Mode::waiting;
   bool at_once = !waited && at.within && *at.within == 0;
   if (!of.gives_up) {
-    std::vector<int> candidates;
-    for (int channel : at.channels) {
+    std::vector<ChannelId> candidates;
+    for (ChannelId channel : at.channels) {
       const Slot& from = slot(channel);
       if (!from.full || from.claimed) continue;
       const Arrival& there = arrival(channel, thread);
       if (there.lo <= now_ && (!waited || now_ <= there.hi)) candidates.push_back(channel);
     }
     demand(!candidates.empty(), name(thread), " goes on without a message");
-    const int channel = message_of(thread, candidates);
-    for (int earlier : at.channels) {
+    const ChannelId channel = message_of(thread, candidates);
+    for (ChannelId earlier : at.channels) {
       if (earlier == channel) break;
       // A sender that became free after the thread had chosen may have filled the slot meanwhile.
       const bool came_after = slot(earlier).put_by > of.reached_by &&

@@ -6,17 +6,17 @@
 namespace pal::analyzer::rules {
 
 /// A request was put. One to a device that answers nothing is never open.
-void Referee::asks(int request, int owner) {
+void Referee::asks(ChannelId request, int owner) {
   const Channel& of = channel_of(request);
-  if (of.answer < 0 || (of.receiver_device.valid() && !of.served)) return;
+  if (!of.answer.valid() || (of.receiver_device.valid() && !of.served)) return;
   slot(request).asked.push_back({owner, false});
 }
 
 /// Which of the requests the next message of the channel answers: the oldest one that was taken and is not
 /// answered yet.
-std::optional<std::size_t> Referee::answered_next(int answer) const {
-  const int request = channel_of(answer).answers;
-  if (request < 0) return std::nullopt;
+std::optional<std::size_t> Referee::answered_next(ChannelId answer) const {
+  const ChannelId request = channel_of(answer).answers;
+  if (!request.valid()) return std::nullopt;
   const Slot& of = slot(request);
   const std::size_t taken = of.asked.size() - (of.full && !of.asked.empty() ? 1 : 0);
   const std::size_t next = slot(answer).answers ? 1 : 0;
@@ -24,13 +24,13 @@ std::optional<std::size_t> Referee::answered_next(int answer) const {
   return next;
 }
 
-bool Referee::wanted(int answer) const {
+bool Referee::wanted(ChannelId answer) const {
   const auto next = answered_next(answer);
   return !next || !slot(channel_of(answer).answers).asked[*next].withdrawn;
 }
 
 /// The next message of the channel is lost or discarded.
-void Referee::answered_in_vain(int answer) {
+void Referee::answered_in_vain(ChannelId answer) {
   const auto next = answered_next(answer);
   if (!next) return;
   std::vector<Asked>& asked = slot(channel_of(answer).answers).asked;
@@ -38,7 +38,7 @@ void Referee::answered_in_vain(int answer) {
 }
 
 /// What is open of a request, all of it or what belongs to one thread: the run has to drop what is in a slot.
-void Referee::withdraw(int request, std::optional<int> owner) {
+void Referee::withdraw(ChannelId request, std::optional<int> owner) {
   Slot& of = slot(request);
   for (std::size_t i = 0; i < of.asked.size(); ++i) {
     if (of.asked[i].withdrawn || (owner && of.asked[i].owner != *owner)) continue;
@@ -53,7 +53,7 @@ void Referee::withdraw(int request, std::optional<int> owner) {
 }
 
 /// The effect of a wait that gives up. What it dropped came before.
-void Referee::gives_up(int request) {
+void Referee::gives_up(ChannelId request) {
   if (slot(request).given_up) {
     slot(request).given_up = false;
     return;
@@ -72,14 +72,14 @@ void Referee::hands_over(int block, int parent) {
 /// What a stopped thread was to take is there for others; what it asked for is withdrawn.
 void Referee::abandon(int thread) {
   Party& of = party(thread);
-  if (of.claim >= 0 && !of.withdrawn && !of.acted && slot(of.claim).full && slot(of.claim).claimed) {
+  if (of.claim.valid() && !of.withdrawn && !of.acted && slot(of.claim).full && slot(of.claim).claimed) {
     slot(of.claim).claimed = false;
     slot(of.claim).there_again = true;
     for (Arrival& there : slot(of.claim).arrival) {
       if (there.hi < now_) there.lo = there.hi = now_;
     }
   }
-  for (std::size_t c = 0; c < slots_.size(); ++c) withdraw(static_cast<int>(c), thread);
+  for (const ChannelId c : slots_.ids()) withdraw(c, thread);
 }
 
 }  // namespace pal::analyzer::rules

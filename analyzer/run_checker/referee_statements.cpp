@@ -40,7 +40,7 @@ void Referee::reach(int thread, int step) {
   of.place = ++reached_;
   of.work = 0;
   of.gives_up = of.withdrawn = of.acted = of.told = false;
-  of.claim = -1;
+  of.claim = ChannelId{};
   of.reads.clear();
   monitor_.reaches(thread, step);
   const Step& at = step_of(thread);
@@ -58,7 +58,7 @@ void Referee::reach(int thread, int step) {
   } else if (at.kind == Step::Kind::wait) {
     of.mode = Mode::arrived;
     arrive(thread);
-    for (int channel : at.channels) {
+    for (ChannelId channel : at.channels) {
       if (channel_of(channel).sender_device.valid()) open_device(channel_of(channel).sender_device);
     }
   } else {
@@ -159,8 +159,8 @@ void Referee::done(const Event& event) {
   switch (step.kind) {
     case Step::Kind::wait:
       if (of.gives_up) {
-        for (int channel : step.channels) {
-          if (channel_of(channel).answers >= 0) gives_up(channel_of(channel).answers);
+        for (ChannelId channel : step.channels) {
+          if (channel_of(channel).answers.valid()) gives_up(channel_of(channel).answers);
         }
         next = step.next.back();
       } else {
@@ -226,10 +226,10 @@ void Referee::blocked(const Event& event) {
     of.told = true;
     return;
   }
-  const bool named =
-      step.kind == Step::Kind::send || step.kind == Step::Kind::wait
-          ? std::find(step.channels.begin(), step.channels.end(), event.subject) != step.channels.end()
-          : event.subject < 0;
+  const bool named = step.kind == Step::Kind::send || step.kind == Step::Kind::wait
+                         ? std::find(step.channels.begin(), step.channels.end(),
+                                     ChannelId::of(event.subject)) != step.channels.end()
+                         : event.subject < 0;
   demand(named, name(thread), " waits for what it does not wait for here");
   if (step.kind == Step::Kind::send) {
     check_work(thread);
@@ -241,7 +241,7 @@ void Referee::blocked(const Event& event) {
   }
   demand(of.mode == Mode::arrived, name(thread), " blocks where it does not wait");
   demand(!step.within || *step.within > 0, name(thread), " waits although it has no time to");
-  for (int channel : step.channels) not_there_yet(channel, thread);
+  for (ChannelId channel : step.channels) not_there_yet(channel, thread);
   release(thread);
   of.mode = Mode::waiting;
 }
@@ -255,7 +255,7 @@ void Referee::gave_up(const Event& event) {
   demand(of.mode == (*step.within == 0 ? Mode::arrived : Mode::waiting), name(event.actor),
          " gives up without waiting");
   demand(now_ == of.reached + *step.within, name(event.actor), " gives up at another time than its limit");
-  for (int channel : step.channels) not_there_yet(channel, event.actor);
+  for (ChannelId channel : step.channels) not_there_yet(channel, event.actor);
   of.gives_up = true;
   resolve(event.actor);
 }

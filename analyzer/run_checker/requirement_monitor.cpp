@@ -35,12 +35,12 @@ bool RequirementMonitor::of_samples() const {
   return requirement_ != nullptr && !requirement_->samples.empty();
 }
 
-bool RequirementMonitor::is_sample(int channel) const {
+bool RequirementMonitor::is_sample(ChannelId channel) const {
   return of_samples() && std::find(requirement_->samples.begin(), requirement_->samples.end(), channel) !=
                              requirement_->samples.end();
 }
 
-bool RequirementMonitor::is_event(int channel) const {
+bool RequirementMonitor::is_event(ChannelId channel) const {
   return is(Measure::response) && requirement_->is_event(channel);
 }
 
@@ -185,20 +185,20 @@ void RequirementMonitor::idle(ProcessorId processor) {
   paused_[processor] = now_;
 }
 
-void RequirementMonitor::puts(int index, int to) {
+void RequirementMonitor::puts(int index, ChannelId to) {
   const int carried = is(Measure::response) || of_samples() ? thread(index) : none;
   const bool answered =
       is(Measure::response) && carried != none && answered_[static_cast<std::size_t>(carried)];
   channel(to) = is_event(to) ? birth() : answered ? none : carried;
 }
 
-void RequirementMonitor::takes(int index, int from) {
+void RequirementMonitor::takes(int index, ChannelId from) {
   const int carried = channel(from);
   if (is(Measure::response)) {
     if (carried != none && !answered_[static_cast<std::size_t>(carried)]) thread(index) = carried;
   } else if (of_samples()) {
     thread(index) = std::max(thread(index), carried);
-    const KeptId kept = problem_.channels[static_cast<std::size_t>(from)].kept;
+    const KeptId kept = problem_.channels[from].kept;
     if (kept.valid()) kept_[kept] = carried;
   }
 }
@@ -214,15 +214,15 @@ void RequirementMonitor::writes(int index, int step) {
   for (const KeptId kept : problem_.steps[static_cast<std::size_t>(step)].writes) kept_[kept] = thread(index);
 }
 
-void RequirementMonitor::empties(int of) {
+void RequirementMonitor::empties(ChannelId of) {
   channel(of) = none;
-  occurrence_[static_cast<std::size_t>(of)] = none;
+  occurrence_[of] = none;
 }
 
-void RequirementMonitor::serves(int request, bool first) {
-  int& carried = serving_[static_cast<std::size_t>(request)];
+void RequirementMonitor::serves(ChannelId request, bool first) {
+  int& carried = serving_[request];
   carried = is(Measure::response) ? channel(request) : none;
-  const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
+  const ChannelId answer = problem_.channels[request].answer;
   if (!is_sample(answer)) return;
   carried =
       first || births_.empty() || births_.back() != now_ ? birth() : static_cast<int>(births_.size()) - 1;
@@ -230,11 +230,11 @@ void RequirementMonitor::serves(int request, bool first) {
   if (reference_ == none && counts()) reference_ = carried;
 }
 
-void RequirementMonitor::is_due(int request) {
-  due_[static_cast<std::size_t>(request)] = serving_[static_cast<std::size_t>(request)];
+void RequirementMonitor::is_due(ChannelId request) {
+  due_[request] = serving_[request];
 }
 
-void RequirementMonitor::event(DeviceId device, int of, bool lost) {
+void RequirementMonitor::event(DeviceId device, ChannelId of, bool lost) {
   const bool responds = is_event(of);
   if (lost) {
     failed_ = failed_ || (responds && counts());
@@ -244,18 +244,18 @@ void RequirementMonitor::event(DeviceId device, int of, bool lost) {
   channel(of) = responds || is_sample(of) ? birth() : none;
   sampled_ = sampled_ || is_sample(of);
   if (is_sample(of) && reference_ == none && counts()) reference_ = channel(of);
-  occurrence_[static_cast<std::size_t>(of)] = counts() ? static_cast<int>(lost_.size()) : none;
+  occurrence_[of] = counts() ? static_cast<int>(lost_.size()) : none;
   occurrence(device, false);
 }
 
-void RequirementMonitor::answers(int of, bool lost) {
+void RequirementMonitor::answers(ChannelId of, bool lost) {
   if (lost) {
     failed_ = failed_ || (is_event(of) && counts());
     return;
   }
-  const auto request = static_cast<std::size_t>(problem_.channels[static_cast<std::size_t>(of)].answers);
+  const ChannelId request = problem_.channels[of].answers;
   channel(of) = is_event(of) ? birth() : due_[request];
-  occurrence_[static_cast<std::size_t>(of)] = counts() ? static_cast<int>(lost_.size()) : none;
+  occurrence_[of] = counts() ? static_cast<int>(lost_.size()) : none;
 }
 
 void RequirementMonitor::served(DeviceId device, bool lost) {
@@ -275,12 +275,10 @@ void RequirementMonitor::occurrence(DeviceId device, bool lost) {
 }
 
 /// A message that was put is taken out of its slot unused. One that awaited a response does so no more.
-void RequirementMonitor::withdrawn(int of) {
+void RequirementMonitor::withdrawn(ChannelId of) {
   if (is_event(of) && channel(of) != none) answered_[static_cast<std::size_t>(channel(of))] = true;
-  const int index = occurrence_[static_cast<std::size_t>(of)];
-  if (!is(Measure::loss) ||
-      requirement_->device != problem_.channels[static_cast<std::size_t>(of)].sender_device)
-    return;
+  const int index = occurrence_[of];
+  if (!is(Measure::loss) || requirement_->device != problem_.channels[of].sender_device) return;
   if (index == none ||
       lost_.size() - static_cast<std::size_t>(index) > 2 * static_cast<std::size_t>(requirement_->in) - 1)
     return;

@@ -35,17 +35,17 @@ class RequirementMonitor {
   void writes(int thread, int step);
 
   // Messages. What the thread carries goes with one that it puts.
-  void puts(int thread, int channel);
-  void takes(int thread, int channel);
-  void empties(int channel);
-  void withdrawn(int channel);
+  void puts(int thread, ChannelId channel);
+  void takes(int thread, ChannelId channel);
+  void empties(ChannelId channel);
+  void withdrawn(ChannelId channel);
 
   // Devices. `first`: of several requests that one frame serves.
-  void serves(int request, bool first);
+  void serves(ChannelId request, bool first);
   /// What it has served must be answered now; it may begin to serve the next request before.
-  void is_due(int request);
-  void event(DeviceId device, int channel, bool lost);
-  void answers(int channel, bool lost);
+  void is_due(ChannelId request);
+  void event(DeviceId device, ChannelId channel, bool lost);
+  void answers(ChannelId channel, bool lost);
   void served(DeviceId device, bool lost);
   void frame_for_nobody(DeviceId device);
 
@@ -62,8 +62,8 @@ class RequirementMonitor {
   bool is(Measure measure) const { return requirement_ != nullptr && requirement_->measure == measure; }
   bool of_condition(pan::ConditionId condition) const;
   bool of_samples() const;
-  bool is_sample(int channel) const;
-  bool is_event(int channel) const;
+  bool is_sample(ChannelId channel) const;
+  bool is_event(ChannelId channel) const;
   int birth();
   void judge(int thread, int step);
   bool counts() const { return !phase_ || in_phase_; }
@@ -71,7 +71,7 @@ class RequirementMonitor {
   void phase_begins();
   void phase_ends();
   int& thread(int index) { return threads_[static_cast<std::size_t>(index)]; }
-  int& channel(int index) { return channels_[static_cast<std::size_t>(index)]; }
+  int& channel(ChannelId channel) { return channels_[channel]; }
   void show(Nanoseconds born, int step);
   void respond(int thread, int step);
   void react(int thread, int step);
@@ -89,9 +89,9 @@ class RequirementMonitor {
   std::vector<bool> answered_;               // events
   std::vector<bool> uncounted_;              // events outside of the phase, or left unanswered by it
   std::vector<int> threads_;                 // the birth that each carries
-  std::vector<int> channels_;                // and each message
-  std::vector<int> serving_;                 // and the answer to each request that is being served
-  std::vector<int> due_;                     // … to each that has been
+  Table<ChannelId, int> channels_;           // and each message
+  Table<ChannelId, int> serving_;            // and the answer to each request that is being served
+  Table<ChannelId, int> due_;                // … to each that has been
   Table<pan::ConditionId, int> conditions_;  // and each condition
   Table<KeptId, int> kept_;                  // and each value that a module keeps
   int reference_ = none;                     // reactions: the latest birth that a statement has reflected
@@ -101,9 +101,9 @@ class RequirementMonitor {
   Table<ProcessorId, std::vector<Nanoseconds>> busy_since_;  // several, with pauses of no length between
   Table<ProcessorId, Nanoseconds> paused_;                   // when it had nothing to do last; -1: never
   Table<ProcessorId, bool> working_;
-  std::vector<bool> lost_;       // by occurrence
-  bool occurred_ = false;        // there was one
-  std::vector<int> occurrence_;  // of the message in each channel
+  std::vector<bool> lost_;            // by occurrence
+  bool occurred_ = false;             // there was one
+  Table<ChannelId, int> occurrence_;  // of the message in each channel
   std::vector<Measured> measured_;
   bool failed_ = false;
   bool ended_ = false;

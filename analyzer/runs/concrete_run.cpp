@@ -97,8 +97,8 @@ trace::Trace empty_trace(const Problem& problem) {
   for (const Statement& statement : problem.statements) {
     trace.statements.push_back({statement.module, statement.text, statement.file, statement.line});
   }
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-    const int channel = static_cast<int>(c);
+  for (const ChannelId c : problem.channels.ids()) {
+    const ChannelId channel = c;
     trace.channels.push_back(
         {sender_name(problem, channel), problem.channels[c].message, receiver_name(problem, channel)});
   }

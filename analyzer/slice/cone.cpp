@@ -70,20 +70,19 @@ class Finder {
     }
   }
   /// Both ends of a channel, and all others that use it.
-  void keep_channel(int channel) {
+  void keep_channel(ChannelId channel) {
     keep_if(Hold::strong, [channel](const ThreadTalk& talk) {
       return talk.sends.contains(channel) || talk.waits.contains(channel);
     });
-    const Channel& of = problem_.channels[at(channel)];
+    const Channel& of = problem_.channels[channel];
     keep_device(of.sender_device);
     if (of.served) keep_device(of.receiver_device);
   }
 
   void keep_channels_of(DeviceId device) {
-    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    for (const ChannelId c : problem_.channels.ids()) {
       const Channel& of = problem_.channels[c];
-      if (of.sender_device == device || (of.receiver_device == device && of.served))
-        keep_channel(static_cast<int>(c));
+      if (of.sender_device == device || (of.receiver_device == device && of.served)) keep_channel(c);
     }
   }
 
@@ -96,8 +95,8 @@ class Finder {
     });
     if (requirement_.device.valid()) keep_device(requirement_.device);
     if (watch_.kind == Watch::Kind::loss) keep_channels_of(requirement_.device);
-    for (const int channel : requirement_.events) keep_channel(channel);
-    for (const int channel : requirement_.samples) keep_channel(channel);
+    for (const ChannelId channel : requirement_.events) keep_channel(channel);
+    for (const ChannelId channel : requirement_.samples) keep_channel(channel);
     if (watch_.kind == Watch::Kind::age) {
       keep_if(Hold::strong, [this](const ThreadTalk& talk) { return talk.sets.contains(watch_.condition); });
     }
@@ -123,9 +122,9 @@ class Finder {
     std::vector<bool> counts(talk_.size());
     const bool samples = watch_.kind == Watch::Kind::sample;
     if (samples) find_echoes();
-    const std::vector<int>& sources = samples ? requirement_.samples : requirement_.events;
+    const std::vector<ChannelId>& sources = samples ? requirement_.samples : requirement_.events;
     for (std::size_t t = 0; t < talk_.size(); ++t) {
-      for (const int channel : sources) knows[t] = knows[t] || talk_[t].waits.contains(channel);
+      for (const ChannelId channel : sources) knows[t] = knows[t] || talk_[t].waits.contains(channel);
       for (const int step : talk_[t].steps) counts[t] = counts[t] || watch_.at[at(step)];
     }
     for (bool grown = true; grown;) {
@@ -167,7 +166,7 @@ class Finder {
   }
 
   bool is_echo(int thread, int of, const std::vector<bool>& echo) const {
-    for (const int channel : requirement_.samples) {
+    for (const ChannelId channel : requirement_.samples) {
       if (talk_[at(thread)].waits.contains(channel)) return false;
     }
     for (std::size_t a = 0; a < talk_.size(); ++a) {
@@ -194,15 +193,15 @@ class Finder {
   }
 
   /// The channel over which the answer to `channel` comes, if a device gives it; else `channel`.
-  int arrival(int channel) const {
-    const Channel& of = problem_.channels[at(channel)];
+  ChannelId arrival(ChannelId channel) const {
+    const Channel& of = problem_.channels[channel];
     return of.served ? of.answer : channel;
   }
 
   bool tells(const ThreadTalk& from, int thread, bool samples) const {
     const ThreadTalk& to = talk_[at(thread)];
     if (from.blocks.contains(thread)) return true;
-    for (const int channel : from.sends) {
+    for (const ChannelId channel : from.sends) {
       if (to.waits.contains(arrival(channel))) return true;
     }
     const bool keeps = std::any_of(from.keeps.begin(), from.keeps.end(), [&](KeptId kept) {
@@ -231,7 +230,7 @@ class Finder {
   void keep_way(const ThreadTalk& from, int thread) {
     const ThreadTalk& to = talk_[at(thread)];
     keep(thread, Hold::strong);
-    for (const int channel : from.sends) {
+    for (const ChannelId channel : from.sends) {
       if (!to.waits.contains(arrival(channel))) continue;
       keep_channel(channel);
       keep_channel(arrival(channel));
@@ -258,16 +257,16 @@ class Finder {
     if (reach_ == Reach::least) return;
     if (hold_[at(thread)] == Hold::loose && !is_paced(talk)) keep(thread, Hold::strong);
     const bool strong = hold_[at(thread)] == Hold::strong;
-    for (const int channel : talk.waits_again) {
-      if (strong || !waits_long(thread, channel)) keep_device(problem_.channels[at(channel)].sender_device);
+    for (const ChannelId channel : talk.waits_again) {
+      if (strong || !waits_long(thread, channel)) keep_device(problem_.channels[channel].sender_device);
     }
     if (!strong) return;
-    for (const int channel : talk.waits_again) {
+    for (const ChannelId channel : talk.waits_again) {
       keep_if(Hold::strong, [channel](const ThreadTalk& of) { return of.sends.contains(channel); });
     }
-    for (const int channel : talk.sends_again) {
+    for (const ChannelId channel : talk.sends_again) {
       keep_if(Hold::strong, [channel](const ThreadTalk& of) { return of.waits.contains(channel); });
-      if (problem_.channels[at(channel)].served) keep_device(problem_.channels[at(channel)].receiver_device);
+      if (problem_.channels[channel].served) keep_device(problem_.channels[channel].receiver_device);
     }
     for (const int block : talk.blocks_again) {
       if (problem_.threads[at(block)].can_end) keep(block, Hold::strong);
@@ -275,7 +274,7 @@ class Finder {
   }
 
   /// Whether a thread that asks the device over and over again does so seldom without it, too.
-  bool waits_long(int thread, int channel) const {
+  bool waits_long(int thread, ChannelId channel) const {
     const std::vector<int>& steps = talk_[at(thread)].steps;
     return std::any_of(steps.begin(), steps.end(), [&](int s) {
       const Step& step = problem_.steps[at(s)];
@@ -286,8 +285,9 @@ class Finder {
 
   /// Whether a device says how often a thread goes round.
   bool is_paced(const ThreadTalk& talk) const {
-    return std::any_of(talk.waits_again.begin(), talk.waits_again.end(),
-                       [this](int channel) { return problem_.channels[at(channel)].sender_device.valid(); });
+    return std::any_of(talk.waits_again.begin(), talk.waits_again.end(), [this](ChannelId channel) {
+      return problem_.channels[channel].sender_device.valid();
+    });
   }
 
   /// Keeps the threads that may go before one that is kept, or cannot be interrupted by it.
@@ -313,8 +313,8 @@ class Finder {
     if (requirement_.device.valid()) found[requirement_.device] = false;
     for (std::size_t t = 0; t < talk_.size(); ++t) {
       if (hold_[t] != Hold::strong) continue;
-      for (const int channel : talk_[t].waits) {
-        const DeviceId device = problem_.channels[at(channel)].sender_device;
+      for (const ChannelId channel : talk_[t].waits) {
+        const DeviceId device = problem_.channels[channel].sender_device;
         if (device.valid()) found[device] = false;
       }
     }
@@ -322,13 +322,12 @@ class Finder {
   }
 
   void around_device(DeviceId device) {
-    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    for (const ChannelId c : problem_.channels.ids()) {
       const Channel& of = problem_.channels[c];
       const bool its = of.sender_device == device || (of.receiver_device == device && of.served);
       if (!its) continue;
-      keep_if(Hold::loose, [c](const ThreadTalk& talk) {
-        return talk.sends.contains(static_cast<int>(c)) || talk.waits.contains(static_cast<int>(c));
-      });
+      keep_if(Hold::loose,
+              [c](const ThreadTalk& talk) { return talk.sends.contains(c) || talk.waits.contains(c); });
     }
   }
 

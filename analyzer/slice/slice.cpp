@@ -17,7 +17,7 @@ class Slicer {
       : whole_(problem), cone_(cone), relaxation_(relaxation), talk_(talk_of(problem)), made_(problem) {}
 
   Problem make() {
-    for (std::size_t c = 0; c < made_.channels.size(); ++c) loosen(static_cast<int>(c));
+    for (const ChannelId c : made_.channels.ids()) loosen(c);
     for (const DeviceId d : made_.devices.ids()) {
       if (!cone_.devices[d]) made_.devices[d].behaviour = std::monostate();
       if (relaxation_.periods) space_out(made_.devices[d]);
@@ -37,38 +37,38 @@ class Slicer {
 
  private:
   /// Whether all parties at both ends are kept.
-  bool is_kept(int channel) const {
+  bool is_kept(ChannelId channel) const {
     for (std::size_t t = 0; t < talk_.size(); ++t) {
       const bool uses = talk_[t].sends.contains(channel) || talk_[t].waits.contains(channel);
       if (uses && !cone_.threads[t]) return false;
     }
-    const Channel& of = whole_.channels[index_of(channel)];
+    const Channel& of = whole_.channels[channel];
     if (of.sender_device.valid() && !cone_.devices[of.sender_device]) return false;
     return !of.served || cone_.devices[of.receiver_device];
   }
 
   /// A request and its answer are followed together or not at all.
-  void loosen(int channel) {
-    Channel& of = made_.channels[index_of(channel)];
+  void loosen(ChannelId channel) {
+    Channel& of = made_.channels[channel];
     // A device takes at once what it does not serve, whatever is left out.
     if (of.receiver_device.valid() && !of.served) return;
-    const bool kept =
-        is_kept(channel) && (of.answer < 0 || is_kept(of.answer)) && (of.answers < 0 || is_kept(of.answers));
+    const bool kept = is_kept(channel) && (!of.answer.valid() || is_kept(of.answer)) &&
+                      (!of.answers.valid() || is_kept(of.answers));
     if (kept) return;
     of.loose = true;
-    const int request = of.answers >= 0 ? of.answers : channel;
-    of.withdrawable = whole_.channels[index_of(request)].answer >= 0 && may_be_withdrawn(request);
+    const ChannelId request = of.answers.valid() ? of.answers : channel;
+    of.withdrawable = whole_.channels[request].answer.valid() && may_be_withdrawn(request);
   }
 
   /// Whether a thread may give up waiting for the answer to a request, or be stopped before it has it.
-  bool may_be_withdrawn(int request) const {
+  bool may_be_withdrawn(ChannelId request) const {
     for (std::size_t t = 0; t < talk_.size(); ++t) {
       if (talk_[t].sends.contains(request) && whole_.threads[t].parent >= 0) return true;
       for (const int s : talk_[t].steps) {
         const Step& step = whole_.steps[index_of(s)];
         if (step.kind != Step::Kind::wait || !step.within) continue;
         const auto answer =
-            std::find(step.channels.begin(), step.channels.end(), whole_.channels[index_of(request)].answer);
+            std::find(step.channels.begin(), step.channels.end(), whole_.channels[request].answer);
         if (answer != step.channels.end()) return true;
       }
     }
@@ -102,7 +102,7 @@ class Slicer {
     for (const int s : talk_[index_of(thread)].steps) {
       const Step& step = whole_.steps[index_of(s)];
       if (step.kind != Step::Kind::wait || step.channels.size() != 1) continue;
-      if (made_.channels[index_of(step.channels.front())].loose)
+      if (made_.channels[step.channels.front()].loose)
         made_.steps[index_of(s)].arrival.best = least_wait(whole_, talk_, thread, s);
     }
   }

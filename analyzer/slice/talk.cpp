@@ -87,8 +87,8 @@ void note(const Problem& problem, const Step& step, bool again, ThreadTalk& talk
     talk.blocks.insert(step.threads.begin(), step.threads.end());
     if (again) talk.blocks_again.insert(step.threads.begin(), step.threads.end());
   }
-  for (const int channel : step.kind == Step::Kind::wait ? step.channels : std::vector<int>()) {
-    const KeptId kept = problem.channels[static_cast<std::size_t>(channel)].kept;
+  for (const ChannelId channel : step.kind == Step::Kind::wait ? step.channels : std::vector<ChannelId>()) {
+    const KeptId kept = problem.channels[channel].kept;
     if (kept.valid()) talk.keeps.insert(kept);
   }
   talk.keeps.insert(step.writes.begin(), step.writes.end());
@@ -122,9 +122,9 @@ std::vector<ThreadTalk> talk_of(const Problem& problem) {
 Nanoseconds least_wait(const Problem& problem, const std::vector<ThreadTalk>& talk, int thread, int step) {
   const Step& wait = problem.steps[static_cast<std::size_t>(step)];
   if (wait.kind != Step::Kind::wait || wait.within || wait.channels.size() != 1) return 0;
-  const int answer = wait.channels.front();
-  const Channel& of = problem.channels[static_cast<std::size_t>(answer)];
-  if (!of.sender_device.valid() || of.answers < 0) return 0;
+  const ChannelId answer = wait.channels.front();
+  const Channel& of = problem.channels[answer];
+  if (!of.sender_device.valid() || !of.answers.valid()) return 0;
   for (std::size_t t = 0; t < talk.size(); ++t) {
     const bool uses = talk[t].sends.contains(of.answers) || talk[t].waits.contains(answer);
     if (uses && static_cast<int>(t) != thread) return 0;

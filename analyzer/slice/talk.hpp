@@ -11,17 +11,17 @@ namespace pal::analyzer {
 /// Of one thread, without its blocks.
 struct ThreadTalk {
   std::vector<int> steps;
-  std::vector<int> beginning;   // those that come once at most, before a round or blocks
-  std::set<int> sends;          // channels
-  std::set<int> waits;          // channels
+  std::vector<int> beginning;  // those that come once at most, before a round or blocks
+  std::set<ChannelId> sends;
+  std::set<ChannelId> waits;
   std::set<int> blocks;         // threads
   std::set<ConditionId> sets;   // conditions
   std::set<ConditionId> reads;  // conditions, by READ or a test
   std::set<KeptId> keeps;       // in Problem::kept: by a wait, or an activity that writes it
   std::set<KeptId> uses;        // in Problem::kept
   // The subset that it may come to more than once.
-  std::set<int> sends_again;
-  std::set<int> waits_again;
+  std::set<ChannelId> sends_again;
+  std::set<ChannelId> waits_again;
   std::set<int> blocks_again;
 };
 

@@ -60,13 +60,13 @@ namespace {
 
 std::string known_name(const Problem& problem, const Requirement& requirement) {
   if (requirement.samples.empty()) return problem.conditions[requirement.condition];
-  return problem.channels[static_cast<std::size_t>(requirement.samples.front())].message + " of " +
+  return problem.channels[requirement.samples.front()].message + " of " +
          problem.devices[requirement.device].name;
 }
 
 std::string event_name(const Problem& problem, const Requirement& requirement) {
-  const int channel = requirement.events.front();
-  return problem.channels[static_cast<std::size_t>(channel)].message + " of " + sender_name(problem, channel);
+  const ChannelId channel = requirement.events.front();
+  return problem.channels[channel].message + " of " + sender_name(problem, channel);
 }
 
 /// The statements of a requirement: "TXM( motion to MC1 )".
@@ -83,7 +83,8 @@ std::string failure_text(const Problem& problem, const Requirement& requirement,
   const trace::Event& last = witness.trace.events.back();
   const std::string when = milliseconds(last.time_ns);
   for (const trace::Event& each : witness.trace.events) {
-    if (each.kind == Kind::overrun && each.time_ns == last.time_ns && requirement.is_event(each.subject)) {
+    if (each.kind == Kind::overrun && each.time_ns == last.time_ns &&
+        requirement.is_event(ChannelId::of(each.subject))) {
       return event + " at " + when + " finds the one before still in its channel, and is lost";
     }
   }

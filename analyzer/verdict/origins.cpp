@@ -45,8 +45,8 @@ void Origins::use(std::size_t index) {
   }
 }
 
-bool Origins::is_source(int channel) const {
-  const std::vector<int>& samples = requirement_.samples;
+bool Origins::is_source(ChannelId channel) const {
+  const std::vector<ChannelId>& samples = requirement_.samples;
   return requirement_.is_event(channel) ||
          std::find(samples.begin(), samples.end(), channel) != samples.end();
 }
@@ -94,19 +94,20 @@ void Origins::follow(std::size_t index) {
     case Kind::put: {
       if (!device) use(index);
       puts_[message] = index;
-      const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
+      const ChannelId request = problem_.channels[ChannelId::of(event.subject)].answers;
       // A sample that answers a request is born when the device takes that.
-      const bool served = device && request >= 0;
+      const bool served = device && request.valid();
       const Origin asked_by = served ? answered(request) : Origin{};
-      const bool born_now = is_source(event.subject) && !(served && requirement_.events.empty());
+      const bool born_now =
+          is_source(ChannelId::of(event.subject)) && !(served && requirement_.events.empty());
       messages_[message] = born_now ? birth(index) : device ? asked_by : known(event.actor);
       return;
     }
     case Kind::overrun:
     case Kind::drop: {
       // An answer that no thread gets answers its request all the same.
-      const int request = problem_.channels[static_cast<std::size_t>(event.subject)].answers;
-      if (device && request >= 0) answered(request);
+      const ChannelId request = problem_.channels[ChannelId::of(event.subject)].answers;
+      if (device && request.valid()) answered(request);
       return;
     }
     case Kind::take: {
@@ -116,15 +117,15 @@ void Origins::follow(std::size_t index) {
         // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
         const bool reads = requirement_.condition.valid() && reads_[static_cast<std::size_t>(event.actor)];
         if (!reads || carried.number == known(event.actor).number) gain(event.actor, index, carried);
-        const KeptId kept = problem_.channels[static_cast<std::size_t>(event.subject)].kept;
+        const KeptId kept = problem_.channels[ChannelId::of(event.subject)].kept;
         if (kept.valid()) kept_[kept] = {carried, index};
         return;
       }
-      const int answer = problem_.channels[static_cast<std::size_t>(event.subject)].answer;
-      const bool sample = answer >= 0 && !requirement_.samples.empty() && is_source(answer);
-      requests_[static_cast<std::size_t>(event.subject)].push_back(sample ? birth(index)
-                                                                   : !requirement_.events.empty() ? carried
-                                                                                                  : Origin{});
+      const ChannelId answer = problem_.channels[ChannelId::of(event.subject)].answer;
+      const bool sample = answer.valid() && !requirement_.samples.empty() && is_source(answer);
+      requests_[ChannelId::of(event.subject)].push_back(sample                         ? birth(index)
+                                                        : !requirement_.events.empty() ? carried
+                                                                                       : Origin{});
       return;
     }
     case Kind::set: {
@@ -148,8 +149,8 @@ void Origins::follow(std::size_t index) {
   }
 }
 
-Origin Origins::answered(int request) {
-  std::deque<Origin>& taken = requests_[static_cast<std::size_t>(request)];
+Origin Origins::answered(ChannelId request) {
+  std::deque<Origin>& taken = requests_[request];
   if (taken.empty()) return {};
   const Origin oldest = taken.front();
   taken.pop_front();

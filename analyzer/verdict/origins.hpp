@@ -57,8 +57,8 @@ class Origins {
   Origin birth(std::size_t event);
   /// What the answer carries that its device gives now: it belongs to the oldest request that the device has
   /// taken.
-  Origin answered(int request);
-  bool is_source(int channel) const;
+  Origin answered(ChannelId request);
+  bool is_source(ChannelId channel) const;
   const Origin& known(int thread) const;
 
   const Problem& problem_;
@@ -69,7 +69,7 @@ class Origins {
   std::map<std::pair<int, int>, Origin> messages_;  // by channel and serial number
   std::map<std::pair<int, int>, std::size_t> puts_;
   // By channel: what the answers to the requests will carry that were taken and not answered yet.
-  std::vector<std::deque<Origin>> requests_;
+  Table<ChannelId, std::deque<Origin>> requests_;
   Table<KeptId, Known> kept_;  // by what modules keep, and the event that left it there
   std::map<std::pair<int, StatementId>, int> steps_;  // by thread and statement
   std::map<std::size_t, std::size_t> kept_since_;

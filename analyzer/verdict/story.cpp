@@ -207,7 +207,7 @@ struct Story {
       }
       if (from == trace.events.size()) continue;
       const trace::Event& putting = trace.events[from];
-      if (requirement.is_event(putting.subject) && putting.time_ns == measured.born) {
+      if (requirement.is_event(ChannelId::of(putting.subject)) && putting.time_ns == measured.born) {
         narrator.tell(thread, measured.born, to, out);
         return;
       }

@@ -10,8 +10,9 @@ namespace {
 
 using Is = Verdict::State;
 
-/// Seconds for each figure in the first round, and by how much longer each next one is.
+/// Seconds for each figure in the first round, and for all of them; by how much longer each next one is.
 constexpr double first_share = 0.5;
+constexpr double first_round = 8;
 constexpr double longer_share = 3;
 
 /// Classes of a question in the rounds; then as many as the options allow.
@@ -29,13 +30,13 @@ struct Round {
 constexpr double soon = first_share / 2;
 
 /// Number `number` of the rounds, from 0, when the first `skipped` are left out.
-Round round_of(std::size_t number, std::size_t skipped, const Options& options) {
+Round round_of(std::size_t number, std::size_t skipped, std::size_t figures, const Options& options) {
   Round round;
   const std::size_t step = number + skipped;
   const bool stepped = step < std::size(classes_of_rounds);
   round.classes = stepped ? std::min(classes_of_rounds[step], options.max_states) : options.max_states;
   round.last_classes = round.classes >= options.max_states && step > 0;
-  round.seconds = first_share;
+  round.seconds = std::min(first_share, first_round / static_cast<double>(figures));
   for (std::size_t n = 1; n < number; ++n) round.seconds *= longer_share;
   return round;
 }
@@ -54,27 +55,26 @@ class FigureSearch {
   FigureSearch(const pan::Environment& environment, std::vector<std::string> names, const Problem& problem)
       : growth_(environment, std::move(names)),
         timed_(growth_, requirements_that(problem, false), false),
-        loads_(growth_, requirements_that(problem, true), true) {}
+        loads_(growth_, requirements_that(problem, true), true),
+        unbounded_(growth_.most() + 1),
+        step_(std::max<Nanoseconds>(growth_.longest(), 1'000)) {}
 
-  /// A growth that bounds alone show to hold, the greatest or nearly so.
+  /// Looks for the greatest growth that bounds alone show to hold. Goes on where the last effort ended.
   void bound(RequirementChecker& checker, const RequirementIds& all, const Effort& effort) {
-    const Nanoseconds most = growth_.most();
-    Nanoseconds holds = 0;
-    Nanoseconds open = most + 1;
-    Nanoseconds step = std::max<Nanoseconds>(growth_.longest(), 1'000);
-    while (open - holds > 1 && !effort.over()) {
-      const bool looking = open > most;
-      const Nanoseconds extra =
-          looking ? (most - holds <= step ? most : holds + step) : holds + (open - holds) / 2;
+    const Nanoseconds before = bounded_;
+    while (unbounded_ - bounded_ > 1 && !effort.over()) {
+      const bool looking = unbounded_ > growth_.most();
+      const Nanoseconds up = growth_.most() - bounded_ <= step_ ? growth_.most() : bounded_ + step_;
+      const Nanoseconds extra = looking ? up : bounded_ + (unbounded_ - bounded_) / 2;
       const auto problem = checker.problem(growth_.by(extra));
-      (problem && checker.bounded(*problem, all) ? holds : open) = extra;
-      if (step < most / 100) step *= 100;
+      (problem && checker.bounded(*problem, all) ? bounded_ : unbounded_) = extra;
+      step_ = step_ < growth_.most() / 100 ? step_ * 100 : growth_.most();
     }
-    if (holds == 0) return;
-    const auto problem = checker.problem(growth_.by(holds));
+    if (bounded_ == before) return;
+    const auto problem = checker.problem(growth_.by(bounded_));
     if (!problem || checker.has_zeno_run(*problem)) return;
-    timed_.hold(holds);
-    loads_.hold(holds);
+    timed_.hold(bounded_);
+    loads_.hold(bounded_);
   }
 
   /// Loads have half of the time, and what the others leave; these have what loads leave.
@@ -126,6 +126,9 @@ class FigureSearch {
   const Growth growth_;
   Bracket timed_;
   Bracket loads_;
+  Nanoseconds bounded_ = 0;  // holds by bounds alone
+  Nanoseconds unbounded_;    // does not; beyond the greatest growth: not looked for
+  Nanoseconds step_;
 };
 
 /// All figures, round by round.
@@ -139,10 +142,10 @@ class Rounds {
   /// `skipped`: rounds that are left out.
   void run(const RequirementIds& all, std::size_t skipped) {
     for (std::size_t number = 0; settled_ < slacks_.size() && !checker_.stopped(); ++number) {
-      const Round round = round_of(number, skipped, checker_.options());
+      const Round round = round_of(number, skipped, slacks_.size(), checker_.options());
       for (std::size_t n = 0; n < slacks_.size(); ++n) {
         if (!searches_[n] || checker_.stopped()) continue;
-        turn(n, round, number == 0 ? &all : nullptr);
+        turn(n, round, all, number == 0);
       }
     }
     for (std::size_t n = 0; n < slacks_.size(); ++n) {
@@ -153,14 +156,13 @@ class Rounds {
   }
 
  private:
-  /// `bounded`: in the first round, what bounds show of these.
-  void turn(std::size_t n, const Round& round, const RequirementIds* bounded) {
+  void turn(std::size_t n, const Round& round, const RequirementIds& all, bool first) {
     FigureSearch& search = *searches_[n];
     const Effort half = effort_of(round, checker_.options(), 0.5);
     const Effort whole = effort_of(round, checker_.options());
-    if (bounded != nullptr) search.bound(checker_, *bounded, half);
-    search.narrow(checker_, half, whole, bounded != nullptr ? Precision::rough : Precision::exact);
-    const bool settled = search.exact() || (round.last_classes && bounded == nullptr && search.exhausted());
+    search.bound(checker_, all, half);
+    search.narrow(checker_, half, whole, first ? Precision::rough : Precision::exact);
+    const bool settled = search.exact() || (round.last_classes && !first && search.exhausted());
     if (settled) {
       search.tell(slacks_[n]);
       searches_[n].reset();
@@ -189,7 +191,7 @@ struct RulingNow {
 
 RulingNow ruling_now(RequirementChecker& checker, const Problem& problem, const RequirementIds& all) {
   for (std::size_t number = 0;; ++number) {
-    const Round round = round_of(number, 0, checker.options());
+    const Round round = round_of(number, 0, 1, checker.options());
     const Effort effort = effort_of(round, checker.options());
     const Ruling ruling = checker.ask(problem, all, effort);
     const bool last =

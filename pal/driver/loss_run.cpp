@@ -78,10 +78,11 @@ std::optional<Nanoseconds> next_taken(const trace::Trace& run, std::int32_t acto
 /// gave it the frame before.
 void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, const chart::Loss& loss,
                    LossRun& shown) {
-  const std::vector<int>& requests = problem.devices[device].requests;
+  const std::vector<analyzer::ChannelId>& requests = problem.devices[device].requests;
   const auto late = std::find_if(shown.run.events.begin(), shown.run.events.end(), [&](const Event& event) {
     return event.kind == Kind::put && event.time_ns > loss.from_ns &&
-           std::find(requests.begin(), requests.end(), event.subject) != requests.end();
+           std::find(requests.begin(), requests.end(), analyzer::ChannelId::of(event.subject)) !=
+               requests.end();
   });
   if (late == shown.run.events.end()) return;
   shown.highlight = chart::Highlight{loss.from_ns, late->time_ns, "asked for too late by", true, -1};

@@ -25,12 +25,12 @@ std::string statements_text(const analyzer::Problem& problem, const analyzer::Re
 
 std::string known_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   if (requirement.samples.empty()) return problem.conditions[requirement.condition];
-  return problem.channels[static_cast<std::size_t>(requirement.samples.front())].message + " from " +
+  return problem.channels[requirement.samples.front()].message + " from " +
          problem.devices[requirement.device].name;
 }
 
 std::string event_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
-  return problem.channels[static_cast<std::size_t>(requirement.events.front())].message;
+  return problem.channels[requirement.events.front()].message;
 }
 
 std::string processor_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
@@ -75,11 +75,10 @@ std::string measure_text(const analyzer::Problem& problem, std::size_t index) {
 
 std::string short_measure_text(const analyzer::Problem& problem, std::size_t index) {
   const analyzer::Requirement& requirement = problem.requirements[index];
-  const std::string known =
-      requirement.condition.valid() ? problem.conditions[requirement.condition]
-      : requirement.samples.empty()
-          ? std::string()
-          : problem.channels[static_cast<std::size_t>(requirement.samples.front())].message;
+  const std::string known = requirement.condition.valid() ? problem.conditions[requirement.condition]
+                            : requirement.samples.empty()
+                                ? std::string()
+                                : problem.channels[requirement.samples.front()].message;
   switch (requirement.measure) {
     case Measure::age:
       return "age of " + known;

@@ -24,14 +24,15 @@ std::optional<chart::Highlight> unanswered(const Proof& proof, std::size_t index
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
   const trace::Trace& run = proof.analysis.verdicts[index].witness->trace;
   if (requirement.events.empty()) return std::nullopt;
-  const int channel = requirement.events.front();
-  const std::string& message = proof.problem.channels[static_cast<std::size_t>(channel)].message;
+  const analyzer::ChannelId channel = requirement.events.front();
+  const std::string& message = proof.problem.channels[channel].message;
   const std::vector<trace::Occurrence> answered =
       trace::responses(run, analyzer::sender_name(proof.problem, channel), message,
                        statements_of(proof, index))
           .answered;
   for (const trace::Event& event : run.events) {
-    if (event.kind != trace::Kind::put || !requirement.is_event(event.subject)) continue;
+    if (event.kind != trace::Kind::put || !requirement.is_event(analyzer::ChannelId::of(event.subject)))
+      continue;
     const bool has = std::any_of(answered.begin(), answered.end(), [&event](const auto& occurrence) {
       return occurrence.from_ns == event.time_ns;
     });
@@ -163,9 +164,9 @@ std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof
   if (requirement.measure == Measure::age) {
     all = trace::ages(run, proof.problem.conditions[requirement.condition], at);
   } else {
-    const int channel = requirement.events.front();
+    const analyzer::ChannelId channel = requirement.events.front();
     all = trace::responses(run, analyzer::sender_name(proof.problem, channel),
-                           proof.problem.channels[static_cast<std::size_t>(channel)].message, at)
+                           proof.problem.channels[channel].message, at)
               .answered;
   }
   const trace::Occurrence* found = trace::longest(all);

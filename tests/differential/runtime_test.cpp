@@ -75,9 +75,9 @@ std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& p
   if (requirement.measure == Requirement::Measure::age) {
     found = trace::ages(run, problem.conditions[requirement.condition], at);
   } else {
-    const int channel = requirement.events.front();
-    const auto responses = trace::responses(run, sender_name(problem, channel),
-                                            problem.channels[static_cast<std::size_t>(channel)].message, at);
+    const ChannelId channel = requirement.events.front();
+    const auto responses =
+        trace::responses(run, sender_name(problem, channel), problem.channels[channel].message, at);
     found = responses.answered;
     failed = responses.missed > 0;
   }

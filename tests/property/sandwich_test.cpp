@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/support/any_skill.hpp"
+#include "tests/support/asking_skill.hpp"
 #include "tests/support/chain_system.hpp"
 #include "tests/support/command_skill.hpp"
 #include "tests/support/condition_chain.hpp"
@@ -153,6 +154,16 @@ TEST_CASE("simulated <= exact <= compositional where sends wait for their slots"
   const Tally tally = compare_by_chance(
       400, 1'000, [](std::uint64_t seed) { return test::HeldSkill(seed).text(); }, test::sound_skill);
   if (!usual(400)) return;
+  for (const auto& [measure, of] : tally.of) {
+    INFO(measure);
+    CHECK(of.simulated + of.exact >= 150);
+  }
+}
+
+TEST_CASE("simulated <= exact <= compositional for methods that ask their servers round after round") {
+  const Tally tally = compare_by_chance(
+      300, 1'000, [](std::uint64_t seed) { return test::AskingSkill(seed).text(); }, any);
+  if (!usual(300)) return;
   for (const auto& [measure, of] : tally.of) {
     INFO(measure);
     CHECK(of.simulated + of.exact >= 150);

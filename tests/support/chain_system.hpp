@@ -182,7 +182,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     event.jitter = Duration(chain.jitter);
     event.sporadic = chain.sporadic;
     device.behaviour = event;
-    device.event = static_cast<int>(made.channels.size());
+    device.event = analyzer::ChannelId(made.channels.size());
     const analyzer::DeviceId device_index(made.devices.size());
     made.devices.push_back(std::move(device));
     Requirement requirement;
@@ -205,8 +205,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
         in.sender_module = made.threads.back().module;
       }
       in.receiver_processors = {stage.processor};
-      const int channel = static_cast<int>(made.channels.size());
-      made.channels.push_back(std::move(in));
+      const analyzer::ChannelId channel = made.channels.push_back(std::move(in));
       const int first = static_cast<int>(made.steps.size());
       Step wait;
       wait.kind = Step::Kind::wait;
@@ -226,7 +225,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
         Step send;
         send.kind = Step::Kind::send;
         send.statement = statement(name, "TXM( x )");
-        send.channels = {channel + 1};
+        send.channels = {analyzer::ChannelId(channel.index() + 1)};
         send.next = {first};
         made.steps.push_back(send);
       }
@@ -270,9 +269,8 @@ inline void require_more(analyzer::Problem& problem) {
     add(Measure::reaction, "reaction").samples = response.events;
     add(Measure::loss, "loss").limit = 0;
     // What the first stage sends on, and all that follows.
-    const int second = response.events.front() + 1;
-    if (second >= static_cast<int>(problem.channels.size())) continue;
-    if (!problem.channels[static_cast<std::size_t>(second)].sender_module.valid()) continue;
+    const analyzer::ChannelId second(response.events.front().index() + 1);
+    if (!problem.channels.contains(second) || !problem.channels[second].sender_module.valid()) continue;
     analyzer::Requirement& rest = add(Measure::response, "rest");
     rest.events = {second};
     rest.device = {};

@@ -123,8 +123,8 @@ class Questions {
     for (const analyzer::Statement& statement : problem.statements) find(statement);
     for (const analyzer::Device& device : problem.devices) {
       all_.push_back("LOSS OF " + device.name + " NONE");
-      if (device.event < 0) continue;
-      const std::string& event = problem.channels[static_cast<std::size_t>(device.event)].message;
+      if (!device.event.valid()) continue;
+      const std::string& event = problem.channels[device.event].message;
       causes_.insert(event + " OF " + device.name);
     }
     values_.insert(problem.conditions.begin(), problem.conditions.end());

@@ -150,8 +150,8 @@ class Teller {
       const int device = threads + d.value;
       say(all, Kind::busy, device);
       say(all, Kind::idle, device);
-      for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
-        const int channel = static_cast<int>(c);
+      for (const analyzer::ChannelId c : problem_.channels.ids()) {
+        const int channel = c.value;
         if (problem_.channels[c].receiver_device == d) say(all, Kind::take, device, -1, channel);
         if (problem_.channels[c].sender_device != d) continue;
         for (Kind kind : {Kind::put, Kind::overrun, Kind::drop}) say(all, kind, device, -1, channel);
@@ -166,7 +166,8 @@ class Teller {
     const int is = at.statement.value;
     for (Kind kind : {Kind::ready, Kind::start, Kind::stop, Kind::done, Kind::cancel})
       say(all, kind, thread, is);
-    for (int channel : at.channels) {
+    for (const analyzer::ChannelId of : at.channels) {
+      const int channel = of.value;
       const bool wait = at.kind == Step::Kind::wait;
       say(all, Kind::block, thread, is, channel);
       say(all, wait ? Kind::take : Kind::put, thread, is, channel);

@@ -33,11 +33,7 @@ Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::v
   const Node& node = context.node(n);
   const auto at = [&known](int other) { return known[static_cast<std::size_t>(other)]; };
   Nanoseconds value = 0;
-  if (node.release == Release::message) {
-    Nanoseconds sent = never;
-    for (int send : node.sends) sent = std::min(sent, best_effect(context.segment(node.cause), send));
-    value = plus(plus(at(node.cause), sent), context.way(n).best);
-  }
+  if (node.release == Release::message) value = plus(at(node.cause), earliest_after_cause(context, n));
   const auto& previous = context.behaviours.previous[static_cast<std::size_t>(n)];
   const Beginning& begins = context.segment(n).beginning;
   if (!previous.empty()) {
@@ -47,12 +43,34 @@ Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::v
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     value = std::max(value, plus(soonest, gives_up ? context.step_at(begins.step).within.value_or(0) : 0));
   } else if (node.release == Release::fork) {
-    value = plus(at(node.cause), best_arrival(context.segment(node.cause), node.cause_step));
+    value = plus(at(node.cause), earliest_after_cause(context, n));
   }
   return value;
 }
 
 }  // namespace
+
+Nanoseconds earliest_after_cause(const AnalysisContext& context, int n) {
+  const Node& node = context.node(n);
+  const Segment& cause = context.segment(node.cause);
+  switch (node.release) {
+    case Release::root:
+      return 0;
+    case Release::message: {
+      Nanoseconds sent = never;
+      for (int send : node.sends) sent = std::min(sent, best_effect(cause, send));
+      return plus(sent, context.way(n).best);
+    }
+    case Release::limit: {
+      const bool gives_up = context.segment(n).beginning.kind == Beginning::Kind::give_up;
+      return plus(best_arrival(cause, node.cause_step),
+                  gives_up ? context.step_at(node.cause_step).within.value_or(0) : 0);
+    }
+    case Release::fork:
+      return best_arrival(cause, node.cause_step);
+  }
+  return 0;
+}
 
 std::vector<int> AnalysisContext::endings_before_idle(int thread) const {
   std::vector<int> found;

@@ -30,7 +30,7 @@ struct AnalysisContext {
   std::vector<int> endings_before_idle(int thread) const;
   /// The same before the first job of a loop. An event has none.
   std::vector<int> endings_before_first(int loop) const;
-  int sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
+  ChannelId sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
 
   /// Time from a request to its answer when the device is free.
   Range device_time(DeviceId device) const;
@@ -42,6 +42,9 @@ struct AnalysisContext {
 
 /// Whether a wait for the answer to a request may time out.
 bool may_give_up(const Problem& problem, int request);
+
+/// Least time from the release of a node's cause to its own; the node is no root.
+Nanoseconds earliest_after_cause(const AnalysisContext& context, int node);
 
 /// The earliest release of each node after the nominal instant of its source. After `stop` has returned true,
 /// a lower bound of it.

@@ -12,24 +12,43 @@ using Kind = Step::Kind;
 using Release = Node::Release;
 
 constexpr int most_freshness_rounds = 60;
+using Instant = DataFreshness::Instant;
 using Known = DataFreshness::Known;
+
+const Known unbounded = Instant{Sum::unbounded()};
+
+/// Causes of a request that are tried, the nearest ones first.
+constexpr int most_causes = 32;
+
+bool is_bounded(const Known& known) {
+  return known && known->at.bounded();
+}
 
 /// `known`, if anything, earlier by `by`.
 Known earlier(const Known& known, const Sum& by) {
-  return known && by.bounded() ? Known(*known - by) : std::nullopt;
+  return known && by.bounded() ? Known(Instant{known->at - by}) : std::nullopt;
+}
+
+bool same_request(const Instant& one, const Instant& other) {
+  if (!one.request || !other.request) return !one.request && !other.request;
+  return one.request->node == other.request->node && one.request->step == other.request->step;
 }
 
 /// What is known when both apply; also when one of them applies, and it is unknown which.
 Known both(const Known& one, const Known& other) {
   if (!one || !other) return one ? one : other;
-  return greater(*one, *other);
+  return other->at.value() > one->at.value() ? other : one;
 }
 Known either(const Known& one, const Known& other) {
-  return one && other ? Known(less(*one, *other)) : std::nullopt;
+  if (!one || !other) return std::nullopt;
+  if (!one->at.bounded() || !other->at.bounded()) return one->at.bounded() ? one : other;
+  const bool same = same_request(*one, *other);
+  return Known({less(one->at, other->at), same ? one->request : std::nullopt});
 }
 
 bool same(const Known& one, const Known& other) {
-  return one.has_value() == other.has_value() && (!one || one->value() == other->value());
+  if (!one || !other) return !one && !other;
+  return one->at.value() == other->at.value() && same_request(*one, *other);
 }
 
 }  // namespace
@@ -38,6 +57,7 @@ DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
     : view_(view),
       problem_(view.problem),
       requirement_(requirement),
+      since_cause_(view.times.interference->since_cause()),
       begins_(view.forest.nodes.size()),
       effects_(view.forest.nodes.size()),
       arrivals_(view.forest.nodes.size()),
@@ -65,6 +85,24 @@ Known DataFreshness::at(StepEffect effect) const {
     if (segment.steps[s].step == effect.step) return effects[s];
   }
   return std::nullopt;
+}
+
+Sum DataFreshness::age_since_cause(StepEffect effect) const {
+  Sum least = Sum::unbounded();
+  const Known known = at(effect);
+  if (!known || !known->request) return least;
+  const StepEffect request = *known->request;
+  const AnalysisContext context{problem_, view_.forest, view_.behaviours};
+  int cause = request.node;
+  for (int tried = 0; cause >= 0 && tried < most_causes; ++tried, cause = context.node(cause).cause) {
+    if (!since_cause_.counts_from(cause, effect.node)) continue;
+    const Segment& segment = context.segment(request.node);
+    const Nanoseconds soonest =
+        plus(since_cause_.least(cause, request.node), segment.steps[place_of(segment, request.step)].best);
+    const Sum latest = since_cause(view_, cause, effect);
+    least = less(least, latest - Sum(soonest, {Term::Kind::earliest, request.node, request.step, -1, ""}));
+  }
+  return least;
 }
 
 void DataFreshness::find_setters() {
@@ -136,7 +174,7 @@ DataFreshness::State DataFreshness::begin(int node) const {
   };
   const auto& previous = view_.behaviours.previous[n];
   if (!previous.empty()) {
-    state = {Sum::unbounded(), Sum::unbounded()};
+    state = {unbounded, unbounded};
     for (int before : previous) {
       const State there = arrived(before, view_.forest.segment_of(of).beginning.step);
       state.known = either(state.known, there.known);
@@ -151,8 +189,8 @@ DataFreshness::State DataFreshness::begin(int node) const {
     state.set = both(state.set, set_by_blocks(of));
   // At time 0 no more is known, and a condition has its first value.
   if (view_.forest.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start) {
-    state.known = both(state.known, Sum());
-    state.set = both(state.set, Sum());
+    state.known = both(state.known, Known(Instant()));
+    state.set = both(state.set, Known(Instant()));
   }
   state.known = both(state.known, told(node));
   return state;
@@ -163,7 +201,7 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
   Known latest;
   for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
     if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
-    Known soonest = Sum::unbounded();
+    Known soonest = unbounded;
     for (int n : view_.behaviours.threads[static_cast<std::size_t>(block)].nodes) {
       const int job_start = view_.behaviours.job_start[static_cast<std::size_t>(n)];
       if (view_.forest.nodes[static_cast<std::size_t>(job_start)].cause != joined.cause) continue;
@@ -172,7 +210,7 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
           soonest = either(soonest, state.set);
       }
     }
-    if (soonest && soonest->bounded()) latest = both(latest, soonest);
+    if (is_bounded(soonest)) latest = both(latest, soonest);
   }
   return latest;
 }
@@ -184,7 +222,7 @@ DataFreshness::State DataFreshness::before_idle(int node) const {
   if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
   if (!in_order(view_, thread)) return {};
   const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread)];
-  State state{Sum::unbounded(), Sum::unbounded()};
+  State state{unbounded, unbounded};
   for (int other : of.nodes) {
     if (!in_recurring_job(view_, other)) continue;
     const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
@@ -200,8 +238,8 @@ DataFreshness::State DataFreshness::before_idle(int node) const {
   const Sum distance = gap(view_, source);
   const Sum begin = first(view_, source);
   const auto since = [&](const Known& before) -> Known {
-    if (before && !before->bounded()) return std::nullopt;  // it never returns to its idle wait
-    return either(earlier(before, distance), earlier(Sum(), begin));
+    if (before && !before->at.bounded()) return std::nullopt;  // it never returns to its idle wait
+    return either(earlier(before, distance), earlier(Known(Instant()), begin));
   };
   return {since(state.known), since(state.set)};
 }
@@ -220,14 +258,14 @@ Known DataFreshness::told(int node) const {
   if (of.release != Release::root) return std::nullopt;
   if (source.kind == Source::Kind::event) {
     const int event = problem_.devices[source.device].event;
-    return sampled(event) ? Known(Sum()) : std::nullopt;
+    return sampled(event) ? Known(Instant()) : std::nullopt;
   }
   return source.kind == Source::Kind::loop ? told_in_loop(source, of.source) : std::nullopt;
 }
 
 /// A message carries what its sender knows; a device's answer says what was so after the request.
 Known DataFreshness::told_by(int sender, const std::vector<int>& sends, DeviceId device) const {
-  Known known = Sum::unbounded();
+  Known known = unbounded;
   for (int send : sends) {
     if (!device.valid()) {
       known = either(known, at({sender, send}));
@@ -235,14 +273,15 @@ Known DataFreshness::told_by(int sender, const std::vector<int>& sends, DeviceId
     }
     const int request = problem_.steps[static_cast<std::size_t>(send)].channels.front();
     const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
-    known = either(known, sampled(answer) ? Known(earliest(view_, sender, send)) : std::nullopt);
+    known = either(known, sampled(answer) ? Known({earliest(view_, sender, send), StepEffect{sender, send}})
+                                          : std::nullopt);
   }
-  return known && known->bounded() ? known : std::nullopt;
+  return is_bounded(known) ? known : std::nullopt;
 }
 
 /// By what leads to the next job of a loop.
 Known DataFreshness::told_in_loop(const Source& source, int index) const {
-  Known known = Sum::unbounded();
+  Known known = unbounded;
   for (const Source::Feed& feed : source.feeds) {
     if (feed.node < 0 || feed.sends.empty()) return std::nullopt;
     const int from = view_.forest.nodes[static_cast<std::size_t>(feed.node)].source;
@@ -252,7 +291,7 @@ Known DataFreshness::told_in_loop(const Source& source, int index) const {
     const Sum distance = own ? gap(view_, index) : first(view_, index);
     known = either(known, earlier(told_by(feed.node, feed.sends, feed.device), distance));
   }
-  return known && known->bounded() ? known : std::nullopt;
+  return is_bounded(known) ? known : std::nullopt;
 }
 
 /// Whether a step surely reads a condition, or has read it before for this very test.
@@ -268,16 +307,16 @@ void DataFreshness::transfer(int node, int step, State& state) {
   const int thread = view_.forest.thread_of(node);
   const Sum now = earliest(view_, node, step);
   if (requirement_.condition.valid()) {
-    if (of.kind == Kind::set && of.condition == requirement_.condition) state.set = now;
+    if (of.kind == Kind::set && of.condition == requirement_.condition) state.set = Known(Instant{now});
     if (surely_read(step, requirement_.condition)) {
-      const Known read = earlier(now, age_when_read(requirement_.condition, thread));
+      const Known read = earlier(Known(Instant{now}), age_when_read(requirement_.condition, thread));
       state.known = both(both(state.known, read), state.set);
     }
     return;
   }
   for (const auto& [condition, at] : set_at_) {
     if (!surely_read(step, condition)) continue;
-    state.known = both(state.known, earlier(now, age_when_read(condition, thread)));
+    state.known = both(state.known, earlier(Known(Instant{now}), age_when_read(condition, thread)));
   }
 }
 
@@ -304,10 +343,10 @@ Sum DataFreshness::sample_age(ConditionId condition, int reader) const {
     const StatementOccurrences& sets = *setter.sets;
     const auto age = [&](StepEffect effect) {
       const Known known = at(effect);
-      return known ? latest(view_, effect.node, effect.step) - *known : Sum::unbounded();
+      return known ? latest(view_, effect.node, effect.step) - known->at : Sum::unbounded();
     };
     Sum soonest = Sum::unbounded();
-    Known known = Sum::unbounded();
+    Known known = unbounded;
     for (const StepEffect& effect : sets.in_jobs()) {
       soonest = less(soonest, earliest(view_, effect.node, effect.step));
       known = either(known, at(effect));
@@ -323,7 +362,7 @@ Sum DataFreshness::sample_age(ConditionId condition, int reader) const {
     const Sum next = sets.next_or_end(set_again);
     until_first = less(until_first, sets.first_or_end(set_again));
     distance = less(distance, next - soonest);
-    if (known) together = next - *known;
+    if (known) together = next - known->at;
   }
   if (found->second.size() > 1 || later) together = distance + at_set;
   return greater(together, until_first);

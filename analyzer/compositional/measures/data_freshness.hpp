@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "analyzer/compositional/causes/since_cause.hpp"
 #include "analyzer/compositional/measures/statement_occurrences.hpp"
 
 namespace pal::analyzer::compositional {
@@ -18,13 +19,20 @@ namespace pal::analyzer::compositional {
 /// are followed backward, from the statement to the last message or read before it.
 class DataFreshness {
  public:
-  /// The instant of the sample; nothing: there is none.
-  using Known = std::optional<Sum>;
+  struct Instant {
+    Sum at;
+    std::optional<StepEffect> request{};  // the request whose answer is the sample, if it is known
+  };
+  /// The instant of the sample, or one before it; nothing: there may be no sample.
+  using Known = std::optional<Instant>;
 
   DataFreshness(const View& view, const Requirement& requirement);
 
   /// At the effect of a step in a node.
   Known at(StepEffect effect) const;
+  /// Greatest age of the sample at the effect of a step, counted from a common cause of that effect and of
+  /// the request for the sample.
+  Sum age_since_cause(StepEffect effect) const;
 
  private:
   struct State {
@@ -53,6 +61,7 @@ class DataFreshness {
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
+  mutable SinceCause since_cause_;
   std::vector<State> begins_;                   // by node
   std::vector<std::vector<Known>> effects_;     // by node and place in its segment
   std::vector<std::map<int, State>> arrivals_;  // by node: at the waits and forks that end it

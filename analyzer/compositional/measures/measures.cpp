@@ -18,6 +18,13 @@ Sum finish_since_event(const View& view, int node) {
           {TermKind::since_event, node, -1, -1, ""}};
 }
 
+Sum since_cause(const View& view, int cause, StepEffect effect) {
+  const Nanoseconds at = latest_effect(view.forest, view.times.nodes, effect.node, effect.step);
+  const Nanoseconds released = view.times.nodes[static_cast<std::size_t>(cause)].latest;
+  if (at >= never || released >= never) return Sum::unbounded();
+  return {at - released, {TermKind::since_cause, effect.node, effect.step, -1, "", cause}};
+}
+
 Sum earliest(const View& view, int node, int step) {
   return {earliest_effect(view.forest, view.times, node, step), {TermKind::earliest, node, step, -1, ""}};
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "analyzer/compositional/causes/exclusive.hpp"
 #include "analyzer/compositional/measures/sum.hpp"
 #include "analyzer/compositional/times/interference.hpp"
 
@@ -48,6 +49,8 @@ Sum release(const View& view, int node);
 /// The effect of a step in a node, and the node's end, at the latest after the event that brings it about.
 Sum since_event(const View& view, int node, int step);
 Sum finish_since_event(const View& view, int node);
+/// The effect of a step at the latest after the release of a cause from which it counts (SinceCause).
+Sum since_cause(const View& view, int cause, StepEffect effect);
 /// From one occurrence of a source to the next, and from time 0 to the first, at the latest.
 Sum gap(const View& view, int source);
 Sum first(const View& view, int source);

@@ -8,8 +8,8 @@ namespace pal::analyzer::compositional {
 namespace {
 
 Sum since_known(const DataFreshness& freshness, StepEffect effect, const Sum& until) {
-  const std::optional<Sum> known = freshness.at(effect);
-  return known ? until - *known : Sum::unbounded();
+  const DataFreshness::Known known = freshness.at(effect);
+  return known ? until - known->at : Sum::unbounded();
 }
 
 bool of_start(const View& view, int node) {
@@ -27,7 +27,8 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
     if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
     for (int n : nodes_with(view, static_cast<int>(s))) {
       const StepEffect effect{n, static_cast<int>(s)};
-      oldest = greater(oldest, since_known(freshness, effect, latest(view, n, effect.step)));
+      const Sum age = since_known(freshness, effect, latest(view, n, effect.step));
+      oldest = greater(oldest, less(age, freshness.age_since_cause(effect)));
       if (!oldest.bounded() && why.empty())
         why = with_unbounded_reason("nothing bounds how old the sample is that is known there", view,
                                     view.forest.thread_of(n));

@@ -14,6 +14,7 @@ struct Term {
   enum class Kind {
     latest,       // effect of `step` in `node` at the latest; of its last step: `step` is -1
     since_event,  // the same, counted from the event itself
+    since_cause,  // the same, counted from the latest release of `cause`
     earliest,     // and at the earliest
     release,      // of `node` at the latest
     gap,          // from one occurrence of `source` to the next, at the latest
@@ -25,6 +26,7 @@ struct Term {
   int step = -1;
   int source = -1;
   std::string what;
+  int cause = -1;  // node
 };
 
 /// A time or a difference of times, with the terms it is made of. Saturates at `never`, which has no terms.

@@ -164,17 +164,14 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
   return work;
 }
 
-/// Tasks of a transaction that occurs once, which may all come before one of them.
-Nanoseconds BusyWindows::of_siblings(int transaction, int task, Shares* shares) const {
+Nanoseconds BusyWindows::of_siblings(int transaction, int task, Nanoseconds length, Shares* shares) const {
   const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
   const Task& self = of.tasks[static_cast<std::size_t>(task)];
   Tally tally(of, transaction, shares);
-  for (std::size_t t = 0; t < of.tasks.size(); ++t) {
-    const Task& other = of.tasks[t];
-    if (!counts(&self, transaction, static_cast<int>(t)) || other.cost == 0) continue;
-    if (static_cast<int>(t) == task || other.processor != self.processor || other.priority < self.priority)
-      continue;
-    tally.add(static_cast<int>(t), 1);
+  for (const int t : group_of(transaction, self.processor)->tasks) {
+    const Task& other = of.tasks[static_cast<std::size_t>(t)];
+    if (t == task || other.cost == 0 || other.priority < self.priority) continue;
+    if (counts(&self, transaction, t) && !comes_after(of, self, t, length)) tally.add(t, 1);
   }
   return tally.total([](const Alternatives&) { return Nanoseconds{1}; });
 }
@@ -234,10 +231,11 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
       transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)];
   const auto& groups = by_processor_[self.processor];
   const bool preemptive = preemptive_[self.processor];
-  const Nanoseconds fixed = blocking + of_siblings(transaction, task, nullptr) + (preemptive ? part : 0);
+  const Nanoseconds fixed = blocking + (preemptive ? part : 0);
   Nanoseconds window = least_window(fixed, load.share, load.carried);
   for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
-    const Nanoseconds next = fixed + of_others(groups, transaction, &self, self.priority, window);
+    const Nanoseconds next = plus(fixed + of_siblings(transaction, task, window, nullptr),
+                                  of_others(groups, transaction, &self, self.priority, window));
     if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
       return {released + window + (preemptive ? 0 : part), window, -1, 1};
@@ -368,7 +366,7 @@ FinishBreakdown BusyWindows::breakdown(int transaction, int task, Nanoseconds pa
   breakdown.blocking = blocking;
   of_others(groups, transaction, &self, self.priority, worst.length, &breakdown.others);
   if (worst.scenario < 0) {
-    of_siblings(transaction, task, &breakdown.others);
+    of_siblings(transaction, task, worst.length, &breakdown.others);
     return breakdown;
   }
   const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self.offset);

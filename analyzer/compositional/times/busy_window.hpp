@@ -48,6 +48,10 @@ class BusyWindows {
     transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].without =
         std::move(without);
   }
+  void set_separations(int transaction, int task, std::vector<Separation> separations) {
+    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].separations =
+        std::move(separations);
+  }
   const Transaction& transaction(int index) const { return transactions_[static_cast<std::size_t>(index)]; }
 
   /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the
@@ -143,7 +147,8 @@ class BusyWindows {
   /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
   bool drifts_from(const Group& group, int task) const;
   Load load_of(int transaction, const Task& self) const;
-  Nanoseconds of_siblings(int transaction, int task, Shares* shares) const;
+  /// Tasks of a transaction that occurs once, which may come before the end of a window of one of them.
+  Nanoseconds of_siblings(int transaction, int task, Nanoseconds length, Shares* shares) const;
   Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
   Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since,
                          const Load& load) const;

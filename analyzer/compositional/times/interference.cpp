@@ -1,11 +1,9 @@
 #include "analyzer/compositional/times/interference.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
-#include "analyzer/compositional/causes/alternatives.hpp"
 #include "analyzer/compositional/causes/job_distance.hpp"
 
 namespace pal::analyzer::compositional {
@@ -19,13 +17,6 @@ std::vector<bool> preemptive(const Problem& problem) {
   return all;
 }
 
-/// Whether `other` comes of what `node` does.
-bool brings_about(const AnalysisContext& context, int node, int other) {
-  int at = context.node(other).cause;
-  while (at >= 0 && at != node) at = context.node(at).cause;
-  return at == node;
-}
-
 }  // namespace
 
 Interference::Interference(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
@@ -36,8 +27,9 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
       nodes_of_(context.forest.sources.size()),
       threads_on_(context.problem.processors.size()),
       burst_(context.problem.threads.size()),
-      order_(order_of(context, stop)),
-      never_together_(never_together(context.problem, context.forest, stop)) {
+      order_(std::make_shared<const Order>(order_of(context, stop))),
+      excluded_(context, order_, stop),
+      since_cause_(context, order_) {
   std::vector<Transaction> transactions(context.forest.sources.size());
   for (std::size_t s = 0; s < transactions.size(); ++s) {
     transactions[s].period = context.forest.sources[s].period;
@@ -50,7 +42,7 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
     task_[i] = static_cast<int>(tasks.size());
     nodes_of_[static_cast<std::size_t>(context.node(n).source)].push_back(n);
     tasks.push_back(
-        {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}});
+        {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}, {}});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(context, static_cast<int>(n), transactions);
   for (const std::vector<int>& alternatives : context.behaviours.alternatives) {
@@ -62,9 +54,6 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
   for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
     threads_on_[context.problem.threads[t].processor].push_back(static_cast<int>(t));
-  nodes_on_.resize(context.problem.processors.size());
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-    nodes_on_[context.thread_of(static_cast<int>(n)).processor].push_back(static_cast<int>(n));
   for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
     pauses_.push_back(pauses(static_cast<int>(t)));
 }
@@ -101,48 +90,33 @@ void Interference::precede(const AnalysisContext& context, int node,
   }
 }
 
-/// What comes later never counts. Nor does, on a preemptive processor, work that is over before the node is
-/// released. The condition: nothing that counts has its priority, or one between its own and the node's.
-/// While it had the processor, nothing that counts was waiting. So a window that begins when it ends has all
-/// that can delay the node.
-///
-/// A thread's own segments are one after the other. Those of the node's job are over when it is released.
-/// Another job may still be at work then, also in what occurs once. Its thread may have got another message
-/// before, or may serve a request that was withdrawn.
 void Interference::exclude(int node, bool done_before_next, bool in_turn) {
-  const Thread& mine = context_.thread_of(node);
-  const auto n = static_cast<std::size_t>(node);
-  const int thread = context_.forest.thread_of(node);
-  const auto once_with = [&](int other) {
-    return context_.source(node).period == never && context_.forest.thread_of(other) == thread &&
-           context_.node(other).source == context_.node(node).source;
-  };
-  const auto comes_later = [&](int other) {
-    return (once_with(other) && brings_about(context_, node, other)) ||
-           std::binary_search(order_.later[n].begin(), order_.later[n].end(), other);
-  };
-  const auto never_overlap = [&](int other) {
-    return (done_before_next && context_.forest.thread_of(other) == thread) ||
-           (once_with(other) && context_.job_start_of(other) == context_.job_start_of(node)) ||
-           (in_turn && std::binary_search(never_together_[n].begin(), never_together_[n].end(), other)) ||
-           std::binary_search(order_.never_overlapping[n].begin(), order_.never_overlapping[n].end(), other);
-  };
-  const auto& here = nodes_on_[mine.processor];
-  const bool preemptive = context_.problem.processors[mine.processor].preemptive;
-  int nearest = preemptive ? std::numeric_limits<int>::max() : mine.priority;  // least priority that counts
-  for (int other : here) {
-    const int priority = context_.thread_of(other).priority;
-    const bool works = other != node && context_.segment(other).worst > 0 && priority >= mine.priority;
-    if (works && !comes_later(other) && !never_overlap(other)) nearest = std::min(nearest, priority);
-  }
+  const std::vector<int> excluded = excluded_.of(node, done_before_next, in_turn);
   std::vector<std::pair<int, int>> without;
-  for (int other : here) {
-    if (other == node) continue;
-    if (comes_later(other) || (never_overlap(other) && context_.thread_of(other).priority < nearest))
-      without.emplace_back(context_.node(other).source, task_[static_cast<std::size_t>(other)]);
-  }
+  for (const int other : excluded)
+    without.emplace_back(context_.node(other).source, task_[static_cast<std::size_t>(other)]);
   std::sort(without.begin(), without.end());
-  windows_.set_without(context_.node(node).source, task_[n], std::move(without));
+  windows_.set_without(context_.node(node).source, task_[static_cast<std::size_t>(node)], std::move(without));
+  if (context_.source(node).period == never) separate(node, {excluded.begin(), excluded.end()});
+}
+
+/// What comes of the same cause as a node that comes once may come too late to delay it.
+void Interference::separate(int node, const std::set<int>& excluded) {
+  const Thread& mine = context_.thread_of(node);
+  std::vector<Separation> separations;
+  for (const int other : excluded_.nodes_on(mine.processor)) {
+    if (context_.node(other).source != context_.node(node).source || context_.segment(other).worst == 0)
+      continue;
+    if (other == node || context_.thread_of(other).priority < mine.priority || excluded.contains(other))
+      continue;
+    const int cause = since_cause_.common(node, other);
+    if (cause < 0 || cause == other || !since_cause_.counts_from(cause, node)) continue;
+    separations.push_back({task_[static_cast<std::size_t>(other)], task_[static_cast<std::size_t>(cause)],
+                           since_cause_.least(cause, other)});
+  }
+  // Tasks have the order of their nodes.
+  windows_.set_separations(context_.node(node).source, task_[static_cast<std::size_t>(node)],
+                           std::move(separations));
 }
 
 void Interference::find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,

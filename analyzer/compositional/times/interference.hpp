@@ -2,8 +2,9 @@
 #pragma once
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
-#include "analyzer/compositional/causes/precedence.hpp"
+#include "analyzer/compositional/causes/since_cause.hpp"
 #include "analyzer/compositional/times/busy_window.hpp"
+#include "analyzer/compositional/times/excluded_work.hpp"
 #include "analyzer/compositional/times/times.hpp"
 
 namespace pal::analyzer::compositional {
@@ -49,12 +50,14 @@ class Interference {
     return nodes_of_[static_cast<std::size_t>(transaction)][static_cast<std::size_t>(task)];
   }
   const BusyWindows& windows() const { return windows_; }
+  SinceCause since_cause() const { return {context_, order_}; }
   /// Its numbers are final: `stop` is not asked any more.
   void go_on() { windows_.go_on(); }
 
  private:
   void precede(const AnalysisContext& context, int node, std::vector<Transaction>& transactions) const;
   void exclude(int node, bool done_before_next, bool in_turn);
+  void separate(int node, const std::set<int>& excluded);
   template <class JobsOf>
   Nanoseconds work_of_thread(int thread, const JobsOf& jobs_of) const;
   Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool done_before_next) const;
@@ -66,13 +69,13 @@ class Interference {
   std::vector<int> task_;                            // by node
   std::vector<std::vector<int>> nodes_of_;           // by transaction and task
   Table<ProcessorId, std::vector<int>> threads_on_;  // by processor
-  Table<ProcessorId, std::vector<int>> nodes_on_;    // by processor
   std::vector<Nanoseconds> burst_;                   // by thread
-  Order order_;
-  std::vector<std::vector<int>> never_together_;  // by node
-  std::vector<bool> done_before_next_;            // by thread, as given
-  std::vector<bool> in_turn_;                     // by source, as given
-  std::vector<bool> pauses_;  // by thread: it is not free-running, or always waits in each job
+  std::shared_ptr<const Order> order_;
+  ExcludedWork excluded_;
+  SinceCause since_cause_;
+  std::vector<bool> done_before_next_;  // by thread, as given
+  std::vector<bool> in_turn_;           // by source, as given
+  std::vector<bool> pauses_;            // by thread: it is not free-running, or always waits in each job
 };
 
 /// How long a cancelled block, and the blocks that it has started, may take to finish what they have begun.

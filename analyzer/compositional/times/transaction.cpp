@@ -38,6 +38,17 @@ bool follows(const Transaction& of, int before, int task) {
   return std::binary_search(followers.begin(), followers.end(), task);
 }
 
+bool comes_after(const Transaction& of, const Task& self, int other, Nanoseconds length) {
+  const auto found =
+      std::lower_bound(self.separations.begin(), self.separations.end(), other,
+                       [](const Separation& separation, int task) { return separation.task < task; });
+  if (found == self.separations.end() || found->task != other) return false;
+  const Task& cause = of.tasks[static_cast<std::size_t>(found->cause)];
+  if (cause.jitter >= never || self.jitter >= never) return false;
+  const Nanoseconds since = self.offset + self.jitter - cause.offset - cause.jitter;
+  return found->least > plus(std::max<Nanoseconds>(0, since), length);
+}
+
 void Tally::add_alternative(const Task& added, const Share& share) {
   auto among = std::find_if(among_.begin(), among_.end(),
                             [&](const Among& each) { return each.alternatives == added.among; });

@@ -9,6 +9,15 @@
 
 namespace pal::analyzer::compositional {
 
+/// A task of the same transaction that is released no sooner than `least` after `cause`. What passes from the
+/// release of `cause` until that of the task whose separation this is, is at most what passes between their
+/// latest instants.
+struct Separation {
+  int task = -1;
+  int cause = -1;
+  Nanoseconds least = 0;
+};
+
 /// Work that each occurrence of its transaction releases at most once, between `offset` and `offset + jitter`
 /// after the occurrence.
 struct Task {
@@ -21,6 +30,8 @@ struct Task {
   std::vector<int> followers;
   /// Transactions and tasks whose work does not count in its windows; ascending.
   std::vector<std::pair<int, int>> without;
+  /// If its transaction occurs once: tasks that may come after its own work; ascending.
+  std::vector<Separation> separations;
   int among = -1;         // of its transaction's alternatives; -1: none
   bool piles_up = false;  // it may come later: its jitter says how many can have piled up on the way
 };
@@ -55,6 +66,9 @@ inline bool counts(const Task* asker, int transaction, int task) {
 
 /// Whether `task` comes, in one occurrence, only after `before` is done.
 bool follows(const Transaction& of, int before, int task);
+
+/// Whether `other`, of a transaction that occurs once, is released later than `length` after `self`.
+bool comes_after(const Transaction& of, const Task& self, int other, Nanoseconds length);
 
 /// A window begins with `scenario`'s release after its whole jitter. In this window, when the next release of
 /// what is released from `offset` on is due: in (0, period].

@@ -1,0 +1,39 @@
+// Releases that count from the release of a common cause, among segments that come once.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "analyzer/compositional/causes/analysis_context.hpp"
+#include "analyzer/compositional/causes/precedence.hpp"
+
+namespace pal::analyzer::compositional {
+
+/// From the release of one node until that of another, far less time may pass than from the start of the
+/// skill: how late both are for the same reason does not matter.
+class SinceCause {
+ public:
+  SinceCause(const AnalysisContext& context, std::shared_ptr<const Order> order)
+      : context_(context), order_(std::move(order)) {}
+
+  /// The last node from which both come: it, or one of its causes; -1: there is none.
+  int common(int one, int other) const;
+  /// Least time from the release of `cause` to that of `node`, which comes of it.
+  Nanoseconds least(int cause, int node) const;
+  /// Whether all that the release of `node` waits for comes of `cause`, or is over when `cause` is released.
+  /// Then no more time passes between the two releases than between their latest instants. False: `cause` may
+  /// come again, or too many nodes would have to be looked at.
+  bool counts_from(int cause, int node);
+
+ private:
+  std::vector<bool> counting_from(int cause) const;
+  bool counts(int node, int cause, const std::vector<bool>& known) const;
+
+  AnalysisContext context_;
+  std::shared_ptr<const Order> order_;
+  std::map<int, std::vector<bool>> counting_;  // by cause: nodes
+};
+
+}  // namespace pal::analyzer::compositional

@@ -1,0 +1,53 @@
+// The work that never delays a node, though it has its processor and a priority no lower.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "analyzer/compositional/causes/analysis_context.hpp"
+#include "analyzer/compositional/causes/precedence.hpp"
+
+namespace pal::analyzer::compositional {
+
+class ExcludedWork {
+ public:
+  /// After `stop` has returned true, less is known to be excluded.
+  ExcludedWork(const AnalysisContext& context, std::shared_ptr<const Order> order,
+               const std::function<bool()>& stop);
+
+  /// Nodes whose work does not count in the busy window of `node`. `done_before_next`: each job of its thread
+  /// ends before the next is released. `in_turn`: all that an occurrence of its source triggers ends before
+  /// the next occurrence.
+  ///
+  /// What comes later never counts. Work that is over before the node is released does not count either, if
+  /// it cannot have held up other work that counts: what comes once counts in full anyway. Of what recurs,
+  /// more may be waiting after such work than a window holds, except in two cases.
+  /// - All that recurs and counts is released only after that work, in every run.
+  /// - The processor is preemptive, and the work has a lower priority than all that recurs and counts. So
+  ///   nothing of it was waiting while that work ran.
+  std::vector<int> of(int node, bool done_before_next, bool in_turn) const;
+  /// By processor.
+  const std::vector<int>& nodes_on(ProcessorId processor) const { return nodes_on_[processor]; }
+
+ private:
+  using Bits = std::vector<std::uint64_t>;
+
+  bool comes_later(int node, int other) const;
+  bool never_overlap(int node, int other, bool done_before_next, bool in_turn) const;
+  bool is_once_with(int node, int other) const;
+  bool recurs(int node) const;
+  bool is_before(int before, const Bits& set) const;
+  /// The nodes of a processor that are among these.
+  Bits set_of(ProcessorId processor, const std::vector<int>& nodes) const;
+
+  AnalysisContext context_;
+  Table<ProcessorId, std::vector<int>> nodes_on_;
+  std::vector<std::size_t> place_;  // by node: in nodes_on_
+  std::vector<Bits> after_;         // by node: those of its processor that are released only after it is done
+  std::shared_ptr<const Order> order_;
+  std::vector<std::vector<int>> never_together_;  // by node
+};
+
+}  // namespace pal::analyzer::compositional
