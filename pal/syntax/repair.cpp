@@ -95,6 +95,9 @@ std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
   }
   // Between units any name could be made one by a word before it: rather it is too many.
   if (mistake.expected.contains(Parser::USES) && !last) result.push_back({at, 1, {}});
+  // A missing name: most words of PAL may be names, and are not what is missing there.
+  if (mistake.expected.contains(Parser::NAME) && mistake.expected.contains(Parser::USES))
+    result.push_back({at, 0, {Parser::NAME}});
   // A missing end, word or sign.
   for (const Types& end : ends()) {
     if (mistake.expected.contains(end.front())) result.push_back({at, 0, end});
