@@ -39,6 +39,7 @@ std::string change_lines(const WhatIfAnswer& answer, const analyzer::Candidate& 
 }
 
 std::string state_text(const analyzer::Verdict& verdict) {
+  if (verdict.state == State::never) return "it says nothing";
   return std::string(analyzer::name(verdict.state)) + " " + bound_text(verdict);
 }
 
@@ -53,10 +54,13 @@ std::string verdict_lines(const analyzer::Remedies& remedies, const analyzer::Re
       ++others;
       continue;
     }
-    out += fmt::format("       '{}', {} allowed: {}, was {}\n", after.requirement,
-                       whole_text(after.measure, after.limit), state_text(after), state_text(before));
+    out += fmt::format("       '{}', {} {}: before {}, after {}\n", after.requirement,
+                       whole_text(after.measure, after.limit), after.at_least ? "required" : "allowed",
+                       state_text(before), state_text(after));
   }
-  if (others > 0) out += "       " + plural(others, "other requirement") + " as before: holds\n";
+  if (others > 0)
+    out +=
+        "       " + plural(others, "other requirement") + (others == 1 ? " holds" : " hold") + " as before\n";
   return out;
 }
 
@@ -77,8 +81,11 @@ std::string remedies_text(const WhatIfAnswer& answer) {
   const std::string ended = remedies.complete ? "" : "; the time ended before all were";
   if (remedies.found.empty()) {
     std::string out = "  No change was found that makes all requirements hold (" +
-                      plural(remedies.tried, "change") + " tried" + ended + ").\n";
-    if (remedies.nearest) out += remedy_lines(answer, *remedies.nearest, "nearest: ");
+                      plural(remedies.tried, "attempt") + ended + ").\n";
+    if (remedies.nearest) {
+      out += "  The nearest single change:\n";
+      out += remedy_lines(answer, *remedies.nearest, "     ");
+    }
     return out;
   }
   const std::size_t size = remedies.found.front().made.size();
