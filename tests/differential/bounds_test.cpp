@@ -236,7 +236,7 @@ TEST_CASE("a busy window among many tasks is given up on request") {
   for (int n = 0; n < 2; ++n) {
     compositional::Transaction many;
     many.period = 1'000;
-    for (Nanoseconds t = 0; t < 40; ++t) many.tasks.push_back({ProcessorId{0}, 1, 1, t, 0, {}, {}});
+    for (Nanoseconds t = 0; t < 40; ++t) many.tasks.push_back({ProcessorId{0}, 1, 1, t, 0});
     windows.add(many);
   }
   CHECK(windows.finish(0, 0, 1, 0) == 80);
