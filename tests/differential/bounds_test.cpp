@@ -332,6 +332,26 @@ TEST_CASE("why there is no bound: the unbounded thread that keeps another waitin
   CHECK(std::any_of(analysis.verdicts.begin(), analysis.verdicts.end(), says));
 }
 
+TEST_CASE("why there is no bound: the times of a job and of the next one are named") {
+  const auto skill = test::meaningful_skill(program("served/outlasts_period"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  INFO(analysis.verdicts.front().explanation);
+  CHECK(
+      analysis.verdicts.front().explanation.find(
+          "SD1 may still be waiting within one job when the next is due: a job may last until 42 ms, and the "
+          "next may be due at 28 ms") != std::string::npos);
+}
+
+TEST_CASE("why there is no bound: the clients of a server that waits are named") {
+  const auto skill = test::meaningful_skill(program("served/two_clients"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  for (const Verdict& verdict : analysis.verdicts) {
+    INFO(verdict.explanation);
+    CHECK(verdict.explanation.find("LS1 serves 2 clients, SM1 and SM2, and waits within its jobs") !=
+          std::string::npos);
+  }
+}
+
 TEST_CASE("the parts of an age say whether the first set or the next is awaited") {
   // Until the first set, 10 + 2 ms after the start at the latest, the value is as old as the skill. Later
   // there are 10 + 2 - 1 ms from a set to the next; if filtering may take no time, as many.
