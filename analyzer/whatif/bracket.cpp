@@ -33,15 +33,15 @@ Nanoseconds crossing(Nanoseconds low, Nanoseconds below, Nanoseconds high, Nanos
 
 }  // namespace
 
-Bracket::Bracket(const Growth& growth, RequirementIds requirements, bool loads)
-    : growth_(growth),
+Bracket::Bracket(const Scaling& scaling, RequirementIds requirements, bool loads)
+    : scaling_(scaling),
       requirements_(std::move(requirements)),
       longer_(loads ? longer_steps_of_loads : longer_steps),
-      step_(std::max(growth.longest(), least_step)) {}
+      step_(std::max(scaling.longest(), least_step)) {}
 
 Nanoseconds Bracket::tolerance(Precision precision) const {
   if (precision == Precision::exact) return 1;
-  return std::max(least_step, (holds_ + growth_.longest()) / rough);
+  return std::max(least_step, (holds_ + scaling_.longest()) / rough);
 }
 
 /// Beyond that nothing is asked.
@@ -61,7 +61,7 @@ bool Bracket::exhausted(Nanoseconds ceiling) const {
 }
 
 Nanoseconds Bracket::middle(Nanoseconds low, Nanoseconds high) const {
-  const Nanoseconds base = growth_.longest() + least_step;
+  const Nanoseconds base = scaling_.longest() + least_step;
   if ((high + base) / (low + base) < far_apart) return low + (high - low) / 2;
   const double ratio = std::sqrt(static_cast<double>(low + base) * static_cast<double>(high + base));
   return std::clamp<Nanoseconds>(static_cast<Nanoseconds>(ratio) - base, low + 1, high - 1);
@@ -98,7 +98,7 @@ std::optional<Nanoseconds> Bracket::next(Nanoseconds tolerance, Nanoseconds ceil
 
 void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
   assert(extra > holds_ && (!fails_ || extra < *fails_));
-  const Nanoseconds end_before = lower_end(growth_.most() + 1);
+  const Nanoseconds end_before = lower_end(scaling_.most() + 1);
   if (ruling.state == Is::holds) {
     // The greater proof holds for all that is below, also where that could not be decided.
     if (undecided_ && undecided_->second <= extra) undecided_.reset();
@@ -129,7 +129,7 @@ void Bracket::sharpen(RequirementChecker& checker, const Effort& effort) {
   Nanoseconds low = holds_;
   while (*fails_ - low > 1 && !effort.over()) {
     const Nanoseconds half = middle(low, *fails_);
-    const auto problem = checker.problem(growth_.by(half));
+    const auto problem = checker.problem(scaling_.by(half));
     const RequirementId refuted =
         problem ? checker.refuted(*problem, requirements_, effort.stop) : RequirementId();
     if (refuted.valid()) {
@@ -150,7 +150,7 @@ void Bracket::narrow(RequirementChecker& checker, const Effort& effort, Precisio
   while (!effort.over()) {
     const auto extra = next(tolerance(precision), ceiling, effort.classes > 0);
     if (!extra) return;
-    const auto problem = checker.problem(growth_.by(*extra));
+    const auto problem = checker.problem(scaling_.by(*extra));
     const Ruling ruling = problem ? checker.ask(*problem, requirements_, effort) : Ruling{};
     const bool at_failure = fails_ && *extra == *fails_ - 1;
     ++asked_;
