@@ -36,7 +36,7 @@ Nanoseconds done(const AnalysisContext& context, const std::vector<NodeTimes>& n
     if (context.in_job(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
   }
   if (!waits_for_others(context, thread)) return last;
-  // Whom it has set to work, and who ends the skill, may leave it waiting till then.
+  // The threads that it has set to work, and those that end the skill, may leave it waiting till then.
   for (int n :
        context.behaviours.endings[static_cast<std::size_t>(context.node(of.job_starts.front()).source)]) {
     if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
