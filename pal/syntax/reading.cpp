@@ -60,14 +60,14 @@ std::optional<Change> without_line(const Mistake& mistake, const Tokens& tokens)
   };
   std::size_t next = first + 1;
   while (next < end && !goes_on_at(next)) ++next;
-  if (all[first]->getType() == Parser::UNTIL)
+  if (all[first]->getType() == Parser::UNTIL && mistake.at < next)
     return Change{first, next - first, {Parser::UNTIL, Parser::LEFT, Parser::FOREVER, Parser::RIGHT}};
   const auto is_colon = [](const antlr4::Token* token) { return token->getType() == Parser::COLON; };
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
   const auto colon = std::find_if(begin, all.begin() + static_cast<std::ptrdiff_t>(next), is_colon);
-  if (all[first]->getType() == Parser::LEFT && is_colon(*colon))
-    return Change{
-        first, static_cast<std::size_t>(colon - begin), {Parser::LEFT, Parser::NAME, Parser::RIGHT}};
+  const auto test = static_cast<std::size_t>(colon - begin);
+  if (all[first]->getType() == Parser::LEFT && is_colon(*colon) && mistake.at <= first + test)
+    return Change{first, test, {Parser::LEFT, Parser::NAME, Parser::RIGHT}};
   return Change{first, next - first, {}};
 }
 
@@ -78,7 +78,7 @@ void report(Diagnostic told, Diagnostics& diagnostics) {
 }
 
 /// Reports one mistake after the other. Each is mended before the next is looked for, or else its line is
-/// left out from there on.
+/// left out.
 void report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
   const bool is_long = tokens.all().size() > most_mended_tokens;
   for (std::size_t reported = 0;; ++reported) {
