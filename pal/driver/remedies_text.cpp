@@ -26,6 +26,22 @@ std::string edit_lines(const ProgramChange& change) {
   return out;
 }
 
+/// "SM1.priority = 3" as "give SM1 priority 3".
+std::string change_words(const std::string& change) {
+  const auto behind = [&](const std::string& middle, const std::string& begin, const std::string& joint) {
+    const std::size_t at = change.find(middle);
+    if (at == std::string::npos) return std::string();
+    return begin + change.substr(0, at) + joint + change.substr(at + middle.size());
+  };
+  if (change.starts_with("PROCESSOR ")) return "add processor " + change.substr(10);
+  for (const std::string& words :
+       {behind(".priority = ", "give ", " priority "), behind(".processor = ", "place ", " on "),
+        behind(".period = ", "make the period of ", " ")}) {
+    if (!words.empty()) return words;
+  }
+  return "change a figure";
+}
+
 std::string change_lines(const WhatIfAnswer& answer, const analyzer::Candidate& candidate, bool first) {
   std::string out = first ? "" : "       and ";
   if (candidate.program.valid()) {
@@ -33,9 +49,12 @@ std::string change_lines(const WhatIfAnswer& answer, const analyzer::Candidate& 
     return out + fmt::format("in {}, {}:{}: {}\n", change.module, change.file, change.line, change.title) +
            edit_lines(change);
   }
-  for (const std::string& each : candidate.changes)
-    out += (&each == &candidate.changes.front() ? "" : " ") + ("--set '" + each + "'");
-  return out + "\n";
+  std::string options;
+  for (const std::string& each : candidate.changes) {
+    out += (&each == &candidate.changes.front() ? "" : " and ") + change_words(each);
+    options += " --set '" + each + "'";
+  }
+  return out + ":" + options + "\n";
 }
 
 std::string state_text(const analyzer::Verdict& verdict) {

@@ -34,6 +34,16 @@ TEST_CASE("slack: fails as things are, not known, not looked for") {
   CHECK_FALSE(says(ended, "does not hold"));
 }
 
+TEST_CASE("a remedy of the environment is said in words and as options") {
+  const std::string example = std::string(PAL_SOURCE_DIR) + "/examples/two_processors/";
+  const Answer answer =
+      pal::test::pal({"whatif", example + "two_processors.pal", "-e", example + "one_processor.pal"});
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(says(answer,
+             "1. add processor P1 and place SM1 on P1: --set 'PROCESSOR P1' --set 'SM1.processor = P1'"));
+  CHECK(says(answer, "'answer', 1 ms allowed: before fails 6 ms, after holds 0 ms"));
+}
+
 TEST_CASE("the fewest processors are claimed only for the priorities that were tried") {
   const Answer kept = pal::test::pal({"whatif", places, "--environment-name", "reading", "--place", "0"});
   CHECK(says(kept, "2 processors do; with the priorities as they are fewer do not: each placement"));
