@@ -24,7 +24,6 @@ class Precedence {
 
   Order run() {
     in_programs();
-    by_blocks();
     by_causes();
     in_life();
     for (std::size_t s = 0; s < context_.forest.sources.size(); ++s) in_circle(static_cast<int>(s));
@@ -54,26 +53,6 @@ class Precedence {
         }
       }
     }
-  }
-
-  /// Blocks have ended, or stopped, when what comes after them begins, and begin again only after it.
-  void by_blocks() {
-    for (std::size_t n = 0; n < never_overlapping_.size() && !is_over(); ++n) {
-      const Beginning& begins = context_.segment(static_cast<int>(n)).beginning;
-      if (begins.kind != Beginning::Kind::joined) continue;
-      for (std::size_t other = 0; other < never_overlapping_.size(); ++other) {
-        if (is_below(context_.forest.thread_of(static_cast<int>(other)), begins.step))
-          never_overlapping_[n].push_back(static_cast<int>(other));
-      }
-    }
-  }
-
-  /// Whether a thread is one of the blocks of a CONCURRENT, or below one.
-  bool is_below(int thread, int fork) const {
-    const std::vector<int>& blocks = context_.step_at(fork).threads;
-    while (thread >= 0 && std::find(blocks.begin(), blocks.end(), thread) == blocks.end())
-      thread = context_.thread_at(thread).parent;
-    return thread >= 0;
   }
 
   /// What comes once and brings about something else that comes once, or is what its thread waited for

@@ -13,8 +13,7 @@ struct Order {
   /// program, or in a loop whose trigger happens once in a skill's life.
   std::vector<std::vector<int>> later;
   /// Nodes whose runs are each done before a run of this one is released, or released after it is done. These
-  /// are its causes, the blocks that it comes after, and nodes of the same cycle if only one message
-  /// circulates in it.
+  /// are its causes, and nodes of the same cycle if only one message circulates in it.
   std::vector<std::vector<int>> never_overlapping;
 };
 

@@ -12,13 +12,6 @@ namespace {
 /// Of a processor with more nodes, no work is taken out as a whole.
 constexpr std::size_t most_excluding = 2'000;
 
-/// Whether `other` comes of what `node` does.
-bool brings_about(const AnalysisContext& context, int node, int other) {
-  int at = context.node(other).cause;
-  while (at >= 0 && at != node) at = context.node(at).cause;
-  return at == node;
-}
-
 bool contains(const std::vector<int>& sorted, int node) {
   return std::binary_search(sorted.begin(), sorted.end(), node);
 }
@@ -63,24 +56,13 @@ ExcludedWork::Bits ExcludedWork::set_of(ProcessorId processor, const std::vector
   return set;
 }
 
-bool ExcludedWork::is_once_with(int node, int other) const {
-  return context_.source(node).period == never &&
-         context_.forest.thread_of(other) == context_.forest.thread_of(node) &&
-         context_.node(other).source == context_.node(node).source;
-}
-
 bool ExcludedWork::comes_later(int node, int other) const {
-  return (is_once_with(node, other) && brings_about(context_, node, other)) ||
-         contains(order_->later[static_cast<std::size_t>(node)], other);
+  return contains(order_->later[static_cast<std::size_t>(node)], other);
 }
 
-/// A thread's own segments are one after the other. Those of the node's job are over when it is released.
-/// Another job may still be at work then, also in what occurs once. Its thread may have got another message
-/// before, or may serve a request that was withdrawn.
 bool ExcludedWork::never_overlap(int node, int other, bool done_before_next, bool in_turn) const {
   const auto n = static_cast<std::size_t>(node);
   return (done_before_next && context_.forest.thread_of(other) == context_.forest.thread_of(node)) ||
-         (is_once_with(node, other) && context_.job_start_of(other) == context_.job_start_of(node)) ||
          (in_turn && contains(never_together_[n], other)) || contains(order_->never_overlapping[n], other);
 }
 

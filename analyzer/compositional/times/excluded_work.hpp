@@ -36,7 +36,6 @@ class ExcludedWork {
 
   bool comes_later(int node, int other) const;
   bool never_overlap(int node, int other, bool done_before_next, bool in_turn) const;
-  bool is_once_with(int node, int other) const;
   bool recurs(int node) const;
   bool is_before(int before, const Bits& set) const;
   /// The nodes of a processor that are among these.
