@@ -9,7 +9,7 @@
 
 namespace pal::analyzer {
 
-/// An id that the compositional analysis still takes for a number, and makes of one. Nobody else may.
+/// An id that the compositional analysis still takes for a number, and makes of one. No other part may.
 template <class Tag>
 struct CountedId : Id<Tag> {
   constexpr CountedId() = default;
@@ -20,7 +20,7 @@ struct CountedId : Id<Tag> {
   constexpr operator int() const { return this->value; }
 };
 
-/// In Problem::processors and Environment::processors; who asks what more of them would do counts on.
+/// In Problem::processors and Environment::processors. A question what more of them would do counts on.
 using ProcessorId = Id<struct ProcessorTag>;
 
 /// In Problem::requirements.

@@ -33,15 +33,15 @@ Nanoseconds crossing(Nanoseconds low, Nanoseconds below, Nanoseconds high, Nanos
 
 }  // namespace
 
-Bracket::Bracket(const Growth& growth, RequirementIds requirements, bool loads)
-    : growth_(growth),
+Bracket::Bracket(const Scaling& scaling, RequirementIds requirements, bool loads)
+    : scaling_(scaling),
       requirements_(std::move(requirements)),
       longer_(loads ? longer_steps_of_loads : longer_steps),
-      step_(std::max(growth.longest(), least_step)) {}
+      step_(std::max(scaling.longest(), least_step)) {}
 
 Nanoseconds Bracket::tolerance(Precision precision) const {
   if (precision == Precision::exact) return 1;
-  return std::max(least_step, (holds_ + growth_.longest()) / rough);
+  return std::max(least_step, (holds_ + scaling_.longest()) / rough);
 }
 
 /// Beyond that nothing is asked.
@@ -61,7 +61,7 @@ bool Bracket::exhausted(Nanoseconds ceiling) const {
 }
 
 Nanoseconds Bracket::middle(Nanoseconds low, Nanoseconds high) const {
-  const Nanoseconds base = growth_.longest() + least_step;
+  const Nanoseconds base = scaling_.longest() + least_step;
   if ((high + base) / (low + base) < far_apart) return low + (high - low) / 2;
   const double ratio = std::sqrt(static_cast<double>(low + base) * static_cast<double>(high + base));
   return std::clamp<Nanoseconds>(static_cast<Nanoseconds>(ratio) - base, low + 1, high - 1);
@@ -69,7 +69,7 @@ Nanoseconds Bracket::middle(Nanoseconds low, Nanoseconds high) const {
 
 Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
   const Nanoseconds extra = ceiling - 1 - from <= step_ ? ceiling - 1 : from + step_;
-  if (step_ < ceiling / longer_) step_ *= longer_;
+  step_ = step_ < ceiling / longer_ ? step_ * longer_ : ceiling;
   return extra;
 }
 
@@ -77,6 +77,11 @@ Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
 std::optional<Nanoseconds> Bracket::next(Nanoseconds tolerance, Nanoseconds ceiling, bool explores) {
   const Nanoseconds end = lower_end(ceiling);
   if (end - holds_ > tolerance) {
+    if (hurried_ && *hurried_ < end) {
+      // Less may be easier to decide. Then the same again.
+      again_ = !again_;
+      return again_ || *hurried_ - holds_ <= tolerance ? *hurried_ : middle(holds_, *hurried_);
+    }
     const bool at_failure = fails_ == end;
     if (!at_failure && !undecided_) return step_up(holds_, ceiling);
     // Loads grow in proportion, or nearly so.
@@ -93,7 +98,7 @@ std::optional<Nanoseconds> Bracket::next(Nanoseconds tolerance, Nanoseconds ceil
 
 void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
   assert(extra > holds_ && (!fails_ || extra < *fails_));
-  const Nanoseconds end_before = lower_end(growth_.most() + 1);
+  const Nanoseconds end_before = lower_end(scaling_.most() + 1);
   if (ruling.state == Is::holds) {
     // The greater proof holds for all that is below, also where that could not be decided.
     if (undecided_ && undecided_->second <= extra) undecided_.reset();
@@ -114,6 +119,8 @@ void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
                      : std::pair(extra, extra);
     if (extra < end_before) above_.reset();
   }
+  if (hurried_ && (extra == *hurried_ || holds_ >= *hurried_ || (fails_ && *fails_ <= *hurried_)))
+    hurried_.reset();
   assert(!fails_ || holds_ < *fails_);
 }
 
@@ -122,7 +129,7 @@ void Bracket::sharpen(RequirementChecker& checker, const Effort& effort) {
   Nanoseconds low = holds_;
   while (*fails_ - low > 1 && !effort.over()) {
     const Nanoseconds half = middle(low, *fails_);
-    const auto problem = checker.problem(growth_.by(half));
+    const auto problem = checker.problem(scaling_.by(half));
     const RequirementId refuted =
         problem ? checker.refuted(*problem, requirements_, effort.stop) : RequirementId();
     if (refuted.valid()) {
@@ -143,13 +150,14 @@ void Bracket::narrow(RequirementChecker& checker, const Effort& effort, Precisio
   while (!effort.over()) {
     const auto extra = next(tolerance(precision), ceiling, effort.classes > 0);
     if (!extra) return;
-    const auto problem = checker.problem(growth_.by(*extra));
+    const auto problem = checker.problem(scaling_.by(*extra));
     const Ruling ruling = problem ? checker.ask(*problem, requirements_, effort) : Ruling{};
     const bool at_failure = fails_ && *extra == *fails_ - 1;
     ++asked_;
     if (ruling.state == Is::undecided && effort.over()) {
       // The next turn has more time, or decides another one.
       open_ = ruling.requirement;
+      if (!at_failure) hurried_ = *extra;
       next_to_failure_ = !at_failure;
       return;
     }

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "analyzer/whatif/growth.hpp"
 #include "analyzer/whatif/requirement_checker.hpp"
+#include "analyzer/whatif/scaling.hpp"
 
 namespace pal::analyzer {
 
@@ -15,8 +15,8 @@ enum class Precision { rough, exact };
 /// apart from what was proved. Works in turns. Each turn goes on where the last one stopped.
 class Bracket {
  public:
-  /// `loads`: the requirements are loads. The growth must live as long.
-  Bracket(const Growth& growth, RequirementIds requirements, bool loads);
+  /// `loads`: the requirements are loads. The scaling must live as long.
+  Bracket(const Scaling& scaling, RequirementIds requirements, bool loads);
 
   /// The growth with which everything holds.
   Nanoseconds holds() const { return holds_; }
@@ -47,7 +47,7 @@ class Bracket {
   void hear(Nanoseconds extra, const Ruling& ruling);
   void sharpen(RequirementChecker& checker, const Effort& effort);
 
-  const Growth& growth_;
+  const Scaling& scaling_;
   const RequirementIds requirements_;
   const Nanoseconds longer_;  // by how much steps get longer
   Nanoseconds step_;
@@ -57,9 +57,11 @@ class Bracket {
   RequirementId open_;
   /// The least and the greatest growth that the present effort could not decide.
   std::optional<std::pair<Nanoseconds, Nanoseconds>> undecided_;
-  std::size_t classes_ = 0;           // of that effort
-  std::optional<Nanoseconds> below_;  // excess of loads with `holds_`, if it is known
-  std::optional<Nanoseconds> above_;  // with lower_end()
+  std::size_t classes_ = 0;             // of that effort
+  std::optional<Nanoseconds> hurried_;  // the growth that the last turn had no time to decide
+  bool again_ = true;                   // that was asked last, not less
+  std::optional<Nanoseconds> below_;    // excess of loads with `holds_`, if it is known
+  std::optional<Nanoseconds> above_;    // with lower_end()
   bool next_to_failure_ = true;
   int asked_ = 0;
 };

@@ -53,25 +53,25 @@ Effort effort_of(const Round& round, const Options& options, double part = 1) {
 class FigureSearch {
  public:
   FigureSearch(const pan::Environment& environment, std::vector<std::string> names, const Problem& problem)
-      : growth_(environment, std::move(names)),
-        timed_(growth_, requirements_that(problem, false), false),
-        loads_(growth_, requirements_that(problem, true), true),
-        unbounded_(growth_.most() + 1),
-        step_(std::max<Nanoseconds>(growth_.longest(), 1'000)) {}
+      : scaling_(environment, std::move(names)),
+        timed_(scaling_, requirements_that(problem, false), false),
+        loads_(scaling_, requirements_that(problem, true), true),
+        unbounded_(scaling_.most() + 1),
+        step_(std::max<Nanoseconds>(scaling_.longest(), 1'000)) {}
 
   /// Looks for the greatest growth that bounds alone show to hold. Goes on where the last effort ended.
   void bound(RequirementChecker& checker, const RequirementIds& all, const Effort& effort) {
     const Nanoseconds before = bounded_;
     while (unbounded_ - bounded_ > 1 && !effort.over()) {
-      const bool looking = unbounded_ > growth_.most();
-      const Nanoseconds up = growth_.most() - bounded_ <= step_ ? growth_.most() : bounded_ + step_;
+      const bool looking = unbounded_ > scaling_.most();
+      const Nanoseconds up = scaling_.most() - bounded_ <= step_ ? scaling_.most() : bounded_ + step_;
       const Nanoseconds extra = looking ? up : bounded_ + (unbounded_ - bounded_) / 2;
-      const auto problem = checker.problem(growth_.by(extra));
+      const auto problem = checker.problem(scaling_.by(extra));
       (problem && checker.bounded(*problem, all) ? bounded_ : unbounded_) = extra;
-      step_ = step_ < growth_.most() / 100 ? step_ * 100 : growth_.most();
+      step_ = step_ < scaling_.most() / 100 ? step_ * 100 : scaling_.most();
     }
     if (bounded_ == before) return;
-    const auto problem = checker.problem(growth_.by(bounded_));
+    const auto problem = checker.problem(scaling_.by(bounded_));
     if (!problem || checker.has_zeno_run(*problem)) return;
     timed_.hold(bounded_);
     loads_.hold(bounded_);
@@ -84,7 +84,7 @@ class FigureSearch {
     timed_.narrow(checker, whole, precision, ceiling_of(loads_));
   }
 
-  bool exact() const { return holds() == growth_.most() || (fails() && *fails() - holds() == 1); }
+  bool exact() const { return holds() == scaling_.most() || (fails() && *fails() - holds() == 1); }
   /// What this round could decide is decided.
   bool exhausted() const {
     return exact() || (timed_.exhausted(ceiling_of(loads_)) && loads_.exhausted(ceiling_of(timed_)));
@@ -92,7 +92,7 @@ class FigureSearch {
 
   void tell(Slack& slack) const {
     slack.holds = Duration(holds());
-    slack.unlimited = holds() == growth_.most();
+    slack.unlimited = holds() == scaling_.most();
     if (fails()) slack.fails = Duration(*fails());
     const bool timed_says = fails() ? timed_.fails() == fails() : timed_.holds() == holds();
     const bool loads_only = timed_.requirements().empty();
@@ -111,11 +111,12 @@ class FigureSearch {
 
   /// What is of no interest to the others: something fails there.
   Nanoseconds ceiling_of(const Bracket& bracket) const {
-    return bracket.fails().value_or(growth_.most() + 1);
+    return bracket.fails().value_or(scaling_.most() + 1);
   }
 
   Nanoseconds holds() const {
-    if (timed_.requirements().empty()) return loads_.requirements().empty() ? growth_.most() : loads_.holds();
+    if (timed_.requirements().empty())
+      return loads_.requirements().empty() ? scaling_.most() : loads_.holds();
     return loads_.requirements().empty() ? timed_.holds() : std::min(timed_.holds(), loads_.holds());
   }
   std::optional<Nanoseconds> fails() const {
@@ -123,7 +124,7 @@ class FigureSearch {
     return std::min(timed_.fails(), loads_.fails());
   }
 
-  const Growth growth_;
+  const Scaling scaling_;
   Bracket timed_;
   Bracket loads_;
   Nanoseconds bounded_ = 0;  // holds by bounds alone
@@ -214,7 +215,7 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
     all.push_back({figure.name, figure.time, {}, {}, false, {}, false});
     names.push_back(figure.name);
   }
-  const Growth together(environment, names);
+  const Scaling together(environment, names);
   all.push_back({"", {Duration(0), Duration(together.longest())}, {}, {}, false, {}, false});
 
   const RequirementIds everything = requirements_of(*problem);

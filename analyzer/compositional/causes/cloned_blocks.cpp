@@ -74,7 +74,7 @@ class BlockCloner {
 
   Problem made_;
   std::vector<bool> begun_;  // by thread
-  std::vector<int> owner_;   // by step; -1: nobody gets there
+  std::vector<int> owner_;   // by step; -1: no thread gets there
 };
 
 }  // namespace

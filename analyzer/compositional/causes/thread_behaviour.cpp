@@ -134,7 +134,7 @@ class Observer {
   /// What a job brings about it must also take: else a later job finds it in the slot, and takes it for
   /// its own.
   void leftovers(int t) {
-    std::map<int, std::set<int>> origins;  // by channel of what comes back: sends, and forks to who sends
+    std::map<int, std::set<int>> origins;  // by channel of what comes back: sends, and forks to the senders
     for (int n : thread(t).nodes) {
       if (node(n).release != Release::message || made_.job_start[static_cast<std::size_t>(n)] == n) continue;
       int first = n;  // of what the thread brings about on the way

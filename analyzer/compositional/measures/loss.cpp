@@ -10,7 +10,7 @@ namespace {
 /// Why an answer to a request may get lost; empty: none may.
 std::string answers_lost(const View& view, int request) {
   const Problem& problem = view.problem;
-  if (may_give_up(problem, request)) return "somebody may give up waiting for an answer";
+  if (may_give_up(problem, request)) return "a thread may give up waiting for an answer";
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& step = problem.steps[s];
     const int owner = view.forest.segments.owner(static_cast<int>(s));

@@ -1,4 +1,4 @@
-#include "analyzer/whatif/growth.hpp"
+#include "analyzer/whatif/scaling.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -17,17 +17,17 @@ Interval& figure(pan::Environment& environment, const std::string& name) {
 
 }  // namespace
 
-Growth::Growth(const pan::Environment& environment, std::vector<std::string> names)
+Scaling::Scaling(const pan::Environment& environment, std::vector<std::string> names)
     : environment_(environment), names_(std::move(names)) {
   pan::Environment copy = environment;
   for (const std::string& name : names_) longest_ = std::max(longest_, figure(copy, name).worst.count());
 }
 
-Nanoseconds Growth::most() const {
+Nanoseconds Scaling::most() const {
   return longest_time - longest_;
 }
 
-pan::Environment Growth::by(Nanoseconds extra) const {
+pan::Environment Scaling::by(Nanoseconds extra) const {
   assert(extra >= 0 && extra <= most());
   pan::Environment grown = environment_;
   for (const std::string& name : names_) {
@@ -38,7 +38,7 @@ pan::Environment Growth::by(Nanoseconds extra) const {
   return grown;
 }
 
-Nanoseconds Growth::share(Nanoseconds worst, Nanoseconds extra) const {
+Nanoseconds Scaling::share(Nanoseconds worst, Nanoseconds extra) const {
   __extension__ using Wide = __int128;
   if (names_.size() == 1 || longest_ == 0) return extra;
   return static_cast<Nanoseconds>((static_cast<Wide>(worst) * extra + longest_ - 1) / longest_);

@@ -1,4 +1,4 @@
-// How an environment looks when some worst times have grown.
+// An environment with some of its worst times scaled up, as sensitivity analysis asks for.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 namespace pal::analyzer {
 
 /// Of one figure, or of several in proportion. The environment must live as long.
-class Growth {
+class Scaling {
  public:
   /// `names`: of find_figure(environment, name).
-  Growth(const pan::Environment& environment, std::vector<std::string> names);
+  Scaling(const pan::Environment& environment, std::vector<std::string> names);
 
   /// The longest of the worst times, as things are.
   Nanoseconds longest() const { return longest_; }
