@@ -43,3 +43,13 @@ TEST_CASE("with one processor a frame is lost, and the edge is too old") {
   REQUIRE(age.witness);
   CHECK(age.witness->measured.value > 200'000'000);
 }
+
+// What it reads and what it tests afterwards agree: who could set it in between has a lower priority. So it
+// keeps still once at most, and then leaves its loop.
+TEST_CASE("with two processors the method keeps still once, and the edge is young enough") {
+  const Verdict age = age_of(*edge_on("two"));
+  CHECK(age.state == VerdictState::holds);
+  REQUIRE(age.bound);
+  CHECK(*age.bound <= Duration(200'000'000));
+  CHECK(age.statistics.classes < 250'000);
+}
