@@ -65,6 +65,7 @@ void Firing::fire(int timer) {
   }
   all_due();
   if (!state_.ended) dispatch();
+  let_change();
   track_busy(was_busy);
   settle();
 }
@@ -219,6 +220,7 @@ void Firing::effect_set(int thread) {
   const bool free = (problem_.free_conditions & bit) != 0;
   const bool value = step.value ? *step.value && !free : !free && choices_.pick(2) == 1;
   state_.conditions = value ? state_.conditions | bit : state_.conditions & ~bit;
+  state_.held &= ~bit;
   emit(Kind::set, thread, step.condition.value, value ? 1 : 0);
   uses_kept(thread);
   has_set(thread, step.condition);
@@ -229,7 +231,9 @@ void Firing::effect_set(int thread) {
 bool Firing::read(int thread, ConditionId condition) {
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition.index());
   bool value = (state_.conditions & bit) != 0;
-  if (((machine_.free_conditions | problem_.free_conditions) & bit) != 0) value = choices_.pick(2) == 1;
+  const bool free = ((machine_.free_conditions | problem_.free_conditions) & bit) != 0;
+  if (free && (state_.held & bit) == 0) value = choices_.pick(2) == 1;
+  if (free) hold(condition, value);
   emit(Kind::read, thread, condition.value, value ? 1 : 0);
   has_read(thread, condition);
   return value;

@@ -107,6 +107,9 @@ class Firing {
   void effect_loose_wait(int thread, std::size_t branch);
   void effect_loose_send(int thread);
   bool may_be_withdrawn(const Step& step, std::size_t branch) const;
+  bool cannot_change(ConditionId condition) const;
+  void hold(ConditionId condition, bool value);
+  void let_change();
 
   // Messages and devices (firing_mail.cpp).
   void place(ChannelId channel, int thread, DeviceId device, std::uint8_t carries);

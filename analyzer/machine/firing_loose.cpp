@@ -126,4 +126,32 @@ void Firing::effect_loose_send(int thread) {
   }
 }
 
+/// Whether no thread can set it before its processor turns to another thread, or pauses.
+bool Firing::cannot_change(ConditionId condition) const {
+  if (problem_.setters.empty()) return false;
+  const Setters& setters = problem_.setters[condition];
+  if (!setters.processor.valid()) return false;
+  const ThreadNumber runs = state_.running[setters.processor];
+  return runs >= 0 && !setters.threads[static_cast<std::size_t>(runs)];
+}
+
+/// The next reads of a free condition give the same value, as long as it cannot change.
+void Firing::hold(ConditionId condition, bool value) {
+  if (!cannot_change(condition)) return;
+  const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition.index());
+  state_.held |= bit;
+  state_.conditions = value ? state_.conditions | bit : state_.conditions & ~bit;
+}
+
+/// Forgets the values of free conditions that can change from now on.
+void Firing::let_change() {
+  if (state_.held == 0) return;
+  for (const ConditionId condition : problem_.setters.ids()) {
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition.index());
+    if ((state_.held & bit) == 0 || (cannot_change(condition) && !state_.ended)) continue;
+    state_.held &= ~bit;
+    state_.conditions &= ~bit;
+  }
+}
+
 }  // namespace pal::analyzer

@@ -115,6 +115,7 @@ struct State {
   Table<ChannelId, SlotState> slots;
   Table<DeviceId, DeviceState> devices;
   std::uint64_t conditions = 0;
+  std::uint64_t held = 0;  // free conditions that were read, and cannot change yet
   std::uint8_t condition_carries = tag::none;
   Table<ConditionId, std::uint8_t> known;  // samples
   Table<KeptId, std::uint8_t> kept;        // samples: by what modules keep of messages
@@ -157,6 +158,7 @@ struct StateHash {
       mix(static_cast<std::uint64_t>(d.open ? 2 : 0) | static_cast<std::uint64_t>(d.late ? 1 : 0));
     }
     mix(state.conditions);
+    mix(state.held + 900);
     mix(static_cast<std::uint64_t>(state.condition_carries) << 16U |
         static_cast<std::uint64_t>(state.observers) << 8U | static_cast<std::uint64_t>(state.ended ? 2 : 0) |
         static_cast<std::uint64_t>(state.failed ? 1 : 0));

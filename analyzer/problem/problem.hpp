@@ -154,6 +154,12 @@ struct Requirement {
   bool is_event(ChannelId channel) const;
 };
 
+/// The threads that set a condition.
+struct Setters {
+  ProcessorId processor;      // on which all of them run; none: there is no such one
+  std::vector<bool> threads;  // by number
+};
+
 struct Problem {
   std::string skill;
   std::string environment;
@@ -173,7 +179,8 @@ struct Problem {
   int error_code = 2;  // of the first error completion
   std::vector<ProcessorId>
       overloaded;  // processors that have more to do for events than there is time (PAL0820)
-  std::uint64_t free_conditions = 0;  // by bit, only in slices: their reads give any value
+  std::uint64_t free_conditions = 0;    // by bit, only in slices: their reads give any value
+  Table<ConditionId, Setters> setters;  // of these; only in slices
 };
 
 /// Name of the device or module that sends on the channel, or to which it leads.

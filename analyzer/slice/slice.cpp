@@ -95,6 +95,24 @@ class Slicer {
       }
     }
     made_.free_conditions = left_out | (relaxation_.conditions ? ~told : 0);
+    find_setters();
+  }
+
+  void find_setters() {
+    for (const ConditionId c : whole_.conditions.ids()) {
+      Setters setters;
+      setters.threads.assign(talk_.size(), false);
+      bool together = true;
+      for (std::size_t t = 0; t < talk_.size(); ++t) {
+        if (!talk_[t].sets.contains(c)) continue;
+        const ProcessorId processor = whole_.threads[t].processor;
+        setters.threads[t] = true;
+        together = together && (!setters.processor.valid() || setters.processor == processor);
+        setters.processor = processor;
+      }
+      if (!together) setters.processor = {};
+      made_.setters.push_back(std::move(setters));
+    }
   }
 
   /// A device that is left out answers no sooner than it can.

@@ -86,15 +86,27 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
 
 }  // namespace
 
+Move first_move(const Machine& machine, Choices& choices) {
+  Move made;
+  made.outcome = machine.initial(choices, false);
+  follow_timers(machine, {}, made);
+  return made;
+}
+
+std::optional<Move> move_from(const Machine& machine, const Place& place, std::size_t k, Choices& choices) {
+  Move made;
+  if (!machine.fire(place.state, place.timers[k], choices, false, made.outcome)) return std::nullopt;
+  made.timer = place.timers[k];
+  follow_timers(machine, place, made);
+  return made;
+}
+
 std::vector<Move> first_moves(const Machine& machine, StopToken& stop) {
   std::vector<Move> moves;
   AllChoices choices;
   do {
-    Move made;
-    made.outcome = machine.initial(choices, false);
-    made.choices = choices.taken();
-    follow_timers(machine, {}, made);
-    moves.push_back(std::move(made));
+    moves.push_back(first_move(machine, choices));
+    moves.back().choices = choices.taken();
     if (moves.size() == most_beginnings) moves.back().outcome.too_many = true;
     if (time_to_stop(moves.size(), stop)) return moves;
   } while (moves.size() < most_beginnings && choices.next());
@@ -108,12 +120,10 @@ std::vector<Move> moves_from(const Machine& machine, const Place& place, StopTok
     AllChoices choices;
     const std::size_t most = moves.size() + most_outcomes;
     do {
-      Move made;
-      if (!machine.fire(place.state, place.timers[k], choices, false, made.outcome)) break;
-      made.timer = place.timers[k];
-      made.choices = choices.taken();
-      follow_timers(machine, place, made);
-      moves.push_back(std::move(made));
+      auto made = move_from(machine, place, k, choices);
+      if (!made) break;
+      moves.push_back(std::move(*made));
+      moves.back().choices = choices.taken();
       if (moves.size() == most) moves.back().outcome.too_many = true;
       if (time_to_stop(moves.size(), stop)) return moves;
     } while (moves.size() < most && choices.next());
