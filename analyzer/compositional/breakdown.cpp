@@ -53,10 +53,10 @@ class Writer {
     out_.push_back(std::move(made));
   }
 
-  const std::string& thread_name(int thread) const { return context_.thread_at(thread).name; }
+  const std::string& thread_name(ThreadId thread) const { return context_.thread_at(thread).name; }
   const std::string& actor(int node) const { return thread_name(view_.forest.thread_of(node)); }
 
-  std::string text(int step) const {
+  std::string text(StepId step) const {
     const StatementId statement = context_.step_at(step).statement;
     return !statement.valid() ? "a test" : view_.problem.statements[statement].text;
   }
@@ -139,14 +139,14 @@ class Writer {
   }
 
   Nanoseconds instant(const Clock& clock, const Term& term) const {
-    return term.step < 0 ? clock.times(term.node).finish
-                         : latest_effect(view_.forest, clock.nodes, term.node, term.step);
+    return !term.step.valid() ? clock.times(term.node).finish
+                              : latest_effect(view_.forest, clock.nodes, term.node, term.step);
   }
   std::string place(const Term& term) const {
-    return term.step < 0 ? "the end of the segment" : text(term.step) + " has its effect";
+    return !term.step.valid() ? "the end of the segment" : text(term.step) + " has its effect";
   }
   StatementId statement(const Term& term) const {
-    return term.step < 0 ? statement_of(term.node) : context_.step_at(term.step).statement;
+    return !term.step.valid() ? statement_of(term.node) : context_.step_at(term.step).statement;
   }
 
   std::string source_name(int source) const {
@@ -155,36 +155,36 @@ class Writer {
   }
 
   /// To the latest effect of a step of a node, or to the end of its segment.
-  void until(const Clock& clock, int node, int step) {
+  void until(const Clock& clock, int node, StepId step) {
     const Segment& of = context_.segment(node);
-    if (step < 0) {
-      return work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
+    if (!step.valid()) {
+      return work(clock, node, of.worst, StepId{}, [](const NodeTimes& times) { return times.finish; });
     }
     const std::size_t at = place_of(of, step);
     work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.effects[at]; });
   }
 
   /// To where a step puts, or waits for its slot.
-  void until_put(const Clock& clock, int node, int step) {
+  void until_put(const Clock& clock, int node, StepId step) {
     const Segment& of = context_.segment(node);
     const std::size_t at = place_of(of, step);
     work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.worked[at]; });
   }
 
   /// To the latest arrival at a wait or CONCURRENT.
-  void until_arrival(const Clock& clock, int node, int step) {
+  void until_arrival(const Clock& clock, int node, StepId step) {
     const Segment& of = context_.segment(node);
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
       if (of.waits[w].step != step) continue;
       return work(clock, node, of.waits[w].worst, step,
                   [w](const NodeTimes& times) { return times.arrivals[w]; });
     }
-    work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
+    work(clock, node, of.worst, StepId{}, [](const NodeTimes& times) { return times.finish; });
   }
 
   /// To when `part` of the node's work is done, at the instant `done_of` its times; it ends with `step`.
   template <class DoneOf>
-  void work(const Clock& asked, int node, Nanoseconds part, int step, const DoneOf& done_of) {
+  void work(const Clock& asked, int node, Nanoseconds part, StepId step, const DoneOf& done_of) {
     if (out_.size() > most_addends) return;
     const Nanoseconds done = done_of(asked.times(node));
     // What is no later after the event than after its nominal instant is followed from there.
@@ -200,13 +200,13 @@ class Writer {
       return actions(node, part, step);
     }
     // A send waits for its slot.
-    const bool sends = step >= 0 && context_.step_at(step).kind == Step::Kind::send;
+    const bool sends = step.valid() && context_.step_at(step).kind == Step::Kind::send;
     say(done - released, actor(node), sends ? "is blocked at " + text(step) : "is blocked in its last send",
-        step < 0 ? StatementId{} : context_.step_at(step).statement);
+        !step.valid() ? StatementId{} : context_.step_at(step).statement);
   }
 
   /// If `done` is when a chain of segments in one window is done: to that instant.
-  bool together(const Clock& clock, int node, Nanoseconds part, Nanoseconds done, int step) {
+  bool together(const Clock& clock, int node, Nanoseconds part, Nanoseconds done, StepId step) {
     const auto released = [&clock](int n) { return clock.times(n).latest; };
     const JointEnd joint = soonest_joint_end(*view_.times.interference,
                                              joint_chain(context_, view_.times, node), part, released);
@@ -214,7 +214,7 @@ class Writer {
     release(clock, joint.chain.front());
     others(node, view_.times.interference->joint_breakdown(joint.chain, part));
     for (int each : joint.chain) {
-      if (each != node) actions(each, context_.segment(each).worst, -1);
+      if (each != node) actions(each, context_.segment(each).worst, StepId{});
     }
     actions(node, part, step);
     return true;
@@ -232,7 +232,7 @@ class Writer {
     if (out_.size() + breakdown.others.size() > most_addends) return out_.resize(most_addends + 1);
     const std::string& name = actor(node);
     if (breakdown.blocking > 0) {
-      const int thread = view_.times.interference->blocking_thread(node);
+      const ThreadId thread = view_.times.interference->blocking_thread(node);
       say(breakdown.blocking, name,
           "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
     }
@@ -255,16 +255,16 @@ class Writer {
   }
 
   /// The actions on the longest way to `part` of the node's work.
-  void actions(int node, Nanoseconds part, int step) {
+  void actions(int node, Nanoseconds part, StepId step) {
     const Segment& of = context_.segment(node);
-    std::vector<int> way;
+    std::vector<StepId> way;
     Nanoseconds left = part;
-    int next = step;
+    StepId next = step;
     for (std::size_t s = of.steps.size(); s-- > 0 && left > 0;) {
       const Segment::Passed& passed = of.steps[s];
-      const std::vector<int>& after = context_.step_at(passed.step).next;
+      const std::vector<StepId>& after = context_.step_at(passed.step).next;
       const bool leads =
-          way.empty() && (next < 0 || passed.step == next)
+          way.empty() && (!next.valid() || passed.step == next)
               ? true
               : std::find(after.begin(), after.end(), next) != after.end() || begins_with(of, s);
       if (!leads || passed.worst != left) continue;

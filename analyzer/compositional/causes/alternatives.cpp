@@ -56,23 +56,23 @@ class Ways {
     if (one.release == Release::limit) return true;  // it comes to one wait, which ends in one way
     if (one.release != Release::message) return false;
     const int cause = node(one.cause).segment;
-    return std::all_of(one.sends.begin(), one.sends.end(), [&](int first) {
-      return std::all_of(other.sends.begin(), other.sends.end(), [&](int second) {
+    return std::all_of(one.sends.begin(), one.sends.end(), [&](StepId first) {
+      return std::all_of(other.sends.begin(), other.sends.end(), [&](StepId second) {
         return first == second || !(in_row(cause, first, second) || in_row(cause, second, first));
       });
     });
   }
 
-  bool in_row(int segment, int first, int second) {
-    const auto [known, fresh] = after_.emplace(std::pair{segment, first}, std::vector<bool>());
+  bool in_row(int segment, StepId first, StepId second) {
+    const auto [known, fresh] = after_.emplace(std::pair{segment, first}, Table<StepId, bool>());
     if (fresh) known->second = steps_after(problem_, forest_.segments[segment], first);
-    return known->second[static_cast<std::size_t>(second)];
+    return known->second[second];
   }
 
   const Problem& problem_;
   const Forest& forest_;
-  std::map<int, std::vector<int>> ways_;                    // by node
-  std::map<std::pair<int, int>, std::vector<bool>> after_;  // by segment and one of its sends
+  std::map<int, std::vector<int>> ways_;                         // by node
+  std::map<std::pair<int, StepId>, Table<StepId, bool>> after_;  // by segment and one of its sends
 };
 
 /// Nodes by source and what `key_of` says of them.
@@ -123,9 +123,7 @@ std::vector<std::vector<int>> alternatives_of(const Problem& problem, const Fore
 
 std::vector<std::vector<int>> never_together(const Problem& problem, const Forest& forest,
                                              const std::function<bool()>& stop) {
-  const auto processor_of = [&](int node) {
-    return problem.threads[static_cast<std::size_t>(forest.thread_of(node))].processor;
-  };
+  const auto processor_of = [&](int node) { return problem.threads[forest.thread_of(node)].processor; };
   std::vector<std::vector<int>> all(forest.nodes.size());
   for (const auto& [of, nodes] : together_by(forest, processor_of)) {
     if (too_many(nodes)) continue;

@@ -11,7 +11,7 @@ using Release = Node::Release;
 
 constexpr int most_context_rounds = 50;
 
-Nanoseconds best_arrival(const Segment& segment, int wait) {
+Nanoseconds best_arrival(const Segment& segment, StepId wait) {
   for (const Segment::Arrival& each : segment.waits) {
     if (each.step == wait) return each.best;
   }
@@ -21,7 +21,7 @@ Nanoseconds best_arrival(const Segment& segment, int wait) {
   return 0;
 }
 
-Nanoseconds best_effect(const Segment& segment, int step) {
+Nanoseconds best_effect(const Segment& segment, StepId step) {
   for (const Segment::Passed& each : segment.steps) {
     if (each.step == step) return each.best;
   }
@@ -58,7 +58,7 @@ Nanoseconds earliest_after_cause(const AnalysisContext& context, int n) {
       return 0;
     case Release::message: {
       Nanoseconds sent = never;
-      for (int send : node.sends) sent = std::min(sent, best_effect(cause, send));
+      for (StepId send : node.sends) sent = std::min(sent, best_effect(cause, send));
       return plus(sent, context.way(n).best);
     }
     case Release::limit: {
@@ -72,11 +72,11 @@ Nanoseconds earliest_after_cause(const AnalysisContext& context, int n) {
   return 0;
 }
 
-std::vector<int> AnalysisContext::endings_before_idle(int thread) const {
+std::vector<int> AnalysisContext::endings_before_idle(ThreadId thread) const {
   std::vector<int> found;
   std::set<int> seen;
-  for (int t = thread; t >= 0; t = thread_at(t).parent) {
-    for (const StartEnding& of : behaviours.start_endings[static_cast<std::size_t>(t)])
+  for (ThreadId t = thread; t.valid(); t = thread_at(t).parent) {
+    for (const StartEnding& of : behaviours.start_endings[t])
       if (seen.insert(of.node).second && !in_job(of.own)) found.push_back(of.node);
   }
   return found;
@@ -94,8 +94,8 @@ std::vector<int> AnalysisContext::endings_before_first(int loop) const {
   return found;
 }
 
-bool may_give_up(const Problem& problem, int request) {
-  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
+bool may_give_up(const Problem& problem, ChannelId request) {
+  const ChannelId answer = problem.channels[request].answer;
   return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {
     return step.kind == Kind::wait && step.within &&
            std::find(step.channels.begin(), step.channels.end(), answer) != step.channels.end();
@@ -116,7 +116,7 @@ Range AnalysisContext::way(int n) const {
   return latency(problem, sent_channel(n), forest.thread_of(node(n).cause), forest.thread_of(n));
 }
 
-Nanoseconds AnalysisContext::answer_queue(DeviceId device, int request) const {
+Nanoseconds AnalysisContext::answer_queue(DeviceId device, ChannelId request) const {
   const Device& of = problem.devices[device];
   const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (behaviour == nullptr) return 0;

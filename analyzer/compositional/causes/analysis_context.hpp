@@ -13,21 +13,19 @@ struct AnalysisContext {
   const Node& node(int n) const { return forest.nodes[static_cast<std::size_t>(n)]; }
   const Segment& segment(int n) const { return forest.segment_of(node(n)); }
   const Source& source(int n) const { return forest.sources[static_cast<std::size_t>(node(n).source)]; }
-  const Step& step_at(int step) const { return problem.steps[static_cast<std::size_t>(step)]; }
-  const Thread& thread_at(int thread) const { return problem.threads[static_cast<std::size_t>(thread)]; }
+  const Step& step_at(StepId step) const { return problem.steps[step]; }
+  const Thread& thread_at(ThreadId thread) const { return problem.threads[thread]; }
   const Thread& thread_of(int n) const { return thread_at(forest.thread_of(n)); }
-  const ThreadBehaviour& behaviour_of(int thread) const {
-    return behaviours.threads[static_cast<std::size_t>(thread)];
-  }
+  const ThreadBehaviour& behaviour_of(ThreadId thread) const { return behaviours.threads[thread]; }
   int job_start_of(int n) const { return behaviours.job_start[static_cast<std::size_t>(n)]; }
   bool in_job(int n) const { return compositional::in_job(forest, behaviours, n); }
   /// The node itself or its nearest cause that belongs to `thread`; -1: there is none.
-  int nearest(int n, int thread) const {
+  int nearest(int n, ThreadId thread) const {
     return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
   }
   /// Nodes that may end the skill or a thread before `thread` is idle for the first time. They belong to
   /// `thread`, to its parents, or to the threads that these wait for.
-  std::vector<int> endings_before_idle(int thread) const;
+  std::vector<int> endings_before_idle(ThreadId thread) const;
   /// The same before the first job of a loop. An event has none.
   std::vector<int> endings_before_first(int loop) const;
   ChannelId sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
@@ -37,11 +35,11 @@ struct AnalysisContext {
   /// Time from the send until the node's message, or the device's answer to it, can be received.
   Range way(int n) const;
   /// How long a request may queue at a device that answers on request; `never`: unbounded.
-  Nanoseconds answer_queue(DeviceId device, int request) const;
+  Nanoseconds answer_queue(DeviceId device, ChannelId request) const;
 };
 
 /// Whether a wait for the answer to a request may time out.
-bool may_give_up(const Problem& problem, int request);
+bool may_give_up(const Problem& problem, ChannelId request);
 
 /// Least time from the release of a node's cause to its own; the node is no root.
 Nanoseconds earliest_after_cause(const AnalysisContext& context, int node);

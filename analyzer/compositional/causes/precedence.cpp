@@ -69,11 +69,11 @@ class Precedence {
   }
 
   /// Whether a thread is one of the blocks of a CONCURRENT, or below one.
-  bool is_below(int thread, int fork) const {
-    const std::vector<int>& blocks = context_.step_at(fork).threads;
-    while (thread >= 0 && std::find(blocks.begin(), blocks.end(), thread) == blocks.end())
+  bool is_below(ThreadId thread, StepId fork) const {
+    const std::vector<ThreadId>& blocks = context_.step_at(fork).threads;
+    while (thread.valid() && std::find(blocks.begin(), blocks.end(), thread) == blocks.end())
       thread = context_.thread_at(thread).parent;
-    return thread >= 0;
+    return thread.valid();
   }
 
   /// What comes once and brings about something else that comes once, or is what its thread waited for
@@ -185,7 +185,7 @@ class Precedence {
     });
     if (own == of.feeds.end() || outer == of.feeds.end()) return;
     std::vector<int> circle;
-    bool ended = own->wait >= 0 || end_segment(context_.problem, own->sends);
+    bool ended = own->wait.valid() || end_segment(context_.problem, own->sends);
     for (int at = own->node; at >= 0; at = context_.node(at).cause) {
       if (!ended) return;
       circle.push_back(at);
@@ -223,7 +223,7 @@ class Precedence {
         if (feed.node < 0) return {};
         const int by = context_.node(feed.node).source;
         if (asked.contains(by)) continue;
-        const bool ends = feed.wait >= 0 || end_segment(context_.problem, feed.sends);
+        const bool ends = feed.wait.valid() || end_segment(context_.problem, feed.sends);
         also(up_to(feed.node, ends, asked));
       }
     } else if (of.kind == Source::Kind::joined) {

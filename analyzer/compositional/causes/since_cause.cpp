@@ -43,7 +43,7 @@ bool SinceCause::counts(int node, int cause, const std::vector<bool>& known) con
   if (!previous.empty()) return std::all_of(previous.begin(), previous.end(), in_time);
   if (of.release != Node::Release::message) return true;
   // The thread must be at its idle wait by then.
-  const int thread = context_.forest.thread_of(node);
+  const ThreadId thread = context_.forest.thread_of(node);
   const std::vector<int>& nodes = context_.behaviour_of(thread).nodes;
   const std::vector<int> endings = context_.endings_before_idle(thread);
   return std::all_of(nodes.begin(), nodes.end(),

@@ -14,7 +14,7 @@
 namespace pal::analyzer::compositional {
 
 struct ThreadBehaviour {
-  int idle_wait = -1;           // the wait at which its jobs begin and end; -1: it has no jobs
+  StepId idle_wait{};           // the wait at which its jobs begin and end; none: it has no jobs
   std::vector<int> job_starts;  // first nodes of its jobs
   std::vector<int> nodes;       // all
   bool one_job = false;         // each occurrence of their one source begins at most one job
@@ -32,7 +32,7 @@ struct StartEnding {
 };
 
 struct ThreadBehaviours {
-  std::vector<ThreadBehaviour> threads;
+  Table<ThreadId, ThreadBehaviour> threads;
   /// By node: the first node of its job, or of its thread if that has no jobs.
   std::vector<int> job_start;
   /// By node: its predecessors in its thread. Nodes that begin a job or a thread have none.
@@ -47,8 +47,8 @@ struct ThreadBehaviours {
   /// By source: nodes that may end the skill or their thread. Whoever depends on them waits until that end.
   std::vector<std::vector<int>> endings;
   /// By thread: the endings that the thread causes before any job.
-  std::vector<std::vector<StartEnding>> start_endings;
-  std::vector<bool>
+  Table<ThreadId, std::vector<StartEnding>> start_endings;
+  Table<ChannelId, bool>
       never_full;  // by channel: requests and answers alternate, so its slot is free at each put
 };
 

@@ -62,12 +62,11 @@ DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
       effects_(view.forest.nodes.size()),
       arrivals_(view.forest.nodes.size()),
       latched_(problem_.threads.size()) {
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t)
-    regular_.push_back(regular(view, static_cast<int>(t)));
-  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-    const int owner = view.forest.segments.owner(static_cast<int>(s));
-    if (owner >= 0 && problem_.steps[s].kind == Kind::read)
-      latched_[static_cast<std::size_t>(owner)].insert(problem_.steps[s].condition);
+  for (std::size_t t = 0; t < problem_.threads.size(); ++t) regular_.push_back(regular(view, ThreadId(t)));
+  for (const StepId s : problem_.steps.ids()) {
+    const ThreadId owner = view.forest.segments.owner(s);
+    if (owner.valid() && problem_.steps[s].kind == Kind::read)
+      latched_[owner].insert(problem_.steps[s].condition);
   }
   if (!requirement.condition.valid()) find_setters();
   for (int iteration = 0; iteration < most_freshness_rounds; ++iteration) {
@@ -106,14 +105,14 @@ Sum DataFreshness::age_since_cause(StepEffect effect) const {
 }
 
 void DataFreshness::find_setters() {
-  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+  for (const StepId s : problem_.steps.ids()) {
     if (problem_.steps[s].kind != Kind::set) continue;
     auto& at = set_at_[problem_.steps[s].condition];
     at.resize(problem_.steps.size());
     at[s] = true;
   }
   for (const auto& [condition, at] : set_at_) {
-    for (int thread : owners(view_, at))
+    for (ThreadId thread : owners(view_, at))
       setters_[condition].push_back({thread, std::make_unique<StatementOccurrences>(view_, thread, at)});
   }
 }
@@ -128,8 +127,8 @@ bool DataFreshness::visit(int node) {
   first.set = both(first.set, begins_[n].set);
   const bool changed = !same(first.known, begins_[n].known) || !same(first.set, begins_[n].set);
   begins_[n] = first;
-  std::map<int, State> reached;
-  const auto reach = [&](int step, const State& state) {
+  std::map<StepId, State> reached;
+  const auto reach = [&](StepId step, const State& state) {
     const auto [place, fresh] = reached.emplace(step, state);
     if (fresh) return;
     place->second.known = either(place->second.known, state.known);
@@ -138,9 +137,9 @@ bool DataFreshness::visit(int node) {
   std::vector<Known> effects;
   const bool after_wait = begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
   if (begins.kind == Beginning::Kind::entry) {
-    reach(problem_.threads[static_cast<std::size_t>(begins.thread)].entry, first);
+    reach(problem_.threads[begins.thread].entry, first);
   } else {
-    const Step& step = problem_.steps[static_cast<std::size_t>(begins.step)];
+    const Step& step = problem_.steps[begins.step];
     if (after_wait) effects.push_back(first.known);
     const bool arm = begins.kind == Beginning::Kind::arm;
     const bool joined = begins.kind == Beginning::Kind::joined;
@@ -150,11 +149,11 @@ bool DataFreshness::visit(int node) {
           first);
   }
   for (std::size_t s = after_wait ? 1 : 0; s < segment.steps.size(); ++s) {
-    const int step = segment.steps[s].step;
+    const StepId step = segment.steps[s].step;
     State state = reached.at(step);
     transfer(node, step, state);
     effects.push_back(state.known);
-    for (int next : problem_.steps[static_cast<std::size_t>(step)].next) reach(next, state);
+    for (StepId next : problem_.steps[step].next) reach(next, state);
   }
   const bool more =
       changed || !std::equal(effects.begin(), effects.end(), effects_[n].begin(), effects_[n].end(), same);
@@ -167,7 +166,7 @@ DataFreshness::State DataFreshness::begin(int node) const {
   const auto n = static_cast<std::size_t>(node);
   const Node& of = view_.forest.nodes[n];
   State state;
-  const auto arrived = [this](int before, int step) {
+  const auto arrived = [this](int before, StepId step) {
     const auto& arrivals = arrivals_[static_cast<std::size_t>(before)];
     const auto found = arrivals.find(step);
     return found == arrivals.end() ? State{} : found->second;
@@ -199,15 +198,14 @@ DataFreshness::State DataFreshness::begin(int node) const {
 /// Last set by the blocks that have ended when a node begins.
 Known DataFreshness::set_by_blocks(const Node& joined) const {
   Known latest;
-  for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
-    if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
+  for (ThreadId block : problem_.steps[joined.cause_step].threads) {
+    if (!problem_.threads[block].can_end) continue;
     Known soonest = unbounded;
-    for (int n : view_.behaviours.threads[static_cast<std::size_t>(block)].nodes) {
+    for (int n : view_.behaviours.threads[block].nodes) {
       const int job_start = view_.behaviours.job_start[static_cast<std::size_t>(n)];
       if (view_.forest.nodes[static_cast<std::size_t>(job_start)].cause != joined.cause) continue;
       for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
-        if (problem_.steps[static_cast<std::size_t>(step)].kind == Kind::end)
-          soonest = either(soonest, state.set);
+        if (problem_.steps[step].kind == Kind::end) soonest = either(soonest, state.set);
       }
     }
     if (is_bounded(soonest)) latest = both(latest, soonest);
@@ -217,11 +215,11 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
 
 /// From the previous job; the first job begins with what is younger than the skill.
 DataFreshness::State DataFreshness::before_idle(int node) const {
-  const int thread = view_.forest.thread_of(node);
+  const ThreadId thread = view_.forest.thread_of(node);
   const int source = recurring_source(view_, thread);
-  if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
+  if (source < 0 || !regular_[thread]) return {};
   if (!in_order(view_, thread)) return {};
-  const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& of = view_.behaviours.threads[thread];
   State state{unbounded, unbounded};
   for (int other : of.nodes) {
     if (!in_recurring_job(view_, other)) continue;
@@ -244,7 +242,7 @@ DataFreshness::State DataFreshness::before_idle(int node) const {
   return {since(state.known), since(state.set)};
 }
 
-bool DataFreshness::sampled(int channel) const {
+bool DataFreshness::sampled(ChannelId channel) const {
   const auto& samples = requirement_.samples;
   return std::find(samples.begin(), samples.end(), channel) != samples.end();
 }
@@ -257,22 +255,22 @@ Known DataFreshness::told(int node) const {
   if (of.release == Release::message) return told_by(of.cause, of.sends, of.device);
   if (of.release != Release::root) return std::nullopt;
   if (source.kind == Source::Kind::event) {
-    const int event = problem_.devices[source.device].event;
+    const ChannelId event = problem_.devices[source.device].event;
     return sampled(event) ? Known(Instant()) : std::nullopt;
   }
   return source.kind == Source::Kind::loop ? told_in_loop(source, of.source) : std::nullopt;
 }
 
 /// A message carries what its sender knows; a device's answer says what was so after the request.
-Known DataFreshness::told_by(int sender, const std::vector<int>& sends, DeviceId device) const {
+Known DataFreshness::told_by(int sender, const std::vector<StepId>& sends, DeviceId device) const {
   Known known = unbounded;
-  for (int send : sends) {
+  for (StepId send : sends) {
     if (!device.valid()) {
       known = either(known, at({sender, send}));
       continue;
     }
-    const int request = problem_.steps[static_cast<std::size_t>(send)].channels.front();
-    const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
+    const ChannelId request = problem_.steps[send].channels.front();
+    const ChannelId answer = problem_.channels[request].answer;
     known = either(known, sampled(answer) ? Known({earliest(view_, sender, send), StepEffect{sender, send}})
                                           : std::nullopt);
   }
@@ -295,16 +293,16 @@ Known DataFreshness::told_in_loop(const Source& source, int index) const {
 }
 
 /// Whether a step surely reads a condition, or has read it before for this very test.
-bool DataFreshness::surely_read(int step, ConditionId condition) const {
-  const Step& of = problem_.steps[static_cast<std::size_t>(step)];
+bool DataFreshness::surely_read(StepId step, ConditionId condition) const {
+  const Step& of = problem_.steps[step];
   if (of.kind == Kind::read) return of.condition == condition;
-  const auto thread = static_cast<std::size_t>(view_.forest.segments.owner(step));
+  const ThreadId thread = view_.forest.segments.owner(step);
   return tests(of, condition) && !latched_[thread].contains(condition);
 }
 
-void DataFreshness::transfer(int node, int step, State& state) {
-  const Step& of = problem_.steps[static_cast<std::size_t>(step)];
-  const int thread = view_.forest.thread_of(node);
+void DataFreshness::transfer(int node, StepId step, State& state) {
+  const Step& of = problem_.steps[step];
+  const ThreadId thread = view_.forest.thread_of(node);
   const Sum now = earliest(view_, node, step);
   if (requirement_.condition.valid()) {
     if (of.kind == Kind::set && of.condition == requirement_.condition) state.set = Known(Instant{now});
@@ -320,7 +318,7 @@ void DataFreshness::transfer(int node, int step, State& state) {
   }
 }
 
-Sum DataFreshness::age_when_read(ConditionId condition, int reader) {
+Sum DataFreshness::age_when_read(ConditionId condition, ThreadId reader) {
   const auto [place, fresh] = ages_.emplace(std::pair{condition, reader}, Sum::unbounded());
   if (fresh) {
     place->second = requirement_.condition.valid() ? value_age(view_, condition, reader).sum
@@ -331,7 +329,7 @@ Sum DataFreshness::age_when_read(ConditionId condition, int reader) {
 
 /// Greatest time since the sample that a condition carries when it is read. Before the first set of a job
 /// it is no longer than the skill has run.
-Sum DataFreshness::sample_age(ConditionId condition, int reader) const {
+Sum DataFreshness::sample_age(ConditionId condition, ThreadId reader) const {
   const auto found = setters_.find(condition);
   if (found == setters_.end()) return Sum::unbounded();
   Sum at_set;                       // age of the sample at any set

@@ -15,7 +15,7 @@ Bound duration_bound(const View& view, const Requirement& requirement) {
     const Node& node = view.forest.nodes[i];
     const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
     for (const Segment::Passed& passed : view.forest.segment_of(node).steps) {
-      const Step& step = view.problem.steps[static_cast<std::size_t>(passed.step)];
+      const Step& step = view.problem.steps[passed.step];
       const bool completes = step.kind == Step::Kind::complete && step.code == requirement.code;
       const bool fails = may_match_nothing(step) && requirement.code == view.problem.error_code;
       if (!completes && !fails) continue;

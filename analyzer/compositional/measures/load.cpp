@@ -28,7 +28,7 @@ std::vector<bool> replaced_by_longer(const View& view) {
 Bound load_bound(const View& view, const Requirement& requirement) {
   constexpr Nanoseconds second = 1'000'000'000;
   const std::string whole_time = "the rates that are known add up to the whole time";
-  const Sum whole(second, {Term::Kind::said, -1, -1, -1, whole_time});
+  const Sum whole(second, {Term::Kind::said, -1, {}, -1, whole_time});
   Table<ProcessorId, Sum> busy(view.problem.processors.size());
   const std::vector<bool> replaced = replaced_by_longer(view);
   for (std::size_t n = 0; n < view.forest.nodes.size(); ++n) {
@@ -36,14 +36,14 @@ Bound load_bound(const View& view, const Requirement& requirement) {
     const Segment& segment = view.forest.segment_of(node);
     const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
     if (source.period == never || segment.worst == 0 || replaced[n]) continue;
-    const auto thread = static_cast<std::size_t>(segment.beginning.thread);
+    const ThreadId thread = segment.beginning.thread;
     Sum& sum = busy[view.problem.threads[thread].processor];
     // More than the whole time is the whole time.
     const Nanoseconds share =
         segment.worst < source.period ? per_second({segment.worst, source.period}) : second;
     const std::string what =
         "runs " + milliseconds(segment.worst) + " in each " + milliseconds(source.period);
-    sum = sum + Sum(share, {Term::Kind::said, static_cast<int>(n), -1, -1, what});
+    sum = sum + Sum(share, {Term::Kind::said, static_cast<int>(n), {}, -1, what});
     if (sum.value() >= second) sum = whole;
   }
   Sum most;
@@ -60,7 +60,7 @@ Sum busy_without_pause(const View& view, ProcessorId processor) {
   for (const Share& share : view.windows().work(processor, busy)) {
     const int node = view.times.interference->node_of(share.transaction, share.task);
     const std::string what = share.jobs == 1 ? "runs" : "runs " + std::to_string(share.jobs) + " times";
-    all = all + Sum(share.work, {Term::Kind::said, node, -1, -1, what});
+    all = all + Sum(share.work, {Term::Kind::said, node, {}, -1, what});
   }
   return all;
 }

@@ -24,14 +24,14 @@ int source_of(const View& view, DeviceId device) {
 /// Whether events cannot overtake one another although several are on their way. They cannot if every thread
 /// that they meet serves them alone, in one job each, and if one thread answers.
 bool in_order(const View& view, const Requirement& requirement, int source) {
-  std::set<int> answering;
+  std::set<ThreadId> answering;
   for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
     if (view.forest.nodes[i].source != source) continue;
     const int n = static_cast<int>(i);
-    const int thread = view.forest.thread_of(n);
-    if (view.behaviours.threads[static_cast<std::size_t>(thread)].job_starts.size() != 1) return false;
+    const ThreadId thread = view.forest.thread_of(n);
+    if (view.behaviours.threads[thread].job_starts.size() != 1) return false;
     for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[i]).steps) {
-      if (requirement.at[static_cast<std::size_t>(passed.step)]) answering.insert(thread);
+      if (requirement.at[passed.step]) answering.insert(thread);
     }
   }
   return answering.size() == 1;
@@ -41,8 +41,7 @@ bool in_order(const View& view, const Requirement& requirement, int source) {
 std::string overrun(const View& view, int source) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
   for (int root : of.roots) {
-    const std::string& unbounded_reason =
-        view.times.unbounded_reason[static_cast<std::size_t>(view.forest.thread_of(root))];
+    const std::string& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(root)];
     if (!unbounded_reason.empty()) return unbounded_reason;
   }
   return "nothing shows that an event of " + view.problem.devices[of.device].name +
@@ -68,13 +67,12 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
 /// of the answer before. Of a request to several parties one may be made before another is answered.
 bool answered_in_turn(const View& view, const Requirement& requirement) {
   if (requirement.events.size() != 1) return false;
-  const int request = requirement.events.front();
-  const int answer = view.problem.channels[static_cast<std::size_t>(request)].answer;
-  if (answer < 0 || !view.problem.channels[static_cast<std::size_t>(answer)].sender_module.valid())
-    return false;
+  const ChannelId request = requirement.events.front();
+  const ChannelId answer = view.problem.channels[request].answer;
+  if (!answer.valid() || !view.problem.channels[answer].sender_module.valid()) return false;
   if (may_give_up(view.problem, request)) return false;
   const auto& steps = view.problem.steps;
-  for (std::size_t s = 0; s < steps.size(); ++s) {
+  for (const StepId s : steps.ids()) {
     const bool answers = steps[s].kind == Step::Kind::send && steps[s].channels.front() == answer;
     if (answers && !requirement.at[s]) return false;
   }
@@ -84,12 +82,12 @@ bool answered_in_turn(const View& view, const Requirement& requirement) {
 /// Each message is put at some instant of a job of its sender, and answered at another that the same source
 /// brings about. It must be answered before the next one can be put.
 Bound to_message(const View& view, const Requirement& requirement) {
-  const std::vector<bool> sends = sends_of_events(view.problem, requirement);
+  const Table<StepId, bool> sends = sends_of_events(view.problem, requirement);
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::nominal);
   Sum longest;
-  for (std::size_t s = 0; s < sends.size(); ++s) {
+  for (const StepId s : sends.ids()) {
     if (!sends[s]) continue;
-    const int send = static_cast<int>(s);
+    const StepId send = StepId(s);
     for (int n : nodes_with(view, send)) {
       const int source = view.forest.nodes[static_cast<std::size_t>(n)].source;
       const bool event = view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::event;
@@ -109,14 +107,13 @@ Bound to_message(const View& view, const Requirement& requirement) {
 
 }  // namespace
 
-std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement) {
-  std::vector<bool> sends(problem.steps.size());
+Table<StepId, bool> sends_of_events(const Problem& problem, const Requirement& requirement) {
+  Table<StepId, bool> sends(problem.steps.size());
   const bool by_device =
-      std::all_of(requirement.events.begin(), requirement.events.end(), [&problem](int channel) {
-        return problem.channels[static_cast<std::size_t>(channel)].sender_device.valid();
-      });
+      std::all_of(requirement.events.begin(), requirement.events.end(),
+                  [&problem](ChannelId channel) { return problem.channels[channel].sender_device.valid(); });
   if (by_device) return sends;  // no step sends them
-  for (std::size_t s = 0; s < sends.size(); ++s) {
+  for (const StepId s : sends.ids()) {
     const Step& step = problem.steps[s];
     sends[s] = step.kind == Step::Kind::send && requirement.is_event(step.channels.front());
   }
@@ -132,7 +129,7 @@ Bound response_bound(const View& view, const Requirement& requirement) {
                     : to_event(view, requirement, source);
 }
 
-bool always_comes(const View& view, int source, const std::vector<bool>& at) {
+bool always_comes(const View& view, int source, const Table<StepId, bool>& at) {
   EventPropagation propagation(view, at, EventPropagation::Since::event);
   const auto& roots = view.forest.sources[static_cast<std::size_t>(source)].roots;
   return std::any_of(roots.begin(), roots.end(),

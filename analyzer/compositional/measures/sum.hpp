@@ -12,7 +12,7 @@ namespace pal::analyzer::compositional {
 /// One term of a sum.
 struct Term {
   enum class Kind {
-    latest,       // effect of `step` in `node` at the latest; of its last step: `step` is -1
+    latest,       // effect of `step` in `node` at the latest; of its last step: without `step`
     since_event,  // the same, counted from the event itself
     since_cause,  // the same, counted from the latest release of `cause`
     earliest,     // and at the earliest
@@ -23,7 +23,7 @@ struct Term {
   };
   Kind kind = Kind::said;
   int node = -1;  // said: a node of the thread that does it; -1: nobody does
-  int step = -1;
+  StepId step{};
   int source = -1;
   std::string what;
   int cause = -1;  // node

@@ -26,7 +26,7 @@ class Loop {
         of_(context.forest.sources[source]) {}
 
   InterArrival run() const {
-    if (!times_.unbounded_reason[static_cast<std::size_t>(of_.thread)].empty()) return {};
+    if (!times_.unbounded_reason[of_.thread].empty()) return {};
     InterArrival found{Due{0}, Due{0}};
     bool comes = false;
     Nanoseconds between = 0;
@@ -44,7 +44,7 @@ class Loop {
       } else {
         return {};
       }
-      if (from.source != index_ && feed.wait >= 0) between = plus(between, put_off(feed));
+      if (from.source != index_ && feed.wait.valid()) between = plus(between, put_off(feed));
     }
     if (!comes) return {};
     back_at_wait(found);
@@ -64,14 +64,14 @@ class Loop {
 
   /// When what leads to the next job is there.
   Due latest(const Source::Feed& feed) const {
-    if (feed.wait >= 0) {
+    if (feed.wait.valid()) {
       const Nanoseconds limit = context_.step_at(feed.wait).within.value_or(0);
       const Nanoseconds arrival = latest_arrival(context_, times_.nodes, feed.node, feed.wait);
       return {plus(arrival, limit), Due::By::arrival, feed.node, feed.wait, limit};
     }
-    const int channel = context_.step_at(feed.sends.front()).channels.front();
+    const ChannelId channel = context_.step_at(feed.sends.front()).channels.front();
     Due due{-1, Due::By::message, feed.node};
-    for (int send : feed.sends)
+    for (StepId send : feed.sends)
       raise(due, {latest_effect(context_.forest, times_.nodes, feed.node, send), Due::By::message, feed.node,
                   send});
     due.after =
@@ -84,7 +84,7 @@ class Loop {
 
   /// The thread itself must be back, too.
   void back_at_wait(InterArrival& found) const {
-    const int wait = context_.forest.segments[of_.segment].beginning.step;
+    const StepId wait = context_.forest.segments[of_.segment].beginning.step;
     for (int n : context_.behaviour_of(of_.thread).nodes) {
       const Segment& segment = context_.segment(n);
       for (std::size_t w = 0; w < segment.waits.size(); ++w) {
@@ -105,7 +105,7 @@ class Loop {
 
 }  // namespace
 
-Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, ThreadId thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
   Nanoseconds latest = 0;
   for (int n : of.nodes) {
@@ -122,7 +122,7 @@ Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTim
 }
 
 Nanoseconds latest_arrival(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
-                           int step) {
+                           StepId step) {
   const Segment& of = context.segment(node);
   for (std::size_t w = 0; w < of.waits.size(); ++w) {
     if (of.waits[w].step == step) return nodes[static_cast<std::size_t>(node)].arrivals[w];
@@ -140,8 +140,8 @@ void find_inter_arrivals(const AnalysisContext& context, Times& times) {
     InterArrival found;
     if (taken && of.regular) {
       const Nanoseconds ready = first_idle(context, times.nodes, context.forest.thread_of(of.roots.front()));
-      found = {Due{of.period, Due::By::source, -1, -1, of.period},
-               Due{plus(ready, of.period), Due::By::idle, -1, -1, of.period}};
+      found = {Due{of.period, Due::By::source, -1, StepId{}, of.period},
+               Due{plus(ready, of.period), Due::By::idle, -1, StepId{}, of.period}};
     } else if (of.kind == Source::Kind::loop) {
       found = Loop(context, times, s).run();
     }

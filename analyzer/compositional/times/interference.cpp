@@ -52,24 +52,22 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
     transactions[static_cast<std::size_t>(source)].exclude(std::move(tasks), piled_up(alternatives));
   }
   for (Transaction& transaction : transactions) windows_.add(std::move(transaction));
-  for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
-    threads_on_[context.problem.threads[t].processor].push_back(static_cast<int>(t));
-  for (std::size_t t = 0; t < context.problem.threads.size(); ++t)
-    pauses_.push_back(pauses(static_cast<int>(t)));
+  for (const ThreadId t : context.problem.threads.ids())
+    threads_on_[context.problem.threads[t].processor].push_back(t);
+  for (const ThreadId t : context.problem.threads.ids()) pauses_.push_back(pauses(t));
 }
 
 /// A thread that asks for what begins its next job may find it there when it returns to its idle wait, and go
 /// on.
-bool Interference::pauses(int thread) const {
+bool Interference::pauses(ThreadId thread) const {
   const Thread& of = context_.thread_at(thread);
   if (context_.problem.processors[of.processor].preemptive) return true;
-  std::vector<bool> owned;
+  Table<StepId, bool> owned;
   for (int n : context_.behaviour_of(thread).job_starts) {
     const Source& source = context_.source(n);
     if (source.kind != Source::Kind::loop || source.thread != thread || context_.node(n).cause >= 0) continue;
     owned.resize(context_.problem.steps.size());
-    for (std::size_t s = 0; s < owned.size(); ++s)
-      owned[s] = context_.forest.segments.owner(static_cast<int>(s)) == thread;
+    for (const StepId s : owned.ids()) owned[s] = context_.forest.segments.owner(s) == thread;
     if (!waits_between_jobs(context_.problem, context_.segment(n).beginning, owned)) return false;
   }
   return true;
@@ -119,11 +117,11 @@ void Interference::separate(int node, const std::set<int>& excluded) {
                            std::move(separations));
 }
 
-void Interference::find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
+void Interference::find_order(const Table<ThreadId, bool>& done_before_next, const std::vector<bool>& in_turn,
                               const std::function<bool()>& stop) {
   for (std::size_t n = 0; n < task_.size(); ++n) {
     if (stop && stop()) return;
-    const auto thread = static_cast<std::size_t>(context_.forest.thread_of(static_cast<int>(n)));
+    const ThreadId thread = context_.forest.thread_of(static_cast<int>(n));
     const auto source = static_cast<std::size_t>(context_.node(static_cast<int>(n)).source);
     const bool known = !done_before_next_.empty() && done_before_next_[thread] == done_before_next[thread] &&
                        in_turn_[source] == in_turn[source];
@@ -142,18 +140,18 @@ Nanoseconds Interference::greatest_jitter(int node) const {
 Nanoseconds Interference::piled_up(const std::vector<int>& alternatives) const {
   const Source& of = context_.source(alternatives.front());
   if (of.period == never) return never;
-  std::set<int> threads;
-  std::set<int> slots;  // by channel
-  std::set<int> asked;  // by channel: a device may be serving its request
+  std::set<ThreadId> threads;
+  std::set<ChannelId> slots;  // by channel
+  std::set<ChannelId> asked;  // by channel: a device may be serving its request
   for (int n : alternatives) {
     for (int at = n; at >= 0; at = context_.node(at).cause) {
       threads.insert(context_.forest.thread_of(at));
       if (context_.node(at).release != Node::Release::message) continue;
-      const int channel = context_.sent_channel(at);
+      const ChannelId channel = context_.sent_channel(at);
       slots.insert(channel);
       if (!context_.node(at).device.valid()) continue;
       asked.insert(channel);
-      slots.insert(context_.problem.channels[static_cast<std::size_t>(channel)].answer);
+      slots.insert(context_.problem.channels[channel].answer);
     }
   }
   // And the slot of the event, or of the message, that begins the occurrence.
@@ -169,20 +167,21 @@ void Interference::announce(int node, const NodeTimes& times) {
 
 /// A thread that was blocked in a send may find an earlier answer when it returns to its idle wait. Then it
 /// goes on for one job more.
-void Interference::find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
-                               const std::vector<bool>& blocked) {
+void Interference::find_bursts(const std::vector<NodeTimes>& nodes,
+                               const Table<ThreadId, bool>& done_before_next,
+                               const Table<ThreadId, bool>& blocked) {
   burst_.assign(context_.problem.threads.size(), 0);
-  for (std::size_t t = 0; t < burst_.size(); ++t) {
+  for (const ThreadId t : burst_.ids()) {
     const ProcessorId processor = context_.problem.threads[t].processor;
     if (context_.problem.processors[processor].preemptive) continue;
-    const Nanoseconds found = burst(static_cast<int>(t), nodes, done_before_next[t] && pauses_[t]);
+    const Nanoseconds found = burst(t, nodes, done_before_next[t] && pauses_[t]);
     burst_[t] = blocked[t] ? plus(found, found) : found;
   }
 }
 
 /// Work of a thread, if `jobs_of` says of a transaction how often what it releases with a jitter comes.
 template <class JobsOf>
-Nanoseconds Interference::work_of_thread(int thread, const JobsOf& jobs_of) const {
+Nanoseconds Interference::work_of_thread(ThreadId thread, const JobsOf& jobs_of) const {
   std::map<int, Tally> tallies;  // by source
   for (int n : context_.behaviour_of(thread).nodes) {
     if (context_.segment(n).worst == 0) continue;
@@ -201,7 +200,7 @@ Nanoseconds Interference::work_of_thread(int thread, const JobsOf& jobs_of) cons
 }
 
 /// A thread goes on without a pause as long as it finds messages.
-Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes,
+Nanoseconds Interference::burst(ThreadId thread, const std::vector<NodeTimes>& nodes,
                                 bool done_before_next) const {
   const Nanoseconds once =
       work_of_thread(thread, [](const Transaction&, Nanoseconds) { return Nanoseconds{1}; });
@@ -222,21 +221,20 @@ Nanoseconds Interference::burst(int thread, const std::vector<NodeTimes>& nodes,
   return never;
 }
 
-int Interference::blocking_thread(int node) const {
+ThreadId Interference::blocking_thread(int node) const {
   const Thread& mine = context_.thread_of(node);
-  if (context_.problem.processors[mine.processor].preemptive) return -1;
-  int longest = -1;
-  for (int t : threads_on_[mine.processor]) {
+  if (context_.problem.processors[mine.processor].preemptive) return ThreadId{};
+  ThreadId longest{};
+  for (ThreadId t : threads_on_[mine.processor]) {
     if (context_.thread_at(t).priority >= mine.priority) continue;
-    if (longest < 0 || burst_[static_cast<std::size_t>(t)] > burst_[static_cast<std::size_t>(longest)])
-      longest = t;
+    if (!longest.valid() || burst_[t] > burst_[longest]) longest = t;
   }
   return longest;
 }
 
 Nanoseconds Interference::blocking(int node) const {
-  const int thread = blocking_thread(node);
-  return thread < 0 ? 0 : burst_[static_cast<std::size_t>(thread)];
+  const ThreadId thread = blocking_thread(node);
+  return !thread.valid() ? 0 : burst_[thread];
 }
 
 Nanoseconds Interference::finish(int node, Nanoseconds part, Nanoseconds blocking, Since since) const {
@@ -263,12 +261,11 @@ std::vector<Share> Interference::joint_breakdown(const std::vector<int>& chain, 
   return windows_.joint_breakdown(context_.node(chain.front()).source, tasks_of(chain), part);
 }
 
-Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block) {
-  const Thread& of = problem.threads[static_cast<std::size_t>(block)];
+Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, ThreadId block) {
+  const Thread& of = problem.threads[block];
   Nanoseconds longest = windows.level(of.processor, of.priority);
-  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-    if (problem.threads[t].parent == block)
-      longest = std::max(longest, stops_within(problem, windows, static_cast<int>(t)));
+  for (const ThreadId t : problem.threads.ids()) {
+    if (problem.threads[t].parent == block) longest = std::max(longest, stops_within(problem, windows, t));
   }
   return longest;
 }

@@ -27,12 +27,12 @@ class Interference {
   /// before the next is released, so jobs of the thread do not delay one another. `in_turn`, by source: all
   /// that an occurrence triggers ends before the next occurrence. So its nodes that follow or exclude one
   /// another do not delay one another.
-  void find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
+  void find_order(const Table<ThreadId, bool>& done_before_next, const std::vector<bool>& in_turn,
                   const std::function<bool()>& stop);
   /// How long threads occupy a processor that is not preemptive once they have it. By thread:
   /// `done_before_next`, each job ends before the next is released; `blocked`, it may be blocked in a send.
-  void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
-                   const std::vector<bool>& blocked);
+  void find_bursts(const std::vector<NodeTimes>& nodes, const Table<ThreadId, bool>& done_before_next,
+                   const Table<ThreadId, bool>& blocked);
   /// The longest blocking of the node by threads of lower priority, if its processor is not preemptive.
   Nanoseconds blocking(int node) const;
   /// How long after the source's nominal instant, or the node's release, the first `part` of the node's work
@@ -45,7 +45,7 @@ class Interference {
   Nanoseconds joint_finish(const std::vector<int>& chain, Nanoseconds part) const;
   std::vector<Share> joint_breakdown(const std::vector<int>& chain, Nanoseconds part) const;
   /// The thread of lower priority that blocks the node longest.
-  int blocking_thread(int node) const;
+  ThreadId blocking_thread(int node) const;
   int node_of(int transaction, int task) const {
     return nodes_of_[static_cast<std::size_t>(transaction)][static_cast<std::size_t>(task)];
   }
@@ -59,26 +59,26 @@ class Interference {
   void exclude(int node, bool done_before_next, bool in_turn);
   void separate(int node, const std::set<int>& excluded);
   template <class JobsOf>
-  Nanoseconds work_of_thread(int thread, const JobsOf& jobs_of) const;
-  Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool done_before_next) const;
-  bool pauses(int thread) const;
+  Nanoseconds work_of_thread(ThreadId thread, const JobsOf& jobs_of) const;
+  Nanoseconds burst(ThreadId thread, const std::vector<NodeTimes>& nodes, bool done_before_next) const;
+  bool pauses(ThreadId thread) const;
   std::vector<int> tasks_of(const std::vector<int>& nodes) const;
 
   AnalysisContext context_;
   BusyWindows windows_;
-  std::vector<int> task_;                            // by node
-  std::vector<std::vector<int>> nodes_of_;           // by transaction and task
-  Table<ProcessorId, std::vector<int>> threads_on_;  // by processor
-  std::vector<Nanoseconds> burst_;                   // by thread
+  std::vector<int> task_;                                 // by node
+  std::vector<std::vector<int>> nodes_of_;                // by transaction and task
+  Table<ProcessorId, std::vector<ThreadId>> threads_on_;  // by processor
+  Table<ThreadId, Nanoseconds> burst_;                    // by thread
   std::shared_ptr<const Order> order_;
   ExcludedWork excluded_;
   SinceCause since_cause_;
-  std::vector<bool> done_before_next_;  // by thread, as given
-  std::vector<bool> in_turn_;           // by source, as given
-  std::vector<bool> pauses_;            // by thread: it is not free-running, or always waits in each job
+  Table<ThreadId, bool> done_before_next_;  // by thread, as given
+  std::vector<bool> in_turn_;               // by source, as given
+  Table<ThreadId, bool> pauses_;            // by thread: it is not free-running, or always waits in each job
 };
 
 /// How long a cancelled block, and the blocks that it has started, may take to finish what they have begun.
-Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block);
+Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, ThreadId block);
 
 }  // namespace pal::analyzer::compositional

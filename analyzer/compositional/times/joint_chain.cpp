@@ -29,8 +29,8 @@ class Chains : private AnalysisContext {
 
  private:
   Nanoseconds earliest(int n) const { return times_.nodes[static_cast<std::size_t>(n)].earliest; }
-  bool is_bounded(int thread) const {
-    const auto t = static_cast<std::size_t>(thread);
+  bool is_bounded(ThreadId thread) const {
+    const ThreadId t = thread;
     return times_.unbounded_reason[t].empty() && !times_.blocked[t];
   }
 
@@ -39,7 +39,7 @@ class Chains : private AnalysisContext {
     const Node& of = node(n);
     if (of.release != Node::Release::message || of.device.valid() || way(n).worst != 0) return false;
     if (thread_of(n).processor != thread_of(of.cause).processor) return false;
-    const int thread = forest.thread_of(n);
+    const ThreadId thread = forest.thread_of(n);
     if (!is_bounded(thread)) return false;
     if (!behaviours.previous[static_cast<std::size_t>(n)].empty()) return true;  // goes_on() looks there
     return job_start_of(n) == n && is_done_before_next(*this, times_.nodes, thread) &&
@@ -56,7 +56,7 @@ class Chains : private AnalysisContext {
   }
 
   /// Whether no send of a thread's previous job keeps it after `from`, in the job that comes then.
-  bool is_free_after_job(int thread, Nanoseconds from) const {
+  bool is_free_after_job(ThreadId thread, Nanoseconds from) const {
     const auto& nodes = behaviour_of(thread).nodes;
     return std::all_of(nodes.begin(), nodes.end(), [&](int n) {
       const auto& steps = segment(n).steps;

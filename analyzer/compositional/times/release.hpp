@@ -20,16 +20,16 @@ class Releases : private AnalysisContext {
       : AnalysisContext(context), nodes_(since_event), nominal_(nominal), interference_(interference) {}
 
   /// `unbounded_reason` and `blocked` as in Times.
-  Due latest(int node, const std::vector<std::string>& unbounded_reason,
-             const std::vector<bool>& blocked) const;
+  Due latest(int node, const Table<ThreadId, std::string>& unbounded_reason,
+             const Table<ThreadId, bool>& blocked) const;
 
  private:
   Due of_event(int node) const;
   Due of_message(int node) const;
-  Nanoseconds blocks_over(const Node& joined, const std::vector<std::string>& unbounded_reason,
-                          const std::vector<bool>& blocked) const;
-  Nanoseconds held_back(int thread) const;
-  Nanoseconds arrival(int node, int step) const;
+  Nanoseconds blocks_over(const Node& joined, const Table<ThreadId, std::string>& unbounded_reason,
+                          const Table<ThreadId, bool>& blocked) const;
+  Nanoseconds held_back(ThreadId thread) const;
+  Nanoseconds arrival(int node, StepId step) const;
 
   const std::vector<NodeTimes>& nodes_;
   const std::vector<NodeTimes>& nominal_;  // what concerns other jobs counts from nominal instants

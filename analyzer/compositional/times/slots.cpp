@@ -13,7 +13,7 @@ Nanoseconds taken(const std::vector<NodeTimes>& nodes, int node) {
 }
 
 /// Whether a thread waits without a limit in its jobs.
-bool waits_for_others(const AnalysisContext& context, int thread) {
+bool waits_for_others(const AnalysisContext& context, ThreadId thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
   return std::any_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
     const Segment& segment = context.segment(n);
@@ -25,7 +25,7 @@ bool waits_for_others(const AnalysisContext& context, int thread) {
   });
 }
 
-bool sent_by(const Node& taker, int send) {
+bool sent_by(const Node& taker, StepId send) {
   return std::find(taker.sends.begin(), taker.sends.end(), send) != taker.sends.end();
 }
 
@@ -37,7 +37,8 @@ bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& 
   return taken(nodes, node) < (period == never ? never : plus(period, put));
 }
 
-bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+                         ThreadId thread) {
   const ThreadBehaviour& behaviours = context.behaviour_of(thread);
   if (behaviours.job_starts.empty()) return true;
   if (!behaviours.one_job) return false;
@@ -61,7 +62,7 @@ bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeT
   return last < plus(of.period, soonest);
 }
 
-Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, int wait) {
+Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, StepId wait) {
   const Segment& of = context.segment(node);
   Nanoseconds latest = 0;
   for (std::size_t s = 0; s < of.steps.size(); ++s) {
@@ -72,11 +73,11 @@ Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, 
 }
 
 Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
-                       int send) {
+                       StepId send) {
   const Nanoseconds period = context.source(node).period;
   if (context.step_at(send).kind != Kind::send || period == never) return 0;
-  const int channel = context.step_at(send).channels.front();
-  if (context.behaviours.never_full[static_cast<std::size_t>(channel)]) return 0;
+  const ChannelId channel = context.step_at(send).channels.front();
+  if (context.behaviours.never_full[channel]) return 0;
   Nanoseconds latest = 0;
   for (int effect : context.node(node).effects) {
     const Node& taker = context.node(effect);
@@ -92,15 +93,14 @@ Slots::Slots(const AnalysisContext& context) : context_(context), puts_(context.
     const int n = static_cast<int>(i);
     for (const Segment::Passed& passed : context.segment(n).steps) {
       const Step& step = context.step_at(passed.step);
-      if (step.kind == Kind::send)
-        puts_[static_cast<std::size_t>(step.channels.front())].push_back({n, passed.step});
+      if (step.kind == Kind::send) puts_[step.channels.front()].push_back({n, passed.step});
     }
   }
   for (const std::vector<StepEffect>& puts : puts_) exclusive_.push_back(are_exclusive(context, puts));
 }
 
 /// Whether every message of the channel is taken before the next is put.
-bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const {
+bool Slots::is_free(const std::vector<NodeTimes>& nodes, ChannelId channel) const {
   const Channel& of = context_.problem.channels[channel];
   if (of.receiver_device.valid() && !of.served) return true;
   if (context_.behaviours.never_full[channel]) return true;
@@ -142,8 +142,8 @@ bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int
          context_.step_at(put.step).next.front() == of.idle_wait;
 }
 
-std::vector<int> Slots::takers_of(StepEffect put) const {
-  std::vector<int> threads;
+std::vector<ThreadId> Slots::takers_of(StepEffect put) const {
+  std::vector<ThreadId> threads;
   for (int effect : context_.node(put.node).effects) {
     if (sent_by(context_.node(effect), put.step)) threads.push_back(context_.forest.thread_of(effect));
   }
@@ -152,7 +152,7 @@ std::vector<int> Slots::takers_of(StepEffect put) const {
 
 std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times) const {
   std::vector<UnboundedThread> found;
-  for (std::size_t c = 0; c < puts_.size(); ++c) {
+  for (const ChannelId c : puts_.ids()) {
     if (is_free(times.nodes, c)) continue;
     for (const StepEffect& put : puts_[c]) {
       const StatementId statement = context_.step_at(put.step).statement;
@@ -163,15 +163,13 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
            takers_of(put)});
     }
   }
-  for (std::size_t t = 0; t < context_.problem.threads.size(); ++t) {
+  for (const ThreadId t : context_.problem.threads.ids()) {
     const ThreadBehaviour& of = context_.behaviours.threads[t];
     if (!of.waits_within || of.job_starts.empty() || of.asked_by_one) continue;
     if (!of.one_job) {
-      found.push_back(
-          {static_cast<int>(t), false, "begins jobs for several reasons, and waits within them", {}});
-    } else if (!is_done_before_next(context_, times.nodes, static_cast<int>(t))) {
-      found.push_back(
-          {static_cast<int>(t), false, "may still be waiting within one job when the next is due", {}});
+      found.push_back({t, false, "begins jobs for several reasons, and waits within them", {}});
+    } else if (!is_done_before_next(context_, times.nodes, ThreadId(t))) {
+      found.push_back({t, false, "may still be waiting within one job when the next is due", {}});
     }
   }
   return found;

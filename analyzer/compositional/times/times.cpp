@@ -20,7 +20,7 @@ constexpr int everybody = std::numeric_limits<int>::max();
 constexpr int nobody = std::numeric_limits<int>::min();
 
 /// The nodes with their earliest releases, and as if nothing ever had to wait.
-std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vector<bool>& at,
+std::vector<NodeTimes> unhindered(const AnalysisContext& context, const Table<StepId, bool>& at,
                                   const std::function<bool()>& stop) {
   std::vector<NodeTimes> nodes(context.forest.nodes.size());
   const std::vector<Nanoseconds> earliest = earliest_releases(context, stop);
@@ -32,9 +32,8 @@ std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vec
     mine.arrivals.assign(of.waits.size(), 0);
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       const Step& step = context.step_at(of.steps[s].step);
-      const bool asked = at[static_cast<std::size_t>(of.steps[s].step)] || step.kind == Kind::send ||
-                         step.kind == Kind::set || step.kind == Kind::wait || step.kind == Kind::complete ||
-                         may_match_nothing(step);
+      const bool asked = at[of.steps[s].step] || step.kind == Kind::send || step.kind == Kind::set ||
+                         step.kind == Kind::wait || step.kind == Kind::complete || may_match_nothing(step);
       if (asked) mine.effects[s] = 0;
     }
     mine.worked = mine.effects;
@@ -47,7 +46,7 @@ std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vec
 /// the argument that the least solution bounds every run is in docs/internals/compositional.md).
 class Solver : private AnalysisContext {
  public:
-  Solver(const AnalysisContext& context, const std::vector<bool>& at, const std::function<bool()>& stop)
+  Solver(const AnalysisContext& context, const Table<StepId, bool>& at, const std::function<bool()>& stop)
       : AnalysisContext(context),
         stop_(stop),
         nodes_(unhindered(context, at, stop)),
@@ -57,9 +56,9 @@ class Solver : private AnalysisContext {
   Times run() {
     times_.unbounded_reason.resize(problem.threads.size());
     times_.blocked.assign(problem.threads.size(), false);
-    for (std::size_t t = 0; t < problem.threads.size(); ++t)
+    for (const ThreadId t : problem.threads.ids())
       times_.unbounded_reason[t] = behaviours.threads[t].unbounded_reason;
-    since_.assign(problem.threads.size(), -1);
+    since_.assign(problem.threads.size(), {});
     const Slots slots(*this);
     do {
       solve();
@@ -174,9 +173,9 @@ class Solver : private AnalysisContext {
   /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may
   /// delay anybody there.
   void find_overlaps(Table<ProcessorId, int>& dirty) {
-    std::vector<bool> done_before_next;
+    Table<ThreadId, bool> done_before_next;
     for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
-      done_before_next.push_back(is_done_before_next(*this, nodes_, static_cast<int>(t)));
+      done_before_next.push_back(is_done_before_next(*this, nodes_, ThreadId(t)));
     std::vector<bool> in_turn(forest.sources.size(), true);
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
       const auto source = static_cast<std::size_t>(forest.nodes[n].source);
@@ -196,12 +195,12 @@ class Solver : private AnalysisContext {
   /// Whether something is found that the times do not count with yet.
   bool finds_unbounded_threads(const Slots& slots) {
     bool found = false;
-    const auto unbounded_reason = [this](int thread) -> std::string& {
-      return times_.unbounded_reason[static_cast<std::size_t>(thread)];
+    const auto unbounded_reason = [this](ThreadId thread) -> std::string& {
+      return times_.unbounded_reason[thread];
     };
     std::vector<Slots::UnboundedThread> fresh;
     for (Slots::UnboundedThread& each : slots.unbounded_threads(times_)) {
-      const auto thread = static_cast<std::size_t>(each.thread);
+      const ThreadId thread = each.thread;
       found = found || unbounded_reason(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
       if (each.blocked) times_.blocked[thread] = true;
       if (!unbounded_reason(each.thread).empty()) continue;
@@ -209,9 +208,8 @@ class Solver : private AnalysisContext {
       fresh.push_back(std::move(each));
     }
     for (const Slots::UnboundedThread& each : fresh) {
-      for (int taker : each.takers) {
-        if (taker != each.thread && !unbounded_reason(taker).empty())
-          since_[static_cast<std::size_t>(each.thread)] = taker;
+      for (ThreadId taker : each.takers) {
+        if (taker != each.thread && !unbounded_reason(taker).empty()) since_[each.thread] = taker;
       }
     }
     return found;
@@ -219,15 +217,13 @@ class Solver : private AnalysisContext {
 
   /// Adds the original reason to each reason that follows from another.
   void name_roots() {
-    const std::vector<std::string> own = times_.unbounded_reason;
-    for (std::size_t t = 0; t < own.size(); ++t) {
-      std::set<int> seen{static_cast<int>(t)};
-      int at = static_cast<int>(t);
-      for (int next = since_[t]; next >= 0 && seen.insert(next).second;
-           next = since_[static_cast<std::size_t>(next)])
+    const Table<ThreadId, std::string> own = times_.unbounded_reason;
+    for (const ThreadId t : own.ids()) {
+      std::set<ThreadId> seen{t};
+      ThreadId at = t;
+      for (ThreadId next = since_[t]; next.valid() && seen.insert(next).second; next = since_[next])
         at = next;
-      if (at != static_cast<int>(t))
-        times_.unbounded_reason[t] += ", since " + own[static_cast<std::size_t>(at)];
+      if (at != t) times_.unbounded_reason[t] += ", since " + own[at];
     }
   }
 
@@ -236,13 +232,13 @@ class Solver : private AnalysisContext {
   Interference interference_;
   Releases releases_;
   Times times_;
-  std::vector<bool> in_turn_;  // by source, as it was last found
-  std::vector<int> since_;     // by thread: the thread that makes it unbounded; -1: none
+  std::vector<bool> in_turn_;        // by source, as it was last found
+  Table<ThreadId, ThreadId> since_;  // the thread that makes it unbounded
 };
 
 }  // namespace
 
-std::size_t place_of(const Segment& segment, int step) {
+std::size_t place_of(const Segment& segment, StepId step) {
   for (std::size_t s = 0; s < segment.steps.size(); ++s) {
     if (segment.steps[s].step == step) return s;
   }
@@ -250,17 +246,17 @@ std::size_t place_of(const Segment& segment, int step) {
 }
 
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
-               const std::vector<bool>& at, const std::function<bool()>& stop) {
+               const Table<StepId, bool>& at, const std::function<bool()>& stop) {
   return Solver({problem, forest, behaviours}, at, stop).run();
 }
 
-Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step) {
+Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, StepId step) {
   const std::size_t place = place_of(forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]), step);
   const auto& effects = nodes[static_cast<std::size_t>(node)].effects;
   return place < effects.size() && effects[place] != NodeTimes::unknown ? effects[place] : never;
 }
 
-Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step) {
+Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, StepId step) {
   const Segment& segment = forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]);
   const std::size_t place = place_of(segment, step);
   return times.nodes[static_cast<std::size_t>(node)].earliest +

@@ -37,7 +37,7 @@ struct Due {
   Nanoseconds at = 0;  // `never`: no bound
   By by = By::source;
   int node = -1;
-  int step = -1;
+  StepId step{};
   Nanoseconds after = 0;
 };
 
@@ -49,8 +49,8 @@ struct Times {
   /// brings about they are those of `nodes`.
   std::vector<NodeTimes> since_event;
   /// By thread: why its times are unbounded; empty if they are bounded.
-  std::vector<std::string> unbounded_reason;
-  std::vector<bool> blocked;  // by thread: it may be blocked in a send
+  Table<ThreadId, std::string> unbounded_reason;
+  Table<ThreadId, bool> blocked;  // by thread: it may be blocked in a send
   /// By source: each event is received before the next can come.
   std::vector<bool> no_overrun;
   /// By source: greatest inter-arrival time, and latest first occurrence after time 0; `never`: unbounded.
@@ -62,14 +62,14 @@ struct Times {
 
 /// `at`: further steps whose times are needed.
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
-               const std::vector<bool>& at, const std::function<bool()>& stop);
+               const Table<StepId, bool>& at, const std::function<bool()>& stop);
 
 /// Where a segment has a step; the number of its steps: it has not.
-std::size_t place_of(const Segment& segment, int step);
+std::size_t place_of(const Segment& segment, StepId step);
 
 /// Latest effect of `step` in a node; `never` if there is no bound, or it is not one of its steps.
-Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step);
+Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, StepId step);
 /// And its earliest.
-Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step);
+Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, StepId step);
 
 }  // namespace pal::analyzer::compositional

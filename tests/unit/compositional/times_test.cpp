@@ -34,7 +34,7 @@ TEST_CASE("the latest effect of a step that a node does not have is unbounded") 
   const Stages stages(chain("    work\n    SPC( pc-high )"));
   const int looks = stages.job("LS1");
   const int works = stages.job("SM1");
-  const int last = stages.context.segment(works).steps.back().step;
+  const StepId last = stages.context.segment(works).steps.back().step;
   CHECK(latest_effect(stages.forest, stages.times.nodes, works, last) == 5 * ms);
   CHECK(latest_effect(stages.forest, stages.times.nodes, looks, last) == never);
   CHECK(earliest_effect(stages.forest, stages.times, works, last) == 4 * ms);
