@@ -32,7 +32,7 @@ install(FILES "${PROJECT_BINARY_DIR}/palConfig.cmake" "${PROJECT_BINARY_DIR}/pal
         DESTINATION "${pal_package_directory}" COMPONENT development)
 install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-development" COMPONENT development)
 
-# The programs are there only where their tree is built, so who has one part alone has its licence, too.
+# The programs are there only where their tree is built, so each part alone has its licence, too.
 set(pal_parts tools development)
 if(PAL_BUILD_WORKCELL)
   pal_manual_page(workcell workcell)

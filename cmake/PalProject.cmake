@@ -44,7 +44,7 @@ endif()
 
 # pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …] [PUBLIC_HEADERS …]): a library pal_NAME with alias pal::NAME.
 # Headers are included from the project's root: #include "pal/support/source.hpp". Those that other projects use are
-# PUBLIC_HEADERS, and who uses the library finds these alone, below pal/: #include "pal/runtime/thread.hpp".
+# PUBLIC_HEADERS, and users of the library find these alone, below pal/: #include "pal/runtime/thread.hpp".
 function(pal_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES;PUBLIC_HEADERS" ${ARGN})
   add_library(pal_${name} STATIC ${ARG_SOURCES})

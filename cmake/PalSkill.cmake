@@ -58,4 +58,8 @@ function(pal_add_skill name)
   add_library(pal::skill_${name} ALIAS pal_skill_${name})
   target_include_directories(pal_skill_${name} PUBLIC "${directory}")
   target_link_libraries(pal_skill_${name} PUBLIC pal::runtime)
+  if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # About the lambdas of coroutines, in files that the compiler sees as one.
+    target_compile_options(pal_skill_${name} PRIVATE -Wno-subobject-linkage)
+  endif()
 endfunction()

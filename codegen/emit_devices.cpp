@@ -154,7 +154,7 @@ void write_class(Writer& out, const Plan& plan, const PlannedDevice& device) {
 
 GeneratedFile emit_devices(const Plan& plan) {
   Writer out;
-  write_heading(out, plan, "The devices of skill " + plan.skill.name + ", for those who write them.");
+  write_heading(out, plan, "The devices of skill " + plan.skill.name + ", to be written by hand.");
   out.line("//");
   out.line("// Derive from a class, and write its on_… functions; they call the send_… functions.");
   out.line("#pragma once").line();

@@ -19,7 +19,7 @@ void write_constants(Writer& out, const char* space, const char* comment, const 
 
 std::string wiring_header(const Plan& plan) {
   Writer out;
-  write_heading(out, plan, "Who runs where, who talks to whom, and how long it takes.");
+  write_heading(out, plan, "Where each thread runs, which threads talk, and how long it takes.");
   out.line("#pragma once").line();
   out.line("#include \"pal/runtime/wiring.hpp\"");
   open_namespace(out, plan);
@@ -121,7 +121,7 @@ void write_tables(Writer& out, const Plan& plan) {
 
 std::string wiring_source(const Plan& plan) {
   Writer out;
-  write_heading(out, plan, "Who runs where, who talks to whom, and how long it takes.");
+  write_heading(out, plan, "Where each thread runs, which threads talk, and how long it takes.");
   out.line("#include \"" + plan.file + "_wiring.hpp\"").line();
   out.line("#include <array>").line("#include <string_view>");
   open_namespace(out, plan);

@@ -217,7 +217,7 @@ class Planner {
     }
   }
 
-  /// After all other types, whose names do not depend on who talks to devices.
+  /// After all other types, whose names do not depend on which modules talk to devices.
   void devices() {
     for (const std::string& name : plan_.devices) {
       PlannedDevice planned;

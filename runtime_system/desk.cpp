@@ -66,7 +66,7 @@ struct Desk::Parts final : operations::StepObserver {
     if (holder && *holder != client)
       return Refusal{
           Refusal::Why::not_yours,
-          fmt::format("'{}' has the controls; only pause and stop are for everybody", status.holder)};
+          fmt::format("'{}' has the controls; other clients may only pause and stop", status.holder)};
     return std::nullopt;
   }
   std::optional<Refusal> need_rest() const {

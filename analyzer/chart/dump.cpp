@@ -85,7 +85,7 @@ class Dumper {
     return std::to_string(from) + " " + std::to_string(to) + " ";
   }
   std::string lane(std::int64_t index) const {
-    return index < 0 ? std::string("nobody") : timeline_.lanes[static_cast<std::size_t>(index)].name;
+    return index < 0 ? std::string("no lane") : timeline_.lanes[static_cast<std::size_t>(index)].name;
   }
 
   // Bars and gaps of a lane in order of time, as the eye meets them.

@@ -56,7 +56,7 @@ class Orderer {
     talk_.insert({static_cast<std::size_t>(std::min(a, b)), static_cast<std::size_t>(std::max(a, b))});
   }
 
-  // Conditions are talk too: from whom sets one to whom reads it.
+  // Conditions are talk too: from the thread that sets one to the one that reads it.
   void add_conditions(const Timeline& timeline) {
     for (const Waveform& wave : timeline.waveforms) {
       std::set<std::int64_t> readers;

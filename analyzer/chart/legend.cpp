@@ -155,7 +155,7 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
              "event");
   });
   sign(out.has_drawn("overrun"), "event lost", crossed("overrun"));
-  sign(out.has_drawn("loss"), "lost: nobody took it", [&out](Length x, Length y) {
+  sign(out.has_drawn("loss"), "lost: not taken", [&out](Length x, Length y) {
     out.rect({x, y - 50, x + 300, y + 50}, "bar serving");
     out.path(
         move_to({x, y - 50}) + line_to({x + 300, y + 50}) + move_to({x, y + 50}) + line_to({x + 300, y - 50}),

@@ -51,7 +51,7 @@ struct Loss {
   std::string lane;  // the device
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;  // from_ns: it takes no time
-  std::string text;        // "profile is lost: nobody had asked for it"
+  std::string text;        // "lost: no request for it was open when it began"
 };
 
 /// What stands above the chart, in words. Empty texts are left out.

@@ -62,7 +62,7 @@ enum class Fate : std::uint8_t { taken, dropped, undelivered };
 struct Arrow {
   std::size_t from_lane = 0;
   std::int64_t from_ns = 0;
-  std::int64_t to_lane = -1;  // -1: nobody
+  std::int64_t to_lane = -1;  // -1: none
   std::int64_t to_ns = 0;
   std::int64_t taken_ns = 0;  // the instant at which the slot was free again
   std::string message;
@@ -73,7 +73,7 @@ struct Arrow {
 struct Sample {
   std::int64_t at_ns = 0;
   bool value = false;
-  std::int64_t lane = -1;  // who set or read it
+  std::int64_t lane = -1;  // of the thread that set or read it
 };
 
 /// A condition that is set or read in the run: FALSE until its first set.

@@ -108,7 +108,7 @@ class Writer {
     const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
     const std::string& name = source_name(source);
     if (of.kind == Source::Kind::event) {
-      say(amount - next.after, name, "finds nobody who waits for it before");
+      say(amount - next.after, name, "comes before a thread waits for it");
       return say(next.after, name, first ? "comes for the first time" : "comes again");
     }
     if (amount != next.at || next.node < 0)

@@ -30,7 +30,7 @@ constexpr Attempt attempts[] = {{100'000, ZoneGraph::Merging::within}, {400'000,
 /// Classes in which the beginning of a skill is explored.
 constexpr std::size_t most_of_beginning = 60'000;
 
-/// A wait for somebody who is left out, or a send to one.
+/// A wait for a party that is left out, or a send to one.
 bool is_loose(const Problem& slice, const Step& step) {
   const bool talks = step.kind == Step::Kind::wait || step.kind == Step::Kind::send;
   return talks && std::any_of(step.channels.begin(), step.channels.end(),
@@ -74,7 +74,7 @@ std::optional<Nanoseconds> longest(const Problem& problem, StepId step, const Li
   return found.bound;
 }
 
-/// Says of waits at the beginning, for somebody who is left out, and of sends to him, how long they last.
+/// Says of waits at the beginning, for a party that is left out, and of sends to it, how long they last.
 void limit_beginning(const Problem& problem, Problem& slice, const Limits& limits, Statistics& statistics) {
   const Table<ThreadId, ThreadTalk> talk = talk_of(problem);
   for (const ThreadId t : talk.ids()) {

@@ -76,7 +76,7 @@ Grid::Grid(const Machine& machine, const Slice& slice) : sliced_(machine), slice
 
 State Grid::masked(State state) const {
   for (const ThreadId t : state.threads.ids()) {
-    // A thread that waits for its processor for ever must not get the one of somebody who is left out.
+    // A thread that waits for its processor for ever must not get that of a thread that is left out.
     if (!slice_.threads[t]) std::erase(state.queue, static_cast<ThreadNumber>(t.index()));
     if (!slice_.left_out[t]) continue;
     for (ThreadNumber& running : state.running) {

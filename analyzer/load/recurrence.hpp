@@ -1,4 +1,4 @@
-// The parts of a skill's runs that can go on for ever, and who takes part in them.
+// The parts of a skill's runs that can go on for ever, and the threads in them.
 #pragma once
 
 #include <unordered_set>

@@ -73,8 +73,8 @@ bool Firing::orderless(const Due& due) const {
   return alone && !meets_other_answers(due);
 }
 
-/// Whether somebody who waits for the answer waits for another that is due, or comes to the queue of one who
-/// does.
+/// Whether a thread that waits for the answer waits for another that is due, or comes to the queue of one
+/// that does.
 bool Firing::meets_other_answers(const Due& due) const {
   std::set<Queue> queues;
   const std::vector<ThreadId> waiting = waiting_for(channel_of(ChannelId::of(due.who)).answer);

@@ -19,7 +19,7 @@ bool Firing::is_loose(const Problem& problem, const Step& step) {
                      [&problem](ChannelId channel) { return problem.channels[channel].loose; });
 }
 
-/// Whether the thread is stopped at a wait or a send that somebody who is left out may end.
+/// Whether the thread is stopped at a wait or a send that a party that is left out may end.
 bool Firing::is_loose(ThreadId thread) const {
   const Status status = state_of(thread).status;
   return (status == Status::waiting || status == Status::sending) && is_loose(problem_, step_of(thread));
@@ -51,8 +51,8 @@ bool Firing::finishes_first(ThreadId thread) {
   return true;
 }
 
-/// The thread is stopped at a wait that somebody who is left out may end. If a message comes only so late it
-/// may not come at all; then nothing is left to end the wait, unless somebody else does.
+/// The thread is stopped at a wait that a party that is left out may end. If a message comes only so late it
+/// may not come at all; then nothing is left to end the wait, unless another party does.
 void Firing::wait_loosely(ThreadId thread) {
   const Step& step = step_of(thread);
   const Nanoseconds longest = step.within.value_or(step.arrival.worst);
@@ -68,7 +68,7 @@ void Firing::wait_loosely(ThreadId thread) {
   start_timer(machine_.thread_timer(thread), {std::min(step.arrival.best, longest), longest});
 }
 
-/// Somebody else ends the wait, or the send: its timer is stopped, if it has one.
+/// Another party ends the wait, or the send: its timer is stopped, if it has one.
 void Firing::stop_waiting(ThreadId thread) {
   const bool timed =
       is_loose(thread) || (state_of(thread).status == Status::waiting && step_of(thread).within);

@@ -19,7 +19,7 @@ bool Firing::counts_losses(DeviceId device) const {
   return watch_.kind == Watch::Kind::loss && watch_.device == device;
 }
 
-/// Whether one of the answers that are due finds its slot free, and somebody who wants it.
+/// Whether one of the answers that are due finds its slot free, and a thread that waits for it.
 bool Firing::arrives(DeviceId device, const DeviceState::Served& served) const {
   const std::vector<ChannelId>& requests = problem_.devices[device].requests;
   for (std::size_t i = 0; i < requests.size(); ++i) {

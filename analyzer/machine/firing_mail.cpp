@@ -37,7 +37,7 @@ bool Firing::stays_at_home(ThreadId sender) const {
          next != Step::Kind::end;
 }
 
-/// The message sets out for the processors on which somebody waits for it. `sender`: none: a device.
+/// The message sets out for the processors on which a thread waits for it. `sender`: -1: a device.
 void Firing::fill(ChannelId channel, ThreadId sender) {
   const ProcessorId processor = !sender.valid() ? ProcessorId{} : thread_of(sender).processor;
   SlotState& to = slot(channel);
@@ -149,7 +149,7 @@ std::vector<ThreadId> Firing::waiting_for(ChannelId channel) const {
   return waiting;
 }
 
-/// The slot is there for a sender that is blocked, unless somebody else has filled it.
+/// The slot is there for a sender that is blocked, unless another party has filled it.
 void Firing::admit(ChannelId channel) {
   SlotState& of = slot(channel);
   if (of.fill != SlotState::Fill::empty) return;
@@ -173,7 +173,7 @@ void Firing::admit(ChannelId channel) {
   sent(sender, true);
 }
 
-/// Somebody withdrew the message that is in the slot, or on its way to it.
+/// A thread withdrew the message that is in the slot, or on its way to it.
 void Firing::drop(ChannelId channel) {
   SlotState& of = slot(channel);
   if (of.fill == SlotState::Fill::claimed) {
@@ -296,8 +296,8 @@ void Firing::device_service(DeviceId device) {
     due_.push_back({Due::What::serve, device.value});
 }
 
-/// Whether the device, which serves one request, has no answer to it though somebody wants one: then the
-/// request is open no more.
+/// Whether the device, which serves one request, has no answer to it though a thread waits for one: then
+/// the request is open no more.
 bool Firing::never_answers(const Device& of, const DeviceState::Served& served) {
   const auto* request = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (request == nullptr || !request->may_fail) return false;

@@ -3,7 +3,7 @@
 
 namespace pal::analyzer {
 
-/// Whether the messages of the channel are requests that somebody answers.
+/// Whether the messages of the channel are requests that a party answers.
 bool Firing::tracked(ChannelId channel) const {
   const Channel& of = channel_of(channel);
   return of.answer.valid() && (!of.receiver_device.valid() || of.served);

@@ -1,4 +1,4 @@
-// Threads and processors: who runs, who waits its turn, who begins and ends.
+// Threads and processors: which thread runs, waits its turn, begins and ends.
 #include <algorithm>
 
 #include "analyzer/machine/firing.hpp"
@@ -56,7 +56,7 @@ void Firing::first_queues(ThreadId thread, StepId step, std::set<StepId>& seen,
   first_queues(thread, first.next.front(), seen, queues);
 }
 
-/// Which of `modules` may become ready before the first of them, if that matters to somebody: positions, the
+/// Which of `modules` may become ready before the first of them, if that matters to any party: positions, the
 /// first's too.
 std::vector<std::size_t> Firing::rivals_of_first(const std::vector<ThreadId>& modules) const {
   std::vector<std::set<Queue>> queues(modules.size());
@@ -245,7 +245,7 @@ void Firing::cancel_all(std::vector<ThreadId> blocks) {
   for (ThreadId block : blocks) cancel_one(block);
 }
 
-/// Whether, if it were stopped now, a message that somebody has asked for might be taken by somebody else.
+/// Whether, if it were stopped now, a message that one thread has asked for might be taken by another.
 bool Firing::leaves_answer_to_others(ThreadId thread) const {
   const ThreadState& state = state_of(thread);
   if (state.choice < 0 || step_of(thread).channels.empty()) return false;

@@ -58,7 +58,7 @@ struct ThreadState {
   static constexpr std::int8_t no_choice = -1;
   static constexpr std::int8_t gives_up = -2;
   static constexpr std::int8_t withdrawn = -3;  // what it was receiving is gone
-  static constexpr std::int8_t for_ever = -4;   // only in slices: nobody ends its wait or send
+  static constexpr std::int8_t for_ever = -4;   // only in slices: nothing ends its wait or send
 
   friend bool operator==(const ThreadState&, const ThreadState&) = default;
 };
@@ -89,7 +89,7 @@ struct SlotState {
   Fill fill = Fill::empty;
   Way near = Way::none;  // to threads on the sender's processor
   Way far = Way::none;   // to those on others
-  ProcessorId from{};    // the sender's processor; none: a device, or nobody
+  ProcessorId from{};    // the sender's processor; none: a device, or no sender
   std::uint8_t carries = tag::none;
   Asked asked;                               // requests
   bool answers = false;                      // answers: what is in the slot answers a request

@@ -303,7 +303,7 @@ class Compiler {
   }
 
  public:
-  /// Who takes a message keeps it where somebody may use it.
+  /// The taker of a message keeps it where a statement may use it.
   void keep_taken() {
     for (const ChannelId c : problem_.channels.ids()) {
       const auto known =

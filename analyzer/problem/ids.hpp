@@ -6,7 +6,7 @@
 
 namespace pal::analyzer {
 
-/// In Problem::processors and Environment::processors; who asks what more of them would do counts on.
+/// In Problem::processors and Environment::processors. A question what more of them would do counts on.
 using ProcessorId = Id<struct ProcessorTag>;
 
 /// In Problem::requirements.

@@ -47,8 +47,8 @@ struct Step {
   /// Only in slices, for a wait for a party that is left out: the time after reaching it within which a
   /// message comes. For a send to one: within the greatest the slot is free.
   Range arrival{0, Range::unbounded};
-  /// Only in slices, for a wait: comes once, before its module has blocks. So nobody withdraws an answer that
-  /// is received there.
+  /// Only in slices, for a wait: comes once, before its module has blocks. So no answer that is
+  /// received there is withdrawn.
   bool before_blocks = false;
   ConditionId condition{};         // set, read
   std::vector<KeptId> uses;        // what an activity reads, a set is computed from, a send sends
@@ -89,7 +89,7 @@ struct Channel {
   KeptId kept{};  // the thread that takes the message leaves it there; none: no thread uses it
   /// Only in slices: the party at one of its ends is left out. Its messages may come and go at any time.
   bool loose = false;
-  bool withdrawable = false;  // loose: what somebody is about to take may be withdrawn
+  bool withdrawable = false;  // loose: what a thread is about to take may be withdrawn
 };
 
 struct Device {

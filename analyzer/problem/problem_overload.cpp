@@ -52,7 +52,7 @@ std::optional<Nanoseconds> least_round(const Problem& problem, const Table<Chann
   return std::nullopt;
 }
 
-/// Who takes the events of a channel, and the least that it has to do for one.
+/// The thread that takes the events of a channel, and the least that it has to do for one.
 struct Taker {
   const Thread* thread = nullptr;
   bool alone = true;

@@ -69,7 +69,7 @@ void Referee::handle(const Event& event) {
     return;
   }
   if (event.actor < 0) {
-    demand(event.kind == Kind::drop, "an event that nobody causes");
+    demand(event.kind == Kind::drop, "an event without a cause");
     drop(event);
     return;
   }
@@ -184,12 +184,12 @@ void Referee::leave_instant(Nanoseconds next) const {
   for (const ChannelId c : slots_.ids()) {
     const Slot& of = slots_[c];
     if (of.full && problem_.channels[c].receiver_device.valid()) check_asked(c);
-    demand(!of.given_up, "a message is withdrawn, and nobody gave up");
+    demand(!of.given_up, "a message is withdrawn, but no thread gave up");
     demand(!of.to_be_dropped, "a message that was withdrawn is still there");
   }
 }
 
-/// Who is cancelled has stopped, unless it finishes a statement, or waits for those that do.
+/// A cancelled thread has stopped, unless it finishes a statement, or waits for those that do.
 void Referee::check_stopped(ThreadId thread) const {
   const Party& of = party(thread);
   const bool idle = of.mode == Mode::ready || of.mode == Mode::waiting || of.mode == Mode::sending;

@@ -94,7 +94,7 @@ class Referee {
     bool answers = false;        // of an answer: the message in the slot answers the oldest of those
     bool to_be_dropped = false;  // the message in the slot was withdrawn
     bool there_again = false;    // a block that was stopped was to take it
-    bool given_up = false;       // of a request: its withdrawal has begun, and nobody has given up yet
+    bool given_up = false;       // of a request: its withdrawal has begun, and no thread has given up yet
   };
 
   struct Outside {
@@ -117,7 +117,7 @@ class Referee {
     Nanoseconds at;
     std::size_t after;  // how many effects
     bool ordered;       // an event of the run says when in what follows from one effect it came
-    std::size_t with;   // those that came with one another did so in their order; 0: with nobody
+    std::size_t with;   // those that came with one another did so in their order; 0: it came alone
     bool front;
     bool arrived;  // at a wait: it is not known yet whether it comes to the queue
     bool told;     // that it is ready
@@ -224,7 +224,7 @@ class Referee {
   std::size_t with_ = 0;     // a number for the threads that reach their statements together
   std::size_t reached_ = 0;  // how many have reached one
   bool beginning_ = true;
-  bool withdrawing_ = false;     // who goes on otherwise may come before or after who goes on now
+  bool withdrawing_ = false;     // threads that go on otherwise may come before or after those that go on now
   Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last
   ThreadId midway_{};            // the thread whose effect has begun and is not done
   bool completed_ = false;
@@ -232,8 +232,8 @@ class Referee {
   Table<ThreadId, Party> threads_;
   Table<ChannelId, Slot> slots_;
   Table<DeviceId, Outside> devices_;
-  Table<ProcessorId, ThreadId> holders_;    // who has it
-  Table<ProcessorId, ThreadId> preempted_;  // who has just lost it to somebody who is still to start
+  Table<ProcessorId, ThreadId> holders_;    // the thread that has it
+  Table<ProcessorId, ThreadId> preempted_;  // the thread that has just lost it to one still to start
   std::vector<Queued> queue_;
   std::vector<bool> conditions_;
   std::vector<std::pair<ThreadId, StatementId>>

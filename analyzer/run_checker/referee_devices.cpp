@@ -46,7 +46,7 @@ void Referee::device_event(const Event& event, DeviceId device) {
       demand(slot(ChannelId::of(event.subject)).full == (event.kind == Kind::overrun), described.name,
              " sends into a full slot, or loses without need");
       if (events) return occurrence(device, ChannelId::of(event.subject), event.kind == Kind::overrun);
-      demand(wanted(ChannelId::of(event.subject)), "a message that nobody wants is put");
+      demand(wanted(ChannelId::of(event.subject)), "a message is put that no party waits for");
       if (event.kind == Kind::overrun) {
         answered_in_vain(ChannelId::of(event.subject));
         monitor_.answers(ChannelId::of(event.subject), true);
@@ -80,7 +80,7 @@ void Referee::delivered(DeviceId device, ChannelId channel) {
 /// The device has no answer to what it was asked, which is no loss.
 void Referee::never_answers(DeviceId device, ChannelId channel) {
   const auto* request = std::get_if<pan::RequestDevice>(&problem_.devices[device].behaviour);
-  demand(request != nullptr && request->may_fail, "a message that somebody wants is discarded");
+  demand(request != nullptr && request->may_fail, "a message is discarded that a party waits for");
   const ChannelId asked = channel_of(channel).answers;
   demand(devices_[device].answers.erase(asked) == 1, "a device answers what it was not asked");
 }
@@ -99,7 +99,7 @@ void Referee::occurrence(DeviceId device, ChannelId channel, bool overrun) {
   const auto& event = std::get<pan::EventDevice>(described.behaviour);
   Outside& of = devices_[device];
   demand(of.open && described.event == channel, described.name,
-         " sends before anybody waits, or another message");
+         " sends before a thread waits, or another message");
   if (event.sporadic) {
     const Nanoseconds late = event.jitter.count();
     Nanoseconds earliest = std::max(of.first_lo, now_ - late);
@@ -174,7 +174,7 @@ void Referee::check_not_idle(ChannelId request) const {
   if (!device.valid()) return;
   const Device& described = problem_.devices[device];
   const bool on_request = std::holds_alternative<pan::RequestDevice>(described.behaviour);
-  demand(!on_request || devices_[device].busy, described.name, " is idle while somebody asks");
+  demand(!on_request || devices_[device].busy, described.name, " is idle while it has a request");
 }
 
 /// A message to a device, while time goes on.
@@ -184,7 +184,7 @@ void Referee::check_asked(ChannelId message) const {
   const Outside& of = devices_[channel.receiver_device];
   demand(channel.served, described.name, " leaves a message in its slot");
   const bool on_request = std::holds_alternative<pan::RequestDevice>(described.behaviour);
-  demand(!on_request || of.busy, described.name, " is idle while somebody asks");
+  demand(!on_request || of.busy, described.name, " is idle while it has a request");
   const bool missed = !on_request && of.busy && of.busy_since == now_ && slot(message).put < now_;
   demand(!missed, described.name, " leaves a request out of its frame");
 }
@@ -203,7 +203,7 @@ void Referee::check_device(DeviceId device, Nanoseconds next) const {
     demand(next <= of.first_hi + of.count * event->period.count() + late, described.name, " is too late");
   } else if (const auto* request = std::get_if<pan::RequestDevice>(&described.behaviour)) {
     if (!of.busy) return;
-    demand(!of.served.empty(), described.name, " serves nobody");
+    demand(!of.served.empty(), described.name, " is busy without a request");
     demand(next <= of.busy_since + request->answer.worst.count(), described.name, " answers too late");
   } else if (const auto* frames = std::get_if<pan::FrameDevice>(&described.behaviour)) {
     demand(of.served.empty() || next <= of.busy_since + frames->collecting.count(), described.name,

@@ -96,7 +96,7 @@ void Referee::put(const Event& event) {
   const ThreadId thread = ThreadId::of(event.actor);
   Party& of = party(thread);
   demand(!slot(ChannelId::of(event.subject)).full, "a message is put into a slot that is full");
-  demand(wanted(ChannelId::of(event.subject)), "a message that nobody wants is put");
+  demand(wanted(ChannelId::of(event.subject)), "a message is put that no party waits for");
   const Step& step = step_of(thread);
   demand(step.kind == Step::Kind::send && step.channels.front() == ChannelId::of(event.subject) && !of.acted,
          name(thread), " sends what it does not send here");
@@ -138,7 +138,7 @@ void Referee::drop(const Event& event) {
   const auto actor = ThreadId::of(event.actor);
   const ChannelId channel = ChannelId::of(event.subject);
   if (event.actor >= 0) {
-    demand(!wanted(channel), "a message that somebody wants is discarded");
+    demand(!wanted(channel), "a message is discarded that a party waits for");
     answered_in_vain(channel);
     Party& of = party(actor);
     const Step& step = step_of(actor);
@@ -177,10 +177,11 @@ void Referee::drop(const Event& event) {
   empty(channel);
 }
 
-/// Whoever goes on at this instant after waiting for a message that is withdrawn had it already, unless it
-/// takes what comes later. With a put somebody has stopped waiting, also if the message is withdrawn at once.
+/// A thread that goes on at this instant after waiting for a message that is withdrawn had it already, unless
+/// it takes what comes later. With a put a thread has stopped waiting, also if the message is withdrawn at
+/// once.
 void Referee::claim_withdrawn(ChannelId channel) {
-  const bool put_for_somebody = !slot(channel).there_again;
+  const bool put_for_a_thread = !slot(channel).there_again;
   const auto each_waiting = [&](const auto& visit) {
     for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
       const ThreadId thread = ThreadId(t);
@@ -193,10 +194,10 @@ void Referee::claim_withdrawn(ChannelId channel) {
     if (goes_on(thread) && !takes_next(thread)) resolve(thread);
   });
   each_waiting([&](ThreadId thread) {
-    if (put_for_somebody && goes_on(thread) && surely_there(channel, thread)) resolve(thread);
+    if (put_for_a_thread && goes_on(thread) && surely_there(channel, thread)) resolve(thread);
   });
   each_waiting([&](ThreadId thread) {
-    demand(!put_for_somebody || !surely_there(channel, thread), name(thread),
+    demand(!put_for_a_thread || !surely_there(channel, thread), name(thread),
            " waits for a message that is there");
   });
 }
@@ -215,7 +216,7 @@ ThreadId Referee::who_gives_up(ChannelId request) const {
                                    [&](ChannelId channel) { return channel_of(channel).answers == request; });
     if (asked) return thread;
   }
-  broken("a message is withdrawn, and nobody gives up");
+  broken("a message is withdrawn, but no thread gives up");
 }
 
 /// The actor's first event behind event `after`; behind the last: how many events there are.

@@ -1,4 +1,4 @@
-// Who has the processors, and who waits for them.
+// The threads that have the processors, and those that wait for them.
 #include "analyzer/run_checker/referee.hpp"
 
 #include <algorithm>

@@ -80,7 +80,7 @@ void Referee::begin_blocks(ThreadId thread) {
     // One that is cancelled before it begins has come to nothing.
     if (party(block).mode != Mode::off && !party(block).must_stop) reach(block, thread_of(block).entry);
   }
-  // Blocks with nothing in them are over before the run says that somebody waits for them.
+  // Blocks with nothing in them are over before the run says that a thread waits for them.
   const bool waits = party(thread).mode == Mode::joining && party(thread).step == fork;
   if (!waits) passed_.emplace_back(thread, problem_.steps[fork].statement);
 }

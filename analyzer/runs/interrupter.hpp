@@ -10,8 +10,8 @@
 namespace pal::analyzer {
 
 /// For a solver that cannot check signals and deadlines itself. While this object lives, a thread of its own
-/// calls `stop` fifty times a second, and calls `interrupt` each time that it returns true. Nobody else may
-/// call `stop` meanwhile. Without a `stop` it does nothing.
+/// calls `stop` fifty times a second, and calls `interrupt` each time that it returns true. No other
+/// thread may call `stop` meanwhile. Without a `stop` it does nothing.
 class Interrupter {
  public:
   Interrupter(std::function<bool()> stop, std::function<void()> interrupt);

@@ -17,16 +17,27 @@ constexpr std::size_t most_instants = 12;
 /// SimulationOptions::seldom of steady runs.
 constexpr std::uint64_t once_in = 16;
 
+/// Runs in which nothing is measured are followed by a few that are longer.
+constexpr std::size_t longer = 32;
+constexpr std::size_t long_runs = 4;
+
+/// Of more events the times are not chosen again.
+constexpr std::size_t most_timed = 1'000;
+
 /// For a sporadic event that is not wanted: after all that matters.
 constexpr Nanoseconds late = 1'000'000'000'000'000;
 
 class RunSearch {
  public:
   RunSearch(const Machine& machine, const RunSearchOptions& options)
-      : machine_(machine), options_(options), phases_(machine.problem().devices.size(), -1) {}
+      : machine_(machine),
+        options_(options),
+        events_(options.max_events),
+        phases_(machine.problem().devices.size(), -1) {}
 
   std::optional<Witness> run() {
     draw(0, options_.drawn, 0);
+    if (!best_) draw_long();
     if (!breaks()) draw(options_.drawn, options_.steady, once_in);
     while (!done() && align()) {
     }
@@ -64,6 +75,13 @@ class RunSearch {
       }
       attempt(how);
     }
+  }
+
+  /// What is measured may come late in a skill's life, as its completion does.
+  void draw_long() {
+    events_ *= longer;
+    draw(0, long_runs, 0);
+    events_ = options_.max_events;
   }
 
   /// Tries each device with an event or frame at the instants at which something happened while the greatest
@@ -128,7 +146,7 @@ class RunSearch {
   SimulationOptions usual() const {
     SimulationOptions how;
     how.until = Range::unbounded;
-    how.max_events = options_.max_events;
+    how.max_events = events_;
     how.record = false;
     return how;
   }
@@ -160,7 +178,7 @@ class RunSearch {
     const bool worse = keep(replay(machine_, path));
     // Whose events come in this order, but at other times, may be worse still.
     const bool promising = !best_ || worse || 4 * worst->value > 3 * best_->measured.value;
-    if (!promising) return worse;
+    if (!promising || path.size() > most_timed) return worse;
     WitnessSearch search;
     search.quick = true;
     search.stop = options_.stop;
@@ -177,6 +195,7 @@ class RunSearch {
 
   const Machine& machine_;
   const RunSearchOptions& options_;
+  std::size_t events_;  // of each run
   std::mt19937_64 engine_{1};
   std::size_t runs_ = 0;
   std::uint64_t seed_ = 1;               // of the best run

@@ -65,7 +65,7 @@ class Finder {
       if (meant(talk_[t])) keep(t, hold);
     }
   }
-  /// Both ends of a channel, and whoever else uses it.
+  /// Both ends of a channel, and all others that use it.
   void keep_channel(ChannelId channel) {
     keep_if(Hold::strong, [channel](const ThreadTalk& talk) {
       return talk.sends.contains(channel) || talk.waits.contains(channel);
@@ -207,7 +207,7 @@ class Finder {
            });
   }
 
-  /// Whether who reads a condition, or uses a message that its module keeps, knows all that can be learned
+  /// Whether the reader of a condition, or of a message that its module keeps, knows all that can be learned
   /// from it. `written`: what threads set, or keep.
   template <class What>
   bool is_known(std::set<What> ThreadTalk::*written, What what, ThreadId reader) const {
@@ -238,7 +238,7 @@ class Finder {
     }
     for (const ConditionId condition : from.sets) {
       if (!to.reads.contains(condition) || is_known(&ThreadTalk::sets, condition, thread)) continue;
-      // Also who knows nothing: a set makes forgotten what an earlier one said.
+      // Also setters that know nothing: a set makes forgotten what an earlier one said.
       keep_if(Hold::strong, [condition](const ThreadTalk& of) { return of.sets.contains(condition); });
     }
   }
@@ -284,7 +284,7 @@ class Finder {
     });
   }
 
-  /// Who may go before a thread that is kept, or cannot be interrupted by it.
+  /// Keeps the threads that may go before one that is kept, or cannot be interrupted by it.
   void share_processors() {
     for (const ProcessorId p : problem_.processors.ids()) {
       int least = INT32_MAX;

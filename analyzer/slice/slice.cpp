@@ -32,7 +32,7 @@ class Slicer {
   }
 
  private:
-  /// Whether everybody at both ends is kept.
+  /// Whether all parties at both ends are kept.
   bool is_kept(ChannelId channel) const {
     for (const ThreadId t : talk_.ids()) {
       const bool uses = talk_[t].sends.contains(channel) || talk_[t].waits.contains(channel);
@@ -56,7 +56,7 @@ class Slicer {
     of.withdrawable = whole_.channels[request].answer.valid() && may_be_withdrawn(request);
   }
 
-  /// Whether somebody may give up waiting for the answer to a request, or be stopped before he has it.
+  /// Whether a thread may give up waiting for the answer to a request, or be stopped before it has it.
   bool may_be_withdrawn(ChannelId request) const {
     for (const ThreadId t : talk_.ids()) {
       if (talk_[t].sends.contains(request) && whole_.threads[t].parent.valid()) return true;

@@ -38,7 +38,7 @@ bool Narrator::is_send(const trace::Slice& wait) const {
   return wait.statement >= 0 && statement(wait.statement).text.rfind("TXM", 0) == 0;
 }
 
-/// Who is to send what a wait is for, if that is one thread or device.
+/// The party that is to send what a wait is for, if that is one thread or device.
 std::optional<int> Narrator::to_send(const trace::Slice& wait) const {
   if (wait.statement < 0 || is_send(wait)) return std::nullopt;
   const std::string& sender = run_.channels[static_cast<std::size_t>(wait.channel)].sender;
@@ -48,7 +48,7 @@ std::optional<int> Narrator::to_send(const trace::Slice& wait) const {
   return static_cast<int>(actor - run_.actors.begin());
 }
 
-/// Who ended a wait: whoever put the message at that instant, or made room for one.
+/// The party that ended a wait: it put the message at that instant, or made room for one.
 std::optional<int> Narrator::waited_for(const trace::Slice& wait) const {
   if (!is_send(wait)) return sender_at(wait);
   for (std::size_t actor = 0; actor < takes_.size(); ++actor) {
@@ -61,7 +61,7 @@ std::optional<int> Narrator::waited_for(const trace::Slice& wait) const {
   return std::nullopt;
 }
 
-/// Who put what the wait was for.
+/// The party that put what the wait was for.
 std::optional<int> Narrator::sender_at(const trace::Slice& wait) const {
   const auto put = put_for(wait);
   return put ? std::optional(run_.events[*put].actor) : std::nullopt;

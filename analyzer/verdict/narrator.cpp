@@ -8,7 +8,7 @@ using trace::Kind;
 
 namespace {
 
-/// By processor: who ran on it, in order. Two do not at one time.
+/// By processor: the threads that ran on it, in order. Two do not at one time.
 Table<ProcessorId, std::vector<trace::Slice>> running_on(const Problem& problem,
                                                          const std::vector<trace::Slice>& slices) {
   Table<ProcessorId, std::vector<trace::Slice>> by_processor(problem.processors.size());
@@ -87,7 +87,7 @@ bool Narrator::is_at_work(ThreadId thread, Nanoseconds instant) const {
   });
 }
 
-/// Who kept a thread from its processor in [from, to], piece by piece.
+/// The threads that kept another from its processor in [from, to], piece by piece.
 void Narrator::interference(const trace::Slice& kept, Nanoseconds from, Nanoseconds to,
                             std::vector<Reason>& out) const {
   const ProcessorId processor = problem_.threads[ThreadId::of(kept.actor)].processor;

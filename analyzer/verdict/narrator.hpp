@@ -67,8 +67,8 @@ class Narrator {
   std::vector<trace::Slice> slices_;
   Table<ProcessorId, std::vector<trace::Slice>> running_;  // by processor: two do not run on it at one time
   std::vector<std::vector<trace::Slice>> of_actor_;        // by thread and device, in order
-  std::vector<std::vector<std::size_t>> takes_;            // events, by who takes, in order
-  std::vector<std::vector<std::size_t>> puts_;             // … by who puts
+  std::vector<std::vector<std::size_t>> takes_;            // events, by the taker, in order
+  std::vector<std::vector<std::size_t>> puts_;             // … by the sender
   std::map<std::size_t, std::size_t> put_of_;              // by take
 };
 

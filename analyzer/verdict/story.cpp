@@ -68,8 +68,8 @@ struct Story {
       out.insert(out.end(), piece->begin(), piece->end());
   }
 
-  /// Who had it before whoever gained it, and when; nobody: it was born there. `from`: since when it was on
-  /// the way; what it did then comes to `out`.
+  /// The party that had it before the one that gained it, and when; none: it was born there. `from`: since
+  /// when it was on the way; what it did then comes to `out`.
   std::optional<Known> source(const Gained& gained, Nanoseconds& from, std::vector<Reason>& out) const {
     const trace::Event& event = trace.events[gained.event];
     if (event.kind == Kind::block) return Known{ThreadId::of(event.actor), gained.event};
@@ -109,7 +109,8 @@ struct Story {
     return before;
   }
 
-  /// From the set of what a condition carries to its being read. Who set it to a sample knew that before.
+  /// From the set of what a condition carries to its being read. The party that set it to a sample knew that
+  /// before.
   std::optional<Known> since_set(std::size_t read, const Origin& what, std::vector<Reason>& out) const {
     const trace::Event& reading = trace.events[read];
     const std::string condition = trace.conditions[static_cast<std::size_t>(reading.subject)];
@@ -136,7 +137,8 @@ struct Story {
     return Known{ThreadId::of(setting.actor), *set};
   }
 
-  /// Who is to set a condition again: the thread that set it, or a block of it that sets it from then on.
+  /// The party that is to set a condition again: the thread that set it, or a block of it that sets it from
+  /// then on.
   ThreadId next_to_set(ConditionId condition, ThreadId setter, Nanoseconds instant) const {
     for (const StepId s : problem.steps.ids()) {
       const Step& step = problem.steps[s];
@@ -167,7 +169,7 @@ struct Story {
     known_since(thread, use, out);
   }
 
-  /// Who had the processor, from when it had something to do until it had nothing.
+  /// The threads that had the processor, from when it had something to do until it had nothing.
   void busy(const Measurement& measured, std::vector<Reason>& out) const {
     for (const ProcessorId processor : requirement.processors) {
       std::vector<Reason> pieces;

@@ -35,7 +35,7 @@ struct Reason {
 /// A number of the addition that makes up a bound.
 struct Addend {
   Nanoseconds amount = 0;  // negative: taken away
-  std::string actor;       // thread or device; "": nobody's
+  std::string actor;       // thread or device; "": of none
   std::string what;
   std::string file;
   int line = 0;                // 0: no place in a text

@@ -69,7 +69,7 @@ Nanoseconds Bracket::middle(Nanoseconds low, Nanoseconds high) const {
 
 Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
   const Nanoseconds extra = ceiling - 1 - from <= step_ ? ceiling - 1 : from + step_;
-  if (step_ < ceiling / longer_) step_ *= longer_;
+  step_ = step_ < ceiling / longer_ ? step_ * longer_ : ceiling;
   return extra;
 }
 
@@ -77,6 +77,11 @@ Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
 std::optional<Nanoseconds> Bracket::next(Nanoseconds tolerance, Nanoseconds ceiling, bool explores) {
   const Nanoseconds end = lower_end(ceiling);
   if (end - holds_ > tolerance) {
+    if (hurried_ && *hurried_ < end) {
+      // Less may be easier to decide. Then the same again.
+      again_ = !again_;
+      return again_ || *hurried_ - holds_ <= tolerance ? *hurried_ : middle(holds_, *hurried_);
+    }
     const bool at_failure = fails_ == end;
     if (!at_failure && !undecided_) return step_up(holds_, ceiling);
     // Loads grow in proportion, or nearly so.
@@ -114,6 +119,8 @@ void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
                      : std::pair(extra, extra);
     if (extra < end_before) above_.reset();
   }
+  if (hurried_ && (extra == *hurried_ || holds_ >= *hurried_ || (fails_ && *fails_ <= *hurried_)))
+    hurried_.reset();
   assert(!fails_ || holds_ < *fails_);
 }
 
@@ -150,6 +157,7 @@ void Bracket::narrow(RequirementChecker& checker, const Effort& effort, Precisio
     if (ruling.state == Is::undecided && effort.over()) {
       // The next turn has more time, or decides another one.
       open_ = ruling.requirement;
+      if (!at_failure) hurried_ = *extra;
       next_to_failure_ = !at_failure;
       return;
     }

@@ -57,9 +57,11 @@ class Bracket {
   RequirementId open_;
   /// The least and the greatest growth that the present effort could not decide.
   std::optional<std::pair<Nanoseconds, Nanoseconds>> undecided_;
-  std::size_t classes_ = 0;           // of that effort
-  std::optional<Nanoseconds> below_;  // excess of loads with `holds_`, if it is known
-  std::optional<Nanoseconds> above_;  // with lower_end()
+  std::size_t classes_ = 0;             // of that effort
+  std::optional<Nanoseconds> hurried_;  // the growth that the last turn had no time to decide
+  bool again_ = true;                   // that was asked last, not less
+  std::optional<Nanoseconds> below_;    // excess of loads with `holds_`, if it is known
+  std::optional<Nanoseconds> above_;    // with lower_end()
   bool next_to_failure_ = true;
   int asked_ = 0;
 };

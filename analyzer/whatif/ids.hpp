@@ -9,7 +9,7 @@ namespace pal::analyzer {
 
 using RequirementIds = std::vector<RequirementId>;
 
-/// Of a change that somebody may make to the text of a program; who knows the texts numbers them.
+/// Of a change that may be made to the text of a program. The owner of the texts numbers them.
 using ProgramChangeId = Id<struct ProgramChangeTag>;
 
 /// In Remedies::candidates.

@@ -87,7 +87,7 @@ class PlacementSearch {
     return false;
   }
 
-  /// Places the threads from `next` on; `free` more processors have to get somebody.
+  /// Places the threads from `next` on; `free` more processors have to get a thread.
   void place_from(std::size_t next, int free) {
     if (next == threads_.size()) return options_.priorities ? order(0) : attempt();
     const auto left = static_cast<int>(threads_.size() - next) - 1;

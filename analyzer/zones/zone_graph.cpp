@@ -106,7 +106,7 @@ bool ZoneGraph::explore(const Limits& limits) {
 }
 
 /// A class on a way round; -1: there is none. What is left when all is taken away to which nothing leads (A.
-/// B. Kahn, Topological sorting of large networks, 1962) has somebody before it that is left, too.
+/// B. Kahn, Topological sorting of large networks, 1962) has one before it that is left, too.
 int ZoneGraph::on_a_round(const std::vector<std::pair<int, int>>& edges) const {
   std::unordered_map<int, int> entering;
   std::unordered_map<int, std::vector<int>> leaving;

@@ -24,7 +24,7 @@ namespace pal::analyzer {
 
 class ZoneGraph;
 
-/// Bounds on an exploration, and who helps with it.
+/// Bounds on an exploration, and the workers that help with it.
 struct Limits {
   /// For about ten timers. Of classes with more than twenty, fewer are explored, so that they take no more
   /// memory (memory_for).

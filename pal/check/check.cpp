@@ -148,7 +148,7 @@ class Checker {
     if (diagnostics_.not_kept().errors != 0) return false;  // they may say so
     const auto& all = diagnostics_.all();
     const auto guessed = [](const Diagnostic& finding) { return finding.code == Code::PAL0110; };
-    if (std::any_of(all.begin(), all.end(), guessed)) return false;  // what a TXM sends, and to whom
+    if (std::any_of(all.begin(), all.end(), guessed)) return false;  // what a TXM sends, and its receiver
     return std::none_of(
         all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [](const Diagnostic& finding) {
           return finding.severity == Severity::error &&
@@ -161,8 +161,8 @@ class Checker {
   void check_network(const pan::Network& network, bool sound) {
     const auto errors_before = diagnostics_.errors();
     checker::check_layers(network, diagnostics_);
-    // Whom a module may not talk with does not answer it either: that would be said of the same mistake
-    // again.
+    // A party that a module may not talk with does not answer it either: that would be said of the same
+    // mistake again.
     if (!sound || diagnostics_.errors() != errors_before) return;
     const pan::Flow flow(network);
     checker::check_channels(network, diagnostics_);

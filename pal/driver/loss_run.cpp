@@ -138,7 +138,7 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
     const bool frames = std::holds_alternative<pan::FrameDevice>(device.behaviour);
     shown.run = witness.trace;
     shown.losses = {{device.name, at, at,
-                     frames ? "lost: nobody had asked for it when it began"
+                     frames ? "lost: no request for it was open when it began"
                             : "lost: the one before it was not taken yet"}};
     shown.window = chart::Window{0, at + std::max<Nanoseconds>(1, at / 10)};
     return shown;
@@ -204,7 +204,7 @@ std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace
     if (full && !given)
       losses.push_back({name, slice.from_ns, slice.to_ns, "lost: the one before it was not taken yet"});
     if (frames && counts && !given && !full)
-      losses.push_back({name, slice.from_ns, slice.to_ns, "lost: nobody had asked for it when it began"});
+      losses.push_back({name, slice.from_ns, slice.to_ns, "lost: no request for it was open when it began"});
   }
   for (const Event& event : overruns) {
     if (std::find(with_work.begin(), with_work.end(), event.time_ns) == with_work.end())

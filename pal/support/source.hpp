@@ -30,8 +30,8 @@ struct LineColumn {
   int column = 0;
 };
 
-/// Owns the texts that were read; hands out places. Files are added by whoever may read them (the driver,
-/// a test): the library itself opens nothing.
+/// Owns the texts that were read; hands out places. Files are added by those that may read them (the
+/// driver, a test): the library itself opens nothing.
 class SourceManager {
  public:
   /// Takes a text under the name that messages show. The id stays valid for the manager's life.

@@ -84,8 +84,8 @@ void RealExecutive::go_on() {
 /// The level's next statement follows without leaving the kernel, unless a thread is to be woken or it has
 /// been in for long.
 void RealExecutive::go_on_inside(Level& level) {
-  const bool nobody = called_.empty() && !timer_.called && !world_alarm_.called;
-  if (nobody && ++level.inside < most_statements_inside) {
+  const bool none_called = called_.empty() && !timer_.called && !world_alarm_.called;
+  if (none_called && ++level.inside < most_statements_inside) {
     set(std::max(now(), monotonic_now() - origin_));
     return;
   }

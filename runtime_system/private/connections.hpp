@@ -9,8 +9,8 @@
 
 namespace pal::runtime_system {
 
-/// JSON-RPC over a WebSocket. Refuses a Host and an Origin that the rules do not allow, and everybody if the
-/// server is `full`.
+/// JSON-RPC over a WebSocket. Refuses a Host and an Origin that the rules do not allow, and every client if
+/// the server is `full`.
 ConnectionPointer web_socket_connection(ConnectionContext& connection_context, const AccessRules& rules,
                                         boost::asio::ip::tcp::socket socket, bool full);
 

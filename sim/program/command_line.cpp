@@ -223,7 +223,7 @@ constexpr Verb remote_verbs[] = {
     {"resume", "at a server: goes on with what is paused or stopped"},
     {"pause", "at a server: after the current skill; also while another client has the controls"},
     {"stop", "at a server: at once; also while another client has the controls"},
-    {"state", "at a server: what runs, where the token is, who has the controls"},
+    {"state", "at a server: what runs, where the token is, which client has the controls"},
     {"watch", "at a server: tells what happens, until Ctrl-C"}};
 
 void describe_remote(CLI::App& operation, RemoteCommand& command) {

@@ -91,7 +91,7 @@ class Terminal {
                                       : fmt::format("operation {}: {}; last code {}", text("operation"),
                                                     halt_of(state_), state_.value("last_code", 0));
     out_ << fmt::format("cell {}: {}; {}; controls: {}\n", text("cell"), text("activity"), operation,
-                        text("controls", "nobody"));
+                        text("controls", "free"));
   }
 
  private:

@@ -12,7 +12,7 @@ namespace pal::sim::val {
 /// The line of the terminal.
 inline constexpr runtime::LineSpeed terminal_line{9600, 10};
 
-/// Takes bytes and gives bytes. Whoever brings time on brings the workcell to an instant before the
+/// Takes bytes and gives bytes. The caller that brings time on brings the workcell to an instant before the
 /// timeline's actions of that instant.
 class Controller {
  public:

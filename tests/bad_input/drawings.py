@@ -35,7 +35,7 @@ def dot_line(folder):
 
 @an_input
 def dot_comment(folder):
-    """a comment of a megabyte that nobody ends, drawn"""
+    """a comment of a megabyte without its end, drawn"""
     return [file(folder, "/*" + "x" * (1 << 20), "a.dot")], 1, ["PAL0114"]
 
 

@@ -157,7 +157,7 @@ def long_text(folder):
 
 @an_input
 def open_text(folder):
-    """a text of a megabyte that nobody closes"""
+    """a text of a megabyte without its end"""
     return [file(folder, 'CONDITION c "' + "x" * (1 << 20) + '\n')], 1, ["PAL0103"]
 
 

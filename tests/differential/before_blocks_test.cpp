@@ -1,4 +1,4 @@
-// Slices of skills that wait, before their blocks begin, for somebody who is left out.
+// Slices of skills that wait, before their blocks begin, for a party that is left out.
 #include <catch2/catch.hpp>
 
 #include "tests/differential/agreed.hpp"

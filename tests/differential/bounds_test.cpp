@@ -236,7 +236,7 @@ TEST_CASE("a busy window among many tasks is given up on request") {
   for (int n = 0; n < 2; ++n) {
     compositional::Transaction many;
     many.period = 1'000;
-    for (Nanoseconds t = 0; t < 40; ++t) many.tasks.push_back({ProcessorId{0}, 1, 1, t, 0, {}, {}});
+    for (Nanoseconds t = 0; t < 40; ++t) many.tasks.push_back({ProcessorId{0}, 1, 1, t, 0});
     windows.add(many);
   }
   CHECK(windows.finish(0, 0, 1, 0) == 80);
@@ -330,6 +330,26 @@ TEST_CASE("why there is no bound: the unbounded thread that keeps another waitin
            std::string::npos;
   };
   CHECK(std::any_of(analysis.verdicts.begin(), analysis.verdicts.end(), says));
+}
+
+TEST_CASE("why there is no bound: the times of a job and of the next one are named") {
+  const auto skill = test::meaningful_skill(program("served/outlasts_period"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  INFO(analysis.verdicts.front().explanation);
+  CHECK(
+      analysis.verdicts.front().explanation.find(
+          "SD1 may still be waiting within one job when the next is due: a job may last until 42 ms, and the "
+          "next may be due at 28 ms") != std::string::npos);
+}
+
+TEST_CASE("why there is no bound: the clients of a server that waits are named") {
+  const auto skill = test::meaningful_skill(program("served/two_clients"));
+  const Analysis analysis = analyze_compositionally(*skill->problem);
+  for (const Verdict& verdict : analysis.verdicts) {
+    INFO(verdict.explanation);
+    CHECK(verdict.explanation.find("LS1 serves 2 clients, SM1 and SM2, and waits within its jobs") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("the parts of an age say whether the first set or the next is awaited") {

@@ -66,7 +66,7 @@ TEST_CASE("latencies within the 201st processor are those within the first") {
 }
 
 TEST_CASE("a device with 33 kinds of request gives each the right answer") {
-  // Nobody has asked for a0: MC1 waits 15 ms for it, and is slow.
+  // No thread has asked for a0: MC1 waits 15 ms for it, and is slow.
   const std::string text =
       messages_of_a_device(33) +
       "Machine Controller: MC1\n  ACTIVITY slow\nBEGIN\n  WTM( go from SM1 )\n  TXM( request a32 from d )\n"
@@ -81,7 +81,7 @@ TEST_CASE("a device with 33 kinds of request gives each the right answer") {
   CHECK(bound(text) == 115);
 }
 
-TEST_CASE("the order of answers that nobody waits for is not explored") {
+TEST_CASE("the order of answers that no thread waits for is not explored") {
   // 20 answers come at once, and could do so in 20! orders.
   const std::string text =
       messages_of_a_device(20) + "Machine Controller: MC1\nBEGIN\n  WTM( go from SM1 )\n" +

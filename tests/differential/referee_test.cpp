@@ -135,12 +135,12 @@ TEST_CASE("an idle device has taken a request before anything else has its effec
 
   Told withdrawn = asked();
   withdrawn.say(Kind::drop, "-", {}, "request x", 1).say(Kind::done, "MC1.2", wait);
-  CHECK(withdrawn.broken() == "at 2000000 ns: d is idle while somebody asks");
+  CHECK(withdrawn.broken() == "at 2000000 ns: d is idle while it has a request");
 
   Told before = asked();
   before.say(Kind::done, "MC1.2", wait);
   before.say(Kind::busy, "d").say(Kind::take, "d", {}, "request x", 1);
-  CHECK(before.broken() == "at 2000000 ns: d is idle while somebody asks");
+  CHECK(before.broken() == "at 2000000 ns: d is idle while it has a request");
 }
 
 TEST_CASE("blocks come to their queue in the order of the text") {

@@ -27,5 +27,5 @@ run(${CMAKE_COMMAND} -G "${GENERATOR}" -S "${WORK}/blink" -B "${WORK}/build" "-D
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 run("${WORK}/build/blink")
 if(EXISTS "${WORK}/build/bin")
-  message(FATAL_ERROR "pal chose where somebody's programs go")
+  message(FATAL_ERROR "pal chose where another project's programs go")
 endif()

@@ -72,6 +72,6 @@ TEST_CASE("a receiver may never have had the message that was withdrawn") {
 
 // SM1.1 takes a message, which frees LS1, and ends, which cancels SM1.2: LS1 or SM1 is the first in the
 // queue.
-TEST_CASE("one instant: a freed sender and the parent of who freed it join a queue") {
+TEST_CASE("one instant: a freed sender and the parent of the thread that freed it join a queue") {
   CHECK(refused_runs(referee("freed_sender"), SimulationOptions::Times::worst) == "");
 }

@@ -156,3 +156,34 @@ END ENVIRONMENT
   CHECK(steady->measured.value > requirement.limit);
   CHECK(test::refusal(*skill->problem, requirement, *steady, steady->trace) == "");
 }
+
+TEST_CASE("a run is found in which a skill completes after many events") {
+  // Each activity takes 1 ms.
+  constexpr int activities = 1'500;
+  std::string text = R"(
+SKILL long
+  SKILL METHOD SM1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+  REQUIREMENT span : DURATION TO COMPLETION 0 AT MOST 2 s
+END SKILL
+Skill Module: SM1
+  ACTIVITY work
+BEGIN
+  WTM( Coordinator )
+)";
+  for (int n = 0; n < activities; ++n) text += "  work\n";
+  text += R"(
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PLACE SM1 ON P0 PRIORITY 1
+  TIME work : 1 ms
+END ENVIRONMENT
+)";
+  const auto skill = test::sound_skill(text);
+  const auto found = search_runs(*skill->problem, skill->problem->requirements[0], {});
+  REQUIRE(found);
+  CHECK(found->measured.value == activities * 1'000'000);
+}

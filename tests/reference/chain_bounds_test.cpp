@@ -80,9 +80,9 @@ END ENVIRONMENT
 
 TEST_CASE("a value goes from a sensor by messages and a condition to a robot") {
   // A sensor sends every 10 ms, its force is there 2 ms later, and a robot asks for a motion every 25 ms.
-  // Nobody shares a processor. Compositional, exact. The first set comes at 12 ms. Until then the value is as
-  // old as the skill. After that sets are 10 apart, and samples are 2 old when they are set. A reaction waits
-  // for the next request, 25 later.
+  // No two threads share a processor. Compositional, exact. The first set comes at 12 ms. Until then the
+  // value is as old as the skill. After that sets are 10 apart, and samples are 2 old when they are set. A
+  // reaction waits for the next request, 25 later.
   expect_bounds(chain("sensor_and_robot"),
                 {{12, 12}, {12, 12}, {37, 37}, {37, 37}, {25, 25}, {25, 25}, {2, 2}});
 }

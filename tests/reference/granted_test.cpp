@@ -88,7 +88,7 @@ TEST_CASE("a value that is read before it is set again is as old as the loop") {
   expect_bounds(granted("set_round_a_loop"), {{-1, 10}});
 }
 
-TEST_CASE("frames that nobody asks for any more are lost") {
+TEST_CASE("frames that no thread asks for any more are lost") {
   // LS1 asks once, at the start.
   expect_no_bound(granted("asked_once"));
 }

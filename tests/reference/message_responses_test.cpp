@@ -78,7 +78,7 @@ void expect_exact(const Problem& problem, const Analysis& analysis, std::size_t 
 
 }  // namespace
 
-TEST_CASE("a response to a message counts from its sending, whoever sends it") {
+TEST_CASE("a response to a message counts from its sending, by any module") {
   const auto skill = sound_skill(answers(R"(
   REQUIREMENT motion : RESPONSE FROM request motion OF MC1 TO TXM( motion to MC1 ) AT MOST 20 ms
   REQUIREMENT obeyed : RESPONSE FROM motion OF SM1 TO TXM( correction to alter ) AT MOST 20 ms

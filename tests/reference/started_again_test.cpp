@@ -1,4 +1,4 @@
-// What is not always there, or may be somewhere else: blocks with rounds of their own, who takes a message.
+// What is not always there, or may be somewhere else: blocks with rounds of their own, takers of a message.
 #include <string>
 
 #include "analyzer/analysis.hpp"
@@ -57,7 +57,7 @@ TEST_CASE("a wait WITHIN may serve a request after the block that served it is g
   expect_refuted("served_late");
 }
 
-TEST_CASE("an event is lost with an answer that nobody wants any more") {
+TEST_CASE("an event is lost with an answer that no thread waits for any more") {
   expect_refuted("discarded");
 }
 

@@ -229,7 +229,7 @@ TEST_CASE("an undecided question counts neither as holds nor as fails") {
   }
 }
 
-TEST_CASE("an event that nobody ever answers leaves no slack") {
+TEST_CASE("an event that is never answered leaves no slack") {
   const auto skill = test::sound_skill(R"(MESSAGE tick : SIGNAL
 MESSAGE value : SIGNAL
 CONDITION wanted FROM value "it is wanted"
@@ -318,8 +318,8 @@ TEST_CASE("an interrupted search says only what was proved") {
   }
 }
 
-// Section 3.3.2.1 says that the skill of figure 3.6 requires two processors. Who waits needs none; so one
-// does, unless the processor itself reads the sensor and cannot be interrupted.
+// Section 3.3.2.1 says that the skill of figure 3.6 requires two processors. A thread that waits needs none;
+// so one does, unless the processor itself reads the sensor and cannot be interrupted.
 TEST_CASE("figure 3.6 needs two processors only if reading keeps one of them busy") {
   const auto skill = figure("figure_3_6_places.pal");
   PlacementOptions how;

@@ -157,7 +157,7 @@ END ENVIRONMENT
 )";
 }
 
-/// Nobody stops it while the simulation lasts.
+/// It is not stopped while the simulation lasts.
 std::string undisturbed_range_finder(const std::string& body) {
   return pal::test::range_finder(body, "10 TO 15 ms", "", "EVERY 100 s PHASE 99 s");
 }

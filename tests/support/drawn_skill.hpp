@@ -36,7 +36,7 @@ class DrawnSkill {
   explicit DrawnSkill(std::uint64_t seed) : chance_(seed) {}
   ~DrawnSkill() = default;
 
-  // Who talks to whom.
+  // Which modules talk to which.
   Module& module(const std::string& name);
   void serves(const std::string& server, const std::string& client, const std::string& message);
   void sends(const std::string& from, const std::string& to, const std::string& message);

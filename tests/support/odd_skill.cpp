@@ -1,4 +1,4 @@
-// Who talks to whom.
+// Which modules talk to which.
 #include "tests/support/odd_skill.hpp"
 
 namespace pal::test {

@@ -31,7 +31,7 @@ class OddSkill : DrawnSkill {
   /// Of what is odd only some is in one skill, so that something is bounded.
   bool odd(Odd what, int one_in) { return odd_[static_cast<std::size_t>(what)] == 0 && chance_(one_in) == 0; }
 
-  // Who talks to whom (odd_skill.cpp).
+  // Which modules talk to which (odd_skill.cpp).
   void draw();
   void calm_links();
 

@@ -149,7 +149,7 @@ std::string SmallSkill::controller_round() {
   const bool anywhere = asks || chance_(4) == 0;
   parts.insert(parts.begin() + (anywhere ? chance_(static_cast<int>(after) + 1) : after), talk);
   parts.insert(chance_(3) == 0 ? parts.begin() : parts.end() - (asks ? 0 : 1), "RPC( m )\nuse\n");
-  // Who goes on by itself needs something that lasts in every round.
+  // A thread that goes on by itself needs something that lasts in every round.
   if (!asks) parts.insert(parts.begin(), sample());
   return together(parts);
 }

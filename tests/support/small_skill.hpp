@@ -23,7 +23,7 @@ class SmallSkill {
   std::string text();
 
  private:
-  /// Who asks whom, and what there is besides.
+  /// Which modules ask which, and what there is besides.
   enum class Shape {
     controller_asks,  // of events of its device
     method_asks,      // by itself

@@ -74,7 +74,7 @@ class BlockCloner {
 
   Problem made_;
   Table<ThreadId, bool> begun_;
-  Table<StepId, ThreadId> owner_;  // none: nobody gets there
+  Table<StepId, ThreadId> owner_;  // none: no thread gets there
 };
 
 }  // namespace

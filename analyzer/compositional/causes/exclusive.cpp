@@ -10,8 +10,8 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-/// The wait that a job cannot pass without the next one having begun, if there is one. Who gives up there
-/// goes on in the same job.
+/// The wait that a job cannot pass without the next one having begun; -1: there is none. A thread that
+/// gives up there goes on in the same job.
 StepId end_of_job(const AnalysisContext& context, int node) {
   const int job_start = context.job_start_of(node);
   const Beginning& begins = context.segment(job_start).beginning;

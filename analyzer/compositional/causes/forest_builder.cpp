@@ -328,7 +328,7 @@ class ForestBuilder {
     return problem_.channels[channel].answer.valid();
   }
 
-  /// Whether a circle leads back to a server that somebody asks once more. If that goes on for ever, the
+  /// Whether a circle leads back to a server that is asked once more. If that goes on for ever, the
   /// asking is a circle, too, and is found there. Ways that part and ask multiply: not too often.
   bool is_asked_anew(const std::vector<int>& circle) {
     constexpr int most_askings = 128;

@@ -132,8 +132,8 @@ class Observer {
   /// What a job brings about it must also take: else a later job finds it in the slot, and takes it for
   /// its own.
   void leftovers(ThreadId t) {
-    std::map<ChannelId, std::set<StepId>>
-        origins;  // by channel of what comes back: sends, and forks to who sends
+    // By channel of what comes back: sends, and forks to the senders.
+    std::map<ChannelId, std::set<StepId>> origins;
     for (int n : thread(t).nodes) {
       if (node(n).release != Release::message || made_.job_start[static_cast<std::size_t>(n)] == n) continue;
       int first = n;  // of what the thread brings about on the way

@@ -44,7 +44,7 @@ struct ThreadBehaviours {
   /// itself blocked in a send. So a sender that is blocked on the slot does not delay the thread.
   std::vector<bool> drains;
   std::vector<std::vector<int>> alternatives;  // alternatives_of()
-  /// By source: nodes that may end the skill or their thread. Whoever depends on them waits until that end.
+  /// By source: nodes that may end the skill or their thread. What depends on them waits until that end.
   std::vector<std::vector<int>> endings;
   /// By thread: the endings that the thread causes before any job.
   Table<ThreadId, std::vector<StartEnding>> start_endings;

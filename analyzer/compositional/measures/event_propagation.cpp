@@ -19,7 +19,7 @@ std::string EventPropagation::unbounded_reason_of(int n) const {
 
 bool EventPropagation::certain(int n) {
   const ThreadId thread = view_.forest.thread_of(n);
-  // A device is closed until somebody waits for its event.
+  // A device is closed until a thread waits for its event.
   const bool opens = node(view_.behaviours.job_start[static_cast<std::size_t>(n)]).release == Release::root;
   if (view_.lasts(thread) && (view_.begun[thread] || opens)) return true;
   if (why_.empty()) {

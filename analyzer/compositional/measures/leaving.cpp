@@ -8,8 +8,8 @@ namespace {
 
 using Measure = Requirement::Measure;
 
-/// The next event but one must not come while the skill is ending: the first may find no idle thread. Whoever
-/// was to take that is still at work with the one before until it would have taken it.
+/// The next event but one must not come while the skill is ending: the first may find no idle thread. The
+/// thread that was to take it is still at work with the one before until it would have taken it.
 bool over_before_next(const View& view, DeviceId device, const Sum& over) {
   const auto in_time = [&](const Source& source, int root) {
     const Nanoseconds taken = view.times.nodes[static_cast<std::size_t>(root)].effects.front();

@@ -10,7 +10,7 @@ namespace {
 /// Why an answer to a request may get lost; empty: none may.
 std::string answers_lost(const View& view, ChannelId request) {
   const Problem& problem = view.problem;
-  if (may_give_up(problem, request)) return "somebody may give up waiting for an answer";
+  if (may_give_up(problem, request)) return "a thread may give up waiting for an answer";
   for (const StepId s : problem.steps.ids()) {
     const Step& step = problem.steps[s];
     const ThreadId owner = view.forest.segments.owner(s);

@@ -50,7 +50,8 @@ std::string overrun(const View& view, int source) {
 
 Bound to_event(const View& view, const Requirement& requirement, int source) {
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
-  if (of.roots.empty()) return unknown("nobody waits for events of " + view.problem.devices[of.device].name);
+  if (of.roots.empty())
+    return unknown("no thread waits for events of " + view.problem.devices[of.device].name);
   const int root = of.roots.front();
   if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
@@ -138,9 +139,9 @@ bool always_comes(const View& view, int source, const Table<StepId, bool>& at) {
 
 Bound event_loss_bound(const View& view, const Requirement& requirement) {
   const int source = source_of(view, requirement.device);
-  if (source < 0) return unknown("nobody waits for its events");
+  if (source < 0) return unknown("no thread waits for its events");
   const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
-  if (of.roots.empty()) return unknown("nobody waits for its events");
+  if (of.roots.empty()) return unknown("no thread waits for its events");
   if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
   return propagation.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(propagation.why());

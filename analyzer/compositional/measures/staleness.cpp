@@ -28,7 +28,7 @@ class Staleness {
   }
 
   Bound run() const {
-    if (setters_.empty()) return {Sum::unbounded(), "nobody sets the condition"};
+    if (setters_.empty()) return {Sum::unbounded(), "no statement sets the condition"};
     if (setters_.size() == 1) return distance_of_sets(*setters_.begin());
     return several_setters();
   }

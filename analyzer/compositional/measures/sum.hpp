@@ -22,7 +22,7 @@ struct Term {
     said,         // `what`
   };
   Kind kind = Kind::said;
-  int node = -1;  // said: a node of the thread that does it; -1: nobody does
+  int node = -1;  // said: a node of the thread that does it; -1: none does
   StepId step{};
   int source = -1;
   std::string what;

@@ -38,7 +38,7 @@ class BusyWindows {
   explicit BusyWindows(std::vector<bool> preemptive, std::function<bool()> stop = {})
       : preemptive_(std::move(preemptive)), stop_(std::move(stop)) {}
 
-  /// Nobody is asked whether to stop any more.
+  /// From here on nothing is asked whether to stop.
   void go_on() { stop_ = {}; }
 
   /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.

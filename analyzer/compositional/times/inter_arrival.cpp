@@ -115,7 +115,7 @@ Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTim
     const bool known = context.source(n).kind == Source::Kind::start;
     latest = std::max(latest, known ? latest_arrival(context, nodes, n, of.idle_wait) : never);
   }
-  // Who waits for it waits until the skill has ended instead.
+  // A thread that waits for it waits until the skill has ended instead.
   for (int n : context.endings_before_idle(thread))
     latest = std::max(latest, nodes[static_cast<std::size_t>(n)].finish);
   return latest;

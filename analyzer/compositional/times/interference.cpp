@@ -41,8 +41,7 @@ Interference::Interference(const AnalysisContext& context, const std::vector<Nod
     auto& tasks = transactions[static_cast<std::size_t>(context.node(n).source)].tasks;
     task_[i] = static_cast<int>(tasks.size());
     nodes_of_[static_cast<std::size_t>(context.node(n).source)].push_back(n);
-    tasks.push_back(
-        {thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0, {}, {}, {}});
+    tasks.push_back({thread.processor, thread.priority, context.segment(n).worst, nodes[i].earliest, 0});
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) precede(context, static_cast<int>(n), transactions);
   for (const std::vector<int>& alternatives : context.behaviours.alternatives) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pal/support/duration_text.hpp"
+
 namespace pal::analyzer::compositional {
 namespace {
 
@@ -25,6 +27,47 @@ bool waits_for_others(const AnalysisContext& context, ThreadId thread) {
   });
 }
 
+/// When a job of the thread is done at the latest, and when the next may be due at the earliest, after the
+/// nominal instant of the job's source.
+Nanoseconds done(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, ThreadId thread) {
+  const ThreadBehaviour& of = context.behaviour_of(thread);
+  Nanoseconds last = 0;
+  for (int n : of.nodes) {
+    if (context.in_job(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  }
+  if (!waits_for_others(context, thread)) return last;
+  // The threads that it has set to work, and those that end the skill, may leave it waiting till then.
+  for (int n :
+       context.behaviours.endings[static_cast<std::size_t>(context.node(of.job_starts.front()).source)]) {
+    if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  }
+  return last;
+}
+
+Nanoseconds next_due(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, ThreadId thread) {
+  const std::vector<int>& job_starts = context.behaviour_of(thread).job_starts;
+  Nanoseconds soonest = never;
+  for (int n : job_starts) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
+  return plus(context.source(job_starts.front()).period, soonest);
+}
+
+/// Why a thread that begins jobs in several ways has no bound.
+std::string why_in_several_ways(const AnalysisContext& context, ThreadId thread) {
+  std::vector<std::string> clients;
+  for (int n : context.behaviour_of(thread).job_starts) {
+    const Beginning& begins = context.segment(n).beginning;
+    if (begins.kind != Beginning::Kind::arm) continue;
+    const ChannelId channel = context.step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+    const std::string& name = sender_name(context.problem, channel);
+    if (std::find(clients.begin(), clients.end(), name) == clients.end()) clients.push_back(name);
+  }
+  if (clients.size() < 2) return "begins jobs for several reasons, and waits within them";
+  std::string names = clients.front();
+  for (std::size_t i = 1; i < clients.size(); ++i)
+    names += (i + 1 == clients.size() ? " and " : ", ") + clients[i];
+  return "serves " + std::to_string(clients.size()) + " clients, " + names + ", and waits within its jobs";
+}
+
 bool sent_by(const Node& taker, StepId send) {
   return std::find(taker.sends.begin(), taker.sends.end(), send) != taker.sends.end();
 }
@@ -45,21 +88,7 @@ bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeT
   const Source& of = context.source(behaviours.job_starts.front());
   const bool itself = context.node(behaviours.job_starts.front()).cause < 0;
   if (of.kind == Source::Kind::loop && of.thread == thread && itself) return true;
-  if (of.period == never) return true;
-  Nanoseconds soonest = never;
-  Nanoseconds last = 0;
-  for (int n : behaviours.job_starts)
-    soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
-  for (int n : behaviours.nodes) {
-    if (context.in_job(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
-  }
-  if (!waits_for_others(context, thread)) return last < plus(of.period, soonest);
-  // Whom it has set to work, and who ends the skill, may leave it waiting till then.
-  for (int n : context.behaviours
-                   .endings[static_cast<std::size_t>(context.node(behaviours.job_starts.front()).source)]) {
-    if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
-  }
-  return last < plus(of.period, soonest);
+  return of.period == never || done(context, nodes, thread) < next_due(context, nodes, thread);
 }
 
 Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, StepId wait) {
@@ -167,9 +196,15 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
     const ThreadBehaviour& of = context_.behaviours.threads[t];
     if (!of.waits_within || of.job_starts.empty() || of.asked_by_one) continue;
     if (!of.one_job) {
-      found.push_back({t, false, "begins jobs for several reasons, and waits within them", {}});
-    } else if (!is_done_before_next(context_, times.nodes, ThreadId(t))) {
-      found.push_back({t, false, "may still be waiting within one job when the next is due", {}});
+      found.push_back({t, false, why_in_several_ways(context_, t), {}});
+    } else if (!is_done_before_next(context_, times.nodes, t)) {
+      const Nanoseconds last = done(context_, times.nodes, t);
+      const Nanoseconds next = next_due(context_, times.nodes, t);
+      const std::string how_long = last >= never
+                                       ? ""
+                                       : ": a job may last until " + to_text(Duration(last)) +
+                                             ", and the next may be due at " + to_text(Duration(next));
+      found.push_back({t, false, "may still be waiting within one job when the next is due" + how_long, {}});
     }
   }
   return found;

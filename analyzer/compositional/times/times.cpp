@@ -16,8 +16,8 @@ namespace {
 using Kind = Step::Kind;
 
 constexpr int most_rounds = 400;
-constexpr int everybody = std::numeric_limits<int>::max();
-constexpr int nobody = std::numeric_limits<int>::min();
+constexpr int every_priority = std::numeric_limits<int>::max();
+constexpr int no_priority = std::numeric_limits<int>::min();
 
 /// The nodes with their earliest releases, and as if nothing ever had to wait.
 std::vector<NodeTimes> unhindered(const AnalysisContext& context, const Table<StepId, bool>& at,
@@ -128,17 +128,17 @@ class Solver : private AnalysisContext {
   /// processor. If that is not preemptive, they may have any priority.
   int delays_up_to(const Thread& thread) const {
     const bool preemptive = problem.processors[thread.processor].preemptive;
-    return preemptive ? thread.priority : everybody;
+    return preemptive ? thread.priority : every_priority;
   }
 
   void solve() {
     for (std::size_t n = 0; n < forest.nodes.size(); ++n)
       interference_.announce(static_cast<int>(n), nodes_[n]);
-    Table<ProcessorId, int> dirty(problem.processors.size(), everybody);  // delays_up_to()
+    Table<ProcessorId, int> dirty(problem.processors.size(), every_priority);  // delays_up_to()
     for (int iteration = 0; iteration < most_rounds; ++iteration) {
       find_overlaps(dirty);
       Table<ProcessorId, int> now = dirty;
-      dirty.assign(dirty.size(), nobody);
+      dirty.assign(dirty.size(), no_priority);
       bool changed = false;
       for (std::size_t i = 0; i < forest.nodes.size(); ++i) {
         const int n = static_cast<int>(i);
@@ -171,7 +171,7 @@ class Solver : private AnalysisContext {
   }
 
   /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may
-  /// delay anybody there.
+  /// delay any thread there.
   void find_overlaps(Table<ProcessorId, int>& dirty) {
     Table<ThreadId, bool> done_before_next;
     for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
@@ -185,7 +185,7 @@ class Solver : private AnalysisContext {
     for (std::size_t n = 0; n < forest.nodes.size() && !in_turn_.empty(); ++n) {
       const auto source = static_cast<std::size_t>(forest.nodes[n].source);
       const ProcessorId processor = thread_of(static_cast<int>(n)).processor;
-      if (in_turn_[source] != in_turn[source]) dirty[processor] = everybody;
+      if (in_turn_[source] != in_turn[source]) dirty[processor] = every_priority;
     }
     interference_.find_order(done_before_next, in_turn, stop_);
     interference_.find_bursts(nodes_, done_before_next, times_.blocked);

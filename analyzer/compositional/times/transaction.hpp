@@ -27,11 +27,11 @@ struct Task {
   Nanoseconds offset = 0;
   Nanoseconds jitter = 0;
   /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
-  std::vector<int> followers;
+  std::vector<int> followers{};
   /// Transactions and tasks whose work does not count in its windows; ascending.
-  std::vector<std::pair<int, int>> without;
+  std::vector<std::pair<int, int>> without{};
   /// If its transaction occurs once: tasks that may come after its own work; ascending.
-  std::vector<Separation> separations;
+  std::vector<Separation> separations{};
   int among = -1;         // of its transaction's alternatives; -1: none
   bool piles_up = false;  // it may come later: its jitter says how many can have piled up on the way
 };

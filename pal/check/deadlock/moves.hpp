@@ -106,13 +106,13 @@ class Moves {
   static char16_t word(std::size_t value) { return static_cast<char16_t>(value); }
 
   static constexpr int most_asked = 12;
-  static constexpr int nobody = 0;
+  static constexpr int no_thread = 0;
 
   struct Slot {
     bool full = false;
     bool answers = false;  // of an answer: what is in the slot answers the oldest request
     int asked = 0;         // of a request: how many have no answer yet that was taken
-    /// The thread, from 1, to which each of them belongs, the oldest first; `nobody`: the request is
+    /// The thread, from 1, to which each of them belongs, the oldest first; `no_thread`: the request is
     /// withdrawn.
     std::array<int, most_asked> by{};
 

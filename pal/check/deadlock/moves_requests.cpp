@@ -15,7 +15,7 @@ void Moves::Slot::erase(int at) {
 }
 
 int Moves::Slot::withdrawn() const {
-  return static_cast<int>(std::count(by.begin(), by.begin() + asked, nobody));
+  return static_cast<int>(std::count(by.begin(), by.begin() + asked, no_thread));
 }
 
 Moves::Slot Moves::slot(const State& state, pan::ChannelId channel) const {
@@ -49,9 +49,9 @@ void Moves::ask(Slot& slot, std::size_t thread) const {
 void Moves::blur(Slot& slot) const {
   if (slot.withdrawn() <= withdrawn_) return;
   const auto end = slot.by.begin() + slot.asked;
-  const auto first = std::find(slot.by.begin(), end, nobody);
-  const auto behind = std::find_if(first, end, [](int owner) { return owner != nobody; });
-  overflowed_ = overflowed_ || std::find(behind, end, nobody) != end;
+  const auto first = std::find(slot.by.begin(), end, no_thread);
+  const auto behind = std::find_if(first, end, [](int owner) { return owner != no_thread; });
+  overflowed_ = overflowed_ || std::find(behind, end, no_thread) != end;
   while (slot.withdrawn() > withdrawn_ + 1) slot.erase(static_cast<int>(first - slot.by.begin()));
 }
 
@@ -92,7 +92,7 @@ Threads Moves::owners(const State& state, pan::ChannelId request) const {
   Threads result;
   const auto of = slot(state, request);
   for (std::size_t i = 0; i < static_cast<std::size_t>(of.asked); ++i) {
-    if (of.by[i] != nobody) result.set(static_cast<std::size_t>(of.by[i] - 1));
+    if (of.by[i] != no_thread) result.set(static_cast<std::size_t>(of.by[i] - 1));
   }
   return result;
 }
@@ -133,7 +133,7 @@ void Moves::withdraw(State& state, pan::ChannelId request, std::optional<std::si
   auto answer = slot(state, *back);
   for (int at = asked.asked - 1; at >= 0; --at) {
     auto& owner = asked.by[static_cast<std::size_t>(at)];
-    if (owner == nobody || (thread && owner != static_cast<int>(*thread) + 1)) continue;
+    if (owner == no_thread || (thread && owner != static_cast<int>(*thread) + 1)) continue;
     if (device) {
       asked.erase(at);
     } else if (asked.full && at + 1 == asked.asked) {
@@ -143,7 +143,7 @@ void Moves::withdraw(State& state, pan::ChannelId request, std::optional<std::si
       answer.full = answer.answers = false;
       asked.erase(at);
     } else {
-      owner = nobody;
+      owner = no_thread;
     }
   }
   blur(asked);

@@ -60,7 +60,7 @@ void Moves::send(const State& state, std::size_t thread, const Step& step, std::
   }
   const int answered = answered_next(state, channel);
   const auto& request = automata_.request_of[channel.index()];
-  if (answered >= 0 && slot(state, *request).by[static_cast<std::size_t>(answered)] == nobody) {
+  if (answered >= 0 && slot(state, *request).by[static_cast<std::size_t>(answered)] == no_thread) {
     auto asked = slot(state, *request);
     move.action.kind = Action::Kind::discards;
     move.guessed = asked.withdrawn() > withdrawn_;

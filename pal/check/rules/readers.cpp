@@ -31,8 +31,8 @@ class Sources {
   }
 
   /// Nodes that some way from the thread's start reaches without the message. Behind an Execute these are the
-  /// ways through the module, whoever executed it. A way agrees with itself in the values of conditions that
-  /// only it sets.
+  /// ways through the module, whichever thread executed it. A way agrees with itself in the values of
+  /// conditions that only it sets.
   Marks reached_without() {
     if (!follow(SteadyConditions(network_, outermost_))) follow(SteadyConditions(network_));
     Marks marks;

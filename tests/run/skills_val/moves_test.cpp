@@ -63,7 +63,7 @@ TEST_CASE("move-to-location: 1, beyond the arm's reach, and nothing moves") {
   CHECK(stands(shop, before));
 }
 
-TEST_CASE("move-to-location: 2, a location that nobody taught") {
+TEST_CASE("move-to-location: 2, a location that was never taught") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("move-to-location", {text("location", "NOWHERE")});
@@ -85,7 +85,7 @@ TEST_CASE("move-to-location: 2, a post in the way") {
 }
 
 TEST_CASE(
-    "move-to-location: 2, the line to VAL breaks; the motion under way is ended, as nobody can stop it") {
+    "move-to-location: 2, the line to VAL breaks; the motion under way is ended, as nothing can stop it") {
   Workshop shop(scene("parts"));
   const auto& lines = shop.cell().lines();
   const auto val =

@@ -34,7 +34,7 @@ TEST_CASE("pick-at-location: 1, nothing there: the fingers are open again, above
   CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 80)).norm() < 0.2);
 }
 
-TEST_CASE("pick-at-location: 2, a location that nobody taught") {
+TEST_CASE("pick-at-location: 2, a location that was never taught") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();
   const auto outcome = shop.run("pick-at-location", {text("location", "NOWHERE")});

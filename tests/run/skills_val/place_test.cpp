@@ -81,7 +81,7 @@ TEST_CASE("place-at-location: 2, a post on the way there; the arm stands still")
   CHECK(shop.tip().y() < 0);
 }
 
-TEST_CASE("place-at-location: 2, a location that nobody taught; the part stays in the fingers") {
+TEST_CASE("place-at-location: 2, a location that was never taught; the part stays in the fingers") {
   Workshop shop(scene("parts"));
   REQUIRE(shop.run("pick-at-location").code == 0);
   const auto outcome = shop.run("place-at-location", {text("location", "NOWHERE")});

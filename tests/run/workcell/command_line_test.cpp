@@ -267,7 +267,7 @@ TEST_CASE("a command line that is wrong is a matter of usage") {
   CHECK(help.out.find("--sweep") != std::string::npos);
 }
 
-TEST_CASE("a run is the same byte for byte, whoever looks on") {
+TEST_CASE("a run is the same byte for byte, with observers or without") {
   const Folder folder;
   const auto run = [&](const std::string& name, std::vector<std::string> looking) {
     std::vector<std::string> arguments{"run", "touch", "--seed", "5", "--output", folder.path() + "/" + name};

@@ -65,7 +65,7 @@ Seen AllRuns::enumerate(std::size_t most) {
   greatest_ = least_ = -1;
   std::unordered_map<std::string, std::size_t> known;
   std::vector<Arrival> arrivals;
-  std::vector<Stretch> stretches;       // load: between states; the work is told by who was busy
+  std::vector<Stretch> stretches;       // load: between states; the work is told by the busy processors
   std::vector<std::vector<bool>> busy;  // load: by state and processor
   std::deque<std::pair<State, std::size_t>> todo;
   bool long_before = false;

@@ -1,4 +1,4 @@
-// Messages: slots, and who waits for them.
+// Messages: slots, and the threads that wait for them.
 #include "tests/support/runs/all_runs.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Who has the processors, and threads that begin, wait, end and are stopped.
+// The threads that have the processors, and those that begin, wait, end and are stopped.
 #include "tests/support/runs/all_runs.hpp"
 
 #include <algorithm>

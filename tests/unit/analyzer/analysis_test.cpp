@@ -51,7 +51,7 @@ Provers wrong(Nanoseconds bound) {
 
 }  // namespace
 
-TEST_CASE("bounds that no run contradicts are used") {
+TEST_CASE("a bound that no run contradicts is the verdict's bound") {
   const auto skill = two();
   const Analysis analysis = analyze_with(wrong(2 * ms), *skill->problem, AnalysisChoice::automatic);
   CHECK(analysis.verdicts[0].state == VerdictState::holds);
@@ -60,7 +60,7 @@ TEST_CASE("bounds that no run contradicts are used") {
   CHECK(analysis.verdicts[1].bound == Duration(2 * ms));
 }
 
-TEST_CASE("a run that is looked for withdraws a wrong proof as a whole") {
+TEST_CASE("a run found by the search withdraws all verdicts of the proof that it contradicts") {
   const auto skill = two();
   for (const AnalysisChoice choice : {AnalysisChoice::automatic, AnalysisChoice::compositional}) {
     const Analysis analysis = analyze_with(wrong(2 * ms - 1), *skill->problem, choice);
@@ -78,7 +78,7 @@ TEST_CASE("a run that is looked for withdraws a wrong proof as a whole") {
 }
 
 // The exact analysis shows 4 ms where the other one said 3: what that said of the busy period is not used.
-TEST_CASE("a run of an exploration withdraws the verdict that it replaces") {
+TEST_CASE("a run found by the exploration withdraws all verdicts of the proof that it contradicts") {
   const auto skill = two();
   Provers provers = wrong(3 * ms);
   provers.exact = [](const Problem& problem, const Options& options) {
@@ -101,7 +101,7 @@ TEST_CASE("a run of an exploration withdraws the verdict that it replaces") {
   CHECK(analysis.verdicts[1].explanation.find("proved of 'answer'") != std::string::npos);
 }
 
-TEST_CASE("what nobody reads is never measured, whatever the analysis") {
+TEST_CASE("a value that no statement reads is never measured, by any analysis") {
   const auto skill = test::sound_skill(
       test::small_skill("REQUIREMENT unread : AGE OF pc-high AT work AT MOST 5 ms\n"
                         "REQUIREMENT read   : AGE OF pc-high AT SPC( pc-high ) AT MOST 9 ms\n",
@@ -139,7 +139,7 @@ END
   }
 }
 
-TEST_CASE("where nothing could be explored a run of a thousand events shows what fails at its end") {
+TEST_CASE("a run of a thousand events refutes a duration even if nothing could be explored") {
   std::string works;
   for (int n = 0; n < 1000; ++n) works += "  work\n";
   const auto skill = test::sound_skill(

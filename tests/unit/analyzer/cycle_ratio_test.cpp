@@ -32,14 +32,14 @@ std::optional<CycleRatio> by_trying(int nodes, const std::vector<WeightedEdge>& 
 
 }  // namespace
 
-TEST_CASE("the better of two cycles counts") {
+TEST_CASE("the greatest ratio is that of the better of two cycles") {
   const std::vector<WeightedEdge> edges{{0, 1, 1, 2}, {1, 0, 1, 4}, {1, 2, 0, 1}, {2, 1, 2, 3}};
   const auto found = greatest_cycle_ratio(3, edges);
   REQUIRE(found);
   CHECK(found->work * 2 == found->time);
 }
 
-TEST_CASE("cycles that take no time do not count") {
+TEST_CASE("a cycle that takes no time has no ratio") {
   CHECK_FALSE(greatest_cycle_ratio(2, {{0, 1, 0, 0}, {1, 0, 0, 0}}));
   CHECK_FALSE(greatest_cycle_ratio(2, {{0, 1, 1, 1}}));
 }
@@ -54,7 +54,7 @@ TEST_CASE("cycles whose times do not fit into 64 bits are recognised") {
   CHECK(found->time == 2 * longest);
 }
 
-TEST_CASE("the greatest ratio is what trying every cycle gives") {
+TEST_CASE("the greatest ratio equals that of trying every cycle") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     INFO("seed " << seed);
     std::mt19937_64 engine(seed);

@@ -18,20 +18,20 @@ Dbm square() {
 
 }  // namespace
 
-TEST_CASE("a constraint tightens what follows from it") {
+TEST_CASE("a constraint tightens the bounds that follow from it") {
   Dbm zone = square();
   REQUIRE(zone.constrain(1, 2, -4));  // x1 + 4 <= x2
   CHECK(zone.at(1, 0) == 6);
   CHECK(zone.at(0, 2) == -4);
 }
 
-TEST_CASE("contradictory constraints leave nothing") {
+TEST_CASE("contradictory constraints make a zone empty") {
   Dbm zone = square();
   REQUIRE(zone.constrain(1, 2, -4));
   CHECK_FALSE(zone.constrain(2, 0, 3));
 }
 
-TEST_CASE("a zone includes what is constrained further, and not the other way round") {
+TEST_CASE("a zone includes one that is constrained further, and is not included in it") {
   const Dbm whole = square();
   Dbm part = square();
   REQUIRE(part.constrain(1, 0, 5));

@@ -1,4 +1,4 @@
-// The zone graph is the same whoever explores it.
+// The zone graph is the same, whichever threads explore it.
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <stdexcept>
@@ -13,7 +13,7 @@
 using namespace pal;
 using namespace pal::analyzer;
 
-TEST_CASE("workers do each part once, and pass on what is thrown") {
+TEST_CASE("workers do each part once and pass on exceptions") {
   Workers workers(3);
   for (const std::size_t grain : {std::size_t{1}, std::size_t{7}}) {
     std::vector<std::atomic<int>> done(1000);
@@ -73,7 +73,7 @@ TEST_CASE("the zone graph does not depend on the number of threads") {
   CHECK(largest >= 30'000);  // otherwise hardly anything was shared
 }
 
-TEST_CASE("an exploration stops while it looks for the orders in which modules begin") {
+TEST_CASE("an exploration can be stopped while it looks for the orders in which modules begin") {
   // Ten modules that begin with work on one processor: more orders than are tried.
   std::string modules;
   std::string places = "  PLACE SM1 ON P PRIORITY 1\n";
@@ -104,8 +104,7 @@ TEST_CASE("an exploration stops while it looks for the orders in which modules b
   CHECK(graph.classes().empty());
 }
 
-TEST_CASE(
-    "few classes with very many timers are expanded between one question whether to stop and the next") {
+TEST_CASE("an exploration expands few classes with very many timers between two questions whether to stop") {
   const Problem problem = test::problem_of(test::pairs_of_drivers(60));
   const Watch nothing;
   const Machine machine(problem, nothing);
@@ -119,7 +118,9 @@ TEST_CASE(
   CHECK(graph.classes().size() < 20'000);
 }
 
-TEST_CASE("an exploration ends where its classes have taken as much memory as so many small ones") {
+TEST_CASE(
+    "an exploration of large classes ends when they take the memory of as many small ones as the limit "
+    "allows") {
   const Problem problem = test::problem_of(test::pairs_of_drivers(60));
   const Watch nothing;
   const Machine machine(problem, nothing);

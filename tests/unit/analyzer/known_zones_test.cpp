@@ -43,7 +43,7 @@ struct Plain {
 
 }  // namespace
 
-TEST_CASE("known zones are found and forgotten as in a plain search") {
+TEST_CASE("known zones are found and removed as by a plain search") {
   std::mt19937 engine(1);
   const auto chance = [&engine](int n) { return static_cast<int>(engine() % static_cast<unsigned>(n)); };
   for (int round = 0; round < 30; ++round) {

@@ -20,7 +20,7 @@ std::int64_t milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count();
 }
 
-/// Instants at 0 or 1, and four sums of them that must be met exactly: it takes far longer than anybody
+/// Instants at 0 or 1, and four sums of them that must be met exactly: it takes far longer than any user
 /// waits (a market split, G. Cornuejols and M. Dawande, A class of hard small 0-1 programs, 1999).
 struct Hard {
   static constexpr std::size_t count = 25;
@@ -47,7 +47,7 @@ volatile std::sig_atomic_t signalled = 0;
 
 }  // namespace
 
-TEST_CASE("the search for times ends when it is told to") {
+TEST_CASE("the search for times ends when it is stopped") {
   const Hard hard;
   const auto begin = Clock::now();
   const auto stop = [begin] { return milliseconds_since(begin) > 100; };
@@ -59,7 +59,7 @@ TEST_CASE("the search for times ends when it is told to") {
   CHECK(after->back() == 5);
 }
 
-TEST_CASE("a signal during the search for times reaches whoever waits for it") {
+TEST_CASE("a signal during the search for times reaches the thread that waits for it") {
   const Hard hard;
   signalled = 0;
   const auto before = std::signal(SIGINT, [](int) { signalled = 1; });
@@ -97,7 +97,7 @@ struct Interrupted {
 
 }  // namespace
 
-TEST_CASE("an action that was interrupted a hundred times has worked as long as it must") {
+TEST_CASE("an action that was interrupted a hundred times has worked for the time required") {
   const Interrupted action(100, 125);
   const auto times = linear_times(action.count, action.differences, {action.work}, Goal{0, 200});
   REQUIRE(times);
@@ -107,7 +107,7 @@ TEST_CASE("an action that was interrupted a hundred times has worked as long as 
   CHECK(times->back() == 325);
 }
 
-TEST_CASE("times of more events than can be looked for in time are given up at once") {
+TEST_CASE("the search for times of too many events gives up at once") {
   const Interrupted action(4000, 5000);
   const auto begin = Clock::now();
   CHECK_FALSE(linear_times(action.count, action.differences, {action.work}, Goal{0, 8000}));
@@ -163,7 +163,7 @@ struct Drawn {
 
 }  // namespace
 
-TEST_CASE("the greatest difference is that of all times that can be") {
+TEST_CASE("the greatest difference is that of all possible times") {
   std::mt19937_64 engine(3);
   int some = 0;
   for (int round = 0; round < 400; ++round) {
@@ -180,14 +180,14 @@ TEST_CASE("the greatest difference is that of all times that can be") {
   CHECK(some > 100);
 }
 
-TEST_CASE("a difference without an end has no greatest value") {
+TEST_CASE("an unbounded difference has no greatest value") {
   CHECK_FALSE(linear_times(2, {{1, 0, 0}}, {}, Goal{0, 1}));
   const auto enough = linear_times(2, {{1, 0, 0}}, {}, Goal{0, 1, 100});
   REQUIRE(enough);
   CHECK(enough->back() >= 100);
 }
 
-TEST_CASE("when it is told to stop it has what it found until then") {
+TEST_CASE("a stopped search has the greatest difference that it found until then") {
   const Interrupted action(100, 125);
   std::size_t found = 0;
   for (int wait = 2; wait < 60; wait += 2) {

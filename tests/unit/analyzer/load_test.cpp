@@ -37,7 +37,7 @@ TEST_CASE("the load of a sporadic worker is at most its work in its least separa
   CHECK(verdict.bound->count() == 416'666'667);  // 5 ms in 12 ms, rounded up
 }
 
-TEST_CASE("a load counts from the beginning on if the skill comes back to it") {
+TEST_CASE("a load includes the beginning of the skill if a run comes back to it") {
   // Each event may come when the work of the one before ends: always busy. What the skill comes back to
   // includes where it began, as the other block may be anywhere in its nap then.
   const auto skill = test::sound_skill(small_skill("REQUIREMENT load : LOAD OF P1 AT MOST 99 %", R"(
@@ -105,7 +105,7 @@ END
   CHECK(verdict.bound == Duration(0));
 }
 
-TEST_CASE("a load is exact whatever the common divisor of the times") {
+TEST_CASE("a load is exact for any common divisor of the times") {
   const auto skill = test::sound_skill(
       small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
                   "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 12000001 ns\nTIME "
@@ -120,7 +120,7 @@ TEST_CASE("a load is exact whatever the common divisor of the times") {
   REQUIRE(verdict.witness);
 }
 
-TEST_CASE("a load is that of a turn of its run, however it was proved") {
+TEST_CASE("a load is attained by one turn of its run, even if shares of the time proved it") {
   const auto skill = test::sound_skill(
       small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
                   "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 12000001 ns\nTIME "
@@ -133,7 +133,7 @@ TEST_CASE("a load is that of a turn of its run, however it was proved") {
   CHECK(attained(verdict) == verdict.bound);
 }
 
-TEST_CASE("long times without a common divisor take no longer") {
+TEST_CASE("a load with very long times is decided within the default limits") {
   const auto skill =
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 50 %", worker,
                                     "PROCESSOR P0\nDEVICE MC1 EVENT tick EVERY 999999999999999 ns\nTIME "
@@ -196,7 +196,7 @@ Verdict by_shares(const std::string& round, const std::string& device) {
 
 }  // namespace
 
-TEST_CASE("the limit of a wait counts for the part that passed") {
+TEST_CASE("a limited wait counts in the load for the part of its limit that passed") {
   const Verdict verdict =
       by_shares("WTM( tick from MC1 ) WITHIN 10000001 ns\n  work\nELSE\n  Do Nothing\nEND WTM",
                 "DEVICE MC1 EVENT tick EVERY 2000003 ns\n");
@@ -205,7 +205,7 @@ TEST_CASE("the limit of a wait counts for the part that passed") {
   CHECK(verdict.bound == Duration(500'000'750));  // 1,000,003 in 2,000,003, rounded up
 }
 
-TEST_CASE("an answer counts for the least that it may take") {
+TEST_CASE("an answer counts in the load with the least time that it may take") {
   const Verdict verdict = by_shares("TXM( request value to LS1 )\nWTM( value from LS1 )\nwork",
                                     "DEVICE LS1 ON REQUEST 999997 TO 9999991 ns\n");
   INFO(verdict.explanation);
@@ -215,7 +215,7 @@ TEST_CASE("an answer counts for the least that it may take") {
 
 // It works without a pause while LS1 takes its time, and rests while LS1 takes it again. Round a loop of the
 // work everything comes back but what LS1 has done.
-TEST_CASE("a stretch in which something goes on that does not come back is no turn") {
+TEST_CASE("a stretch of a run is no turn if an action that goes on throughout it does not come back") {
   const auto skill = test::sound_skill(R"(MESSAGE value : SIGNAL
 SKILL s
   LOGICAL SENSOR LS1
@@ -262,7 +262,7 @@ END ENVIRONMENT
   CHECK(*attained(verdict) < Duration(600'000'000));
 }
 
-TEST_CASE("a grid stops while it looks for the points at which it is entered") {
+TEST_CASE("a grid can be stopped while it looks for its entry points") {
   const auto skill =
       test::sound_skill(small_skill("REQUIREMENT load : LOAD OF EACH PROCESSOR AT MOST 40 %", worker,
                                     "PROCESSOR P0\nPROCESSOR P1\nDEVICE MC1 EVENT tick EVERY 7919 us JITTER "

@@ -66,7 +66,8 @@ END
   CHECK_FALSE(made.ended);
 }
 
-TEST_CASE("giving up withdraws what was asked, not what a sender asks whose slot becomes free by it") {
+TEST_CASE(
+    "giving up withdraws the thread's own request, not that of a sender whose slot becomes free by it") {
   const auto waits = [](const std::string& limit) {
     return "  BEGIN\n    TXM( request value from LS1 )\n    WTM( value from LS1 ) WITHIN " + limit +
            " ms\n      rest\n    ELSE\n      rest\n    END WTM\n  END\n";
@@ -174,7 +175,7 @@ TEST_CASE("an exploration that meets its limit decides nothing") {
   CHECK(analyze_exactly(*skill->problem, options).verdicts.front().state == Verdict::State::holds);
 }
 
-TEST_CASE("an event that nobody answers fails without an overrun, even if nothing happens any more") {
+TEST_CASE("an event that is never answered fails without an overrun, even if nothing happens any more") {
   const auto skill = test::sound_skill(
       small_skill("  REQUIREMENT answer : RESPONSE FROM tick OF MC1 TO SPC( pc-high ) AT MOST 50 ms", R"(
 Skill Module: SM1

@@ -68,7 +68,7 @@ TEST_CASE("a wait gives up only if its device may not answer") {
   CHECK(unanswered.verdicts[2].bound == Duration(0));
 }
 
-TEST_CASE("a wait without a limit for what may never come is named") {
+TEST_CASE("a wait without a limit for an answer that may never come is named") {
   const auto skill = test::sound_skill(weighing(endless, " OR NEVER"));
   CHECK(test::messages(skill->diagnostics).find("PAL0733 Scale may never answer") != std::string::npos);
   CHECK(test::messages(test::sound_skill(weighing(limited, " OR NEVER"))->diagnostics).find("PAL0733") ==
@@ -77,14 +77,14 @@ TEST_CASE("a wait without a limit for what may never come is named") {
         std::string::npos);
 }
 
-TEST_CASE("the compositional analysis says which device keeps it from a bound") {
+TEST_CASE("the compositional analysis names the device that keeps it from a bound") {
   const auto skill = test::sound_skill(weighing(limited, " OR NEVER"));
   const Verdict verdict = analyze_compositionally(*skill->problem, {}).verdicts.front();
   CHECK_FALSE(verdict.bound);
   CHECK(verdict.explanation.find("Scale may not answer a request (OR NEVER)") != std::string::npos);
 }
 
-TEST_CASE("runs in which the device answers and runs in which it does not are both simulated") {
+TEST_CASE("the simulation makes runs in which the device answers and runs in which it does not") {
   const auto skill = test::sound_skill(weighing(limited, " OR NEVER"));
   const Watch nothing;
   const Machine machine(*skill->problem, nothing);

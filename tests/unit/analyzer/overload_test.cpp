@@ -41,7 +41,7 @@ TEST_CASE("the work between two kinds of events counts once") {
   CHECK(said("WTM( tick from MC1 )\nDo Nothing\nWTM( stop from MC2 )\nwork") == "");
 }
 
-TEST_CASE("of a wait that gives up it is the test that counts") {
+TEST_CASE("a wait that gives up counts with its test alone") {
   // 1 ms for the tick, 6 of work, 1 or 0 at the second wait.
   const std::string look =
       "TXM( request value to LS1 )\nWTM( value from LS1 ) WITHIN 1 ms\nDo Nothing\nELSE\nDo Nothing\nEND "

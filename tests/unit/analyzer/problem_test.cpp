@@ -63,7 +63,7 @@ TEST_CASE("jitter must be shorter than the period") {
                           "ms\nPLACE SM1 ON P0 PRIORITY 1\n")) == "PAL0726 ");
 }
 
-TEST_CASE("times that cannot be are findings, each with a code") {
+TEST_CASE("impossible times are findings, each with a code") {
   const std::string place = "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\n";
   const auto with = [&](const std::string& device, const std::string& work) {
     return codes(small_skill("", worker, place + "DEVICE MC1 " + device + "\nTIME work : " + work + "\n"));
@@ -104,12 +104,12 @@ END
                           "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\n")) != "");
 }
 
-TEST_CASE("a load of a processor that is not there is refused") {
+TEST_CASE("the load of an unknown processor is refused") {
   CHECK(codes(small_skill("REQUIREMENT load : LOAD OF P7 AT MOST 50 %", worker, good_environment)) ==
         "PAL0813 ");
 }
 
-TEST_CASE("what an activity takes on one module may differ from elsewhere") {
+TEST_CASE("an activity may take another time in another module") {
   const auto skill =
       test::sound_skill(small_skill("", worker, good_environment + "TIME work OF SM1 : 3 ms\n"));
   bool found = false;

@@ -29,7 +29,7 @@ Verdict withdrawn(const Verdict& verdict) {
 
 }  // namespace
 
-TEST_CASE("a bound that no run goes beyond stays") {
+TEST_CASE("a bound that no run exceeds stays") {
   Verdict verdict = held(80, 80);
   CHECK_FALSE(is_refuted(verdict));
   verdict = withdrawn(verdict);
@@ -39,7 +39,7 @@ TEST_CASE("a bound that no run goes beyond stays") {
   CHECK_FALSE(is_refuted(verdict));
 }
 
-TEST_CASE("of a bound that a run goes beyond nothing is left") {
+TEST_CASE("a bound that a run exceeds is withdrawn") {
   Verdict verdict = held(80, 81);
   verdict = withdrawn(verdict);
   CHECK(verdict.state == VerdictState::undecided);
@@ -48,7 +48,7 @@ TEST_CASE("of a bound that a run goes beyond nothing is left") {
   CHECK(verdict.explanation.find("compositional analysis") != std::string::npos);
 }
 
-TEST_CASE("a requirement that such a run breaks fails") {
+TEST_CASE("a requirement fails if the run that refutes its bound breaks it") {
   CHECK(withdrawn(held(80, 101)).state == VerdictState::fails);
   Verdict unanswered = held(80, 0);
   unanswered.witness->failed = true;
@@ -66,14 +66,14 @@ TEST_CASE("a least value is refuted from below") {
   CHECK_FALSE(is_refuted(verdict));
 }
 
-TEST_CASE("what never happens is refuted by a run in which it does") {
+TEST_CASE("the verdict 'never' is refuted by a run that measures a value") {
   Verdict verdict = held(0, 5);
   verdict.state = VerdictState::never;
   verdict.bound.reset();
   CHECK(is_refuted(verdict));
 }
 
-TEST_CASE("a load is refuted by what an unending run has") {
+TEST_CASE("a load is refuted by the greater load of an unending run") {
   Verdict verdict = held(500'000'000, 0);
   verdict.measure = Requirement::Measure::load;
   verdict.limit = Duration(1'000'000'000);
@@ -83,7 +83,7 @@ TEST_CASE("a load is refuted by what an unending run has") {
   CHECK(is_refuted(verdict));
 }
 
-TEST_CASE("an analysis that is wrong of one requirement is not believed of others") {
+TEST_CASE("an analysis that is wrong for one requirement is not used for others") {
   std::vector<Verdict> verdicts{held(80, 70), held(80, 81), held(80, 70)};
   verdicts[2].method = Method::exact;
   withdraw_refuted(verdicts);
@@ -92,7 +92,7 @@ TEST_CASE("an analysis that is wrong of one requirement is not believed of other
   CHECK(verdicts[2].state == VerdictState::holds);
 }
 
-TEST_CASE("an analysis that is wrong is not believed where the wrong bound is not used") {
+TEST_CASE("a wrong analysis is not used for others even if an exact bound replaced its wrong one") {
   const std::vector<Verdict> proofs{held(80, 70), held(80, 81)};
   std::vector<Verdict> verdicts{held(80, 70), held(81, 81)};
   verdicts[1].method = Method::exact;

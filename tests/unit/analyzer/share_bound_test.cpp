@@ -36,7 +36,7 @@ TEST_CASE("shares of timers that never run at once do not add up") {
   CHECK(bound->work * 3 == bound->time);
 }
 
-TEST_CASE("a bound by shares that is above the limit is not looked for") {
+TEST_CASE("the search for a bound by shares gives up above the limit") {
   const WorkGraph graph = two_timers({0, 10}, 3, {1, 15}, 5);
   CHECK_FALSE(share_bound(graph, Fraction{6, 10}, {}));
   CHECK(share_bound(graph, Fraction{7, 10}, {}));

@@ -70,7 +70,7 @@ TEST_CASE("20,000 events at one instant end a run") {
   CHECK(made.script[made.script.size() - 20'000].at == made.end);
 }
 
-TEST_CASE("events at one instant end a run where time may pass and does not, and not where it does") {
+TEST_CASE("many events end a run if no time passes between them, and do not if time passes") {
   const auto skill = talk("COST SEND 0 TO 1 us");
   REQUIRE(skill->problem);
   CHECK(run(*skill->problem, SimulationOptions::Times::best).script.size() < 20'010);
@@ -79,7 +79,7 @@ TEST_CASE("events at one instant end a run where time may pass and does not, and
   CHECK(worst.script.size() > 30'000);
 }
 
-TEST_CASE("of a slow skill that a sporadic event ends, runs come as far as its slow events") {
+TEST_CASE("runs of a slow skill that a sporadic event ends reach its slow events") {
   const auto skill = test::skill_from_text(R"(
 MESSAGE tick : SIGNAL
 MESSAGE stop : SIGNAL

@@ -79,7 +79,7 @@ TEST_CASE("each thread that executes a module has one set of its blocks, named a
 }
 
 TEST_CASE(
-    "a block of an executed module is where its own place says, or that of its name's end, or its module") {
+    "a block of an executed module runs at its own place, or at that of its name's end, or with its module") {
   const auto made = test::sound_skill(skill(
       once, inner,
       "  PLACE SM1.1 ON Q PRIORITY 2\n  PLACE CM2.1 ON Q PRIORITY 3\n  PLACE CM1.1/CM2.1 ON P PRIORITY 4\n"
@@ -99,7 +99,7 @@ TEST_CASE(
   CHECK(place("SM1.1/CM2.2") == "Q2");
 }
 
-TEST_CASE("kept apart, each CONCURRENT begins blocks of its own") {
+TEST_CASE("each CONCURRENT begins blocks of its own in the clone without shared blocks") {
   const auto made = test::sound_skill(skill("  CM1\n" + once + "  CM1\n", inner));
   const Problem& problem = *made->problem;
   const Problem cloned = compositional::clone_shared_blocks(problem);

@@ -170,17 +170,17 @@ TEST_CASE("from a second on, times are in seconds") {
   CHECK(duration_text(999'999'999) == "999.999999 ms");
 }
 
-TEST_CASE("what nobody took is crossed out, and the key says so") {
+TEST_CASE("a message that was not taken is crossed out, and the key says so") {
   Timeline run = long_work();
   run.lanes.push_back({"camera", true, "", 0, {}, {}});
   run.lanes[1].bars = {bar(5 * ms, 20 * ms, "busy", BarKind::serving)};
   ChartOptions options;
-  options.losses = {{"camera", 5 * ms, 20 * ms, "lost: nobody had asked for it when it began"}};
+  options.losses = {{"camera", 5 * ms, 20 * ms, "lost: no request for it was open when it began"}};
   const SvgContent content = read_svg(svg(run, options));
   const auto crossed = std::count_if(content.elements.begin(), content.elements.end(),
                                      [](const SvgElement& element) { return element.style == "loss"; });
   CHECK(crossed == 2);  // the frame, and the sign in the key
-  CHECK(text_with(content, "lost: nobody took it") != nullptr);
+  CHECK(text_with(content, "lost: not taken") != nullptr);
   CHECK(std::none_of(content.texts.begin(), content.texts.end(),
                      [](const SvgText& text) { return text.content == "busy"; }));
 }

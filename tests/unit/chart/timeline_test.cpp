@@ -78,7 +78,7 @@ TEST_CASE(
   CHECK(events == std::vector<std::string>{"tick"});
 }
 
-TEST_CASE("conditions show who set and who read them") {
+TEST_CASE("conditions show the threads that set and read them") {
   const Timeline found = timeline(signs_trace());
   REQUIRE(found.waveforms.size() == 1);
   const Waveform& wave = found.waveforms[0];

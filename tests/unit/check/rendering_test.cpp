@@ -110,7 +110,7 @@ TEST_CASE("findings beyond the limit of their severity are counted and not kept"
   CHECK(many.diagnostics.not_kept().errors == 3);
   CHECK(many.diagnostics.not_kept().warnings == 7);
   CHECK(many.diagnostics.all().size() == 2 * most);
-  // Who reports one that is not kept may still add to it.
+  // The check that reports one that is not kept may still add to it.
   many.diagnostics.report(Code::PAL0201, {many.file, 1, 2}, "late")
       .notes.push_back({{many.file, 0, 1}, "note"});
   CHECK(many.diagnostics.all().back().message == "finding");

@@ -37,7 +37,7 @@ TEST_CASE("response times of three periodic tasks are those of the recurrence") 
   CHECK(windows.finish(2, 0, 3, 0) == 10);
 }
 
-TEST_CASE("work of lower priority blocks once where nobody is preempted") {
+TEST_CASE("without preemption, work of lower priority blocks once") {
   const BusyWindows windows = three_tasks(false);
   CHECK(windows.finish(0, 0, 1, 3) == 4);
 }
@@ -119,7 +119,7 @@ TEST_CASE("no joint bound if the next occurrence may come before the window ends
   CHECK(two_stages(857).joint_finish(0, {0, 1}, 31) == never);
 }
 
-TEST_CASE("where nobody is preempted tasks have no joint bound") {
+TEST_CASE("without preemption, tasks have no joint bound") {
   BusyWindows windows({false});
   windows.add(periodic(1000, 44, 2));
   CHECK(windows.joint_finish(0, {0}, 44) == never);

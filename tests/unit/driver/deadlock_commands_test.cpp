@@ -32,7 +32,7 @@ std::string drawn(const std::string& file, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a deadlock is drawn with who waits for what, and where") {
+TEST_CASE("a deadlock is drawn with each thread that waits, its message and its place") {
   const auto file = std::string(PAL_SOURCE_DIR) + "/tests/golden/check/fail_deadlock.pal";
   const auto svg = drawn(file, "s");
   CHECK(svg.find("<title>s: no module goes on</title>") != std::string::npos);

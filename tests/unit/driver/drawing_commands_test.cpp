@@ -74,7 +74,7 @@ TEST_CASE("pal atc says what it cannot draw") {
   CHECK_FALSE(fs::exists(out));
 }
 
-TEST_CASE("the chart of a loss shows the lost frame, the next one, and who asked too late") {
+TEST_CASE("the chart of a loss shows the lost frame, the next one, and the request that came too late") {
   const Folder folder("loss");
   const std::string example = std::string(PAL_SOURCE_DIR) + "/examples/range_finder/";
   REQUIRE(pal::test::pal(
@@ -82,7 +82,7 @@ TEST_CASE("the chart of a loss shows the lost frame, the next one, and who asked
               .status == ExitStatus::all_hold);
   const std::string lost = content(folder.file("a.svg"));
   CHECK(lost.find("class=\"loss\"") != std::string::npos);
-  CHECK(lost.find("lost: nobody had asked for it when it began\n78 ms to 154 ms") != std::string::npos);
+  CHECK(lost.find("lost: no request for it was open when it began\n78 ms to 154 ms") != std::string::npos);
   CHECK(lost.find("asked for too late by 13 ms") != std::string::npos);
   CHECK(lost.find("Reader: runs interpret") != std::string::npos);
   CHECK(lost.find("156 ms to 232 ms") != std::string::npos);  // the next frame

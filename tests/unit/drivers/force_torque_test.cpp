@@ -276,7 +276,7 @@ TEST_CASE("force-torque driver: what goes wrong on the line ends the skill, in w
     cell.driver.receive(request_wrench, {});
     expected = "a record begins with the byte 55, which is no overload byte";
   }
-  SECTION("bytes that nobody asked for") {
+  SECTION("bytes that were not asked for") {
     cell.wire.b().write(runtime::as_bytes("oops"));
     expected = "sends \"o\" without being asked";
   }

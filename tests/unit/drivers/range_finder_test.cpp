@@ -103,7 +103,7 @@ TEST_CASE("range finder: 255 points over 40 degrees along y, in steps of 0.1 mm"
   }
 }
 
-TEST_CASE("range finder: who asked before a scan begins gets it, 76 ms later", "[range-finder]") {
+TEST_CASE("range finder: a request before a scan begins is answered with it, 76 ms later", "[range-finder]") {
   Cell cell;
   SECTION("just before") {
     const Time scan = cell.next_scan();

@@ -25,7 +25,7 @@ TEST_CASE("a CASE sends the token by the last completion code") {
   CHECK(runner.initialised == 1);
 }
 
-TEST_CASE("a code that nobody handles ends the operation") {
+TEST_CASE("a code that no icon handles ends the operation") {
   test::ScriptedRunner runner;
   SECTION("behind a CASE") {
     runner.codes = {7};

@@ -67,7 +67,7 @@ class ScriptedRunner final : public operations::SkillRunner {
     sensed.push_back(sensor);
     time += std::chrono::milliseconds(10);
     if (stopped) return {{}, {}, true};
-    if (readings.empty()) return {{}, "nobody answers", false};
+    if (readings.empty()) return {{}, "no answer", false};
     const double reading = readings.front();
     if (readings.size() > 1) readings.pop_front();
     return {reading, {}, false};

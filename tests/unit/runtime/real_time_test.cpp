@@ -71,7 +71,7 @@ struct Talk {
   std::function<void()> first, last;
 };
 
-// What was put and taken, by whom, in which order; without instants.
+// What was put and taken, by which thread, in which order; without instants.
 std::vector<std::array<int, 4>> messages(const runtime::Outcome& outcome) {
   std::vector<std::array<int, 4>> result;
   for (const trace::Event& event : outcome.trace.events)
@@ -190,7 +190,7 @@ TEST_CASE("real time: a more urgent thread interrupts an activity on a preemptiv
   CHECK(text.find("HIGH done free\nLOW start spin\nLOW done spin\n") != std::string::npos);
 }
 
-TEST_CASE("real time: on a processor that is not preemptive nobody is interrupted") {
+TEST_CASE("real time: a processor that is not preemptive interrupts no thread") {
   WrittenSkill skill;
   const int p = skill.processor("P", false);
   const int go = skill.channel("LOW", "go", "HIGH");
@@ -322,7 +322,7 @@ TEST_CASE("real time: a run cannot be held, says so, and goes on") {
   CHECK_FALSE(control.wait_for_halt(0ms));
 }
 
-TEST_CASE("real time: a deadlock is found, and says who waits") {
+TEST_CASE("real time: a deadlock is found and names the threads that wait") {
   WrittenSkill skill;
   const int p = skill.processor("P");
   const int q = skill.processor("Q");

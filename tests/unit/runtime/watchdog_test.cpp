@@ -83,7 +83,7 @@ struct Acting {
   void run(Telling& device) {
     RunOptions options;
     options.real_time.emplace();
-    options.real_time->hang_timeout = 50ms;
+    options.real_time->hang_timeout = 400ms;
     options.real_time->hang_status = 71;
     const auto outcome = test::run(skill, {&device}, options);
     say(outcome.reason);

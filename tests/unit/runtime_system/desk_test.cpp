@@ -1,4 +1,4 @@
-// One client has the controls, everybody may stop, and nothing that was asked for gets lost.
+// One client has the controls, every client may stop, and no command gets lost.
 #include "tests/unit/runtime_system/support.hpp"
 
 using namespace pal;
@@ -48,12 +48,12 @@ struct Fixture {
 
 }  // namespace
 
-TEST_CASE("the controls belong to one client; pause and stop to everybody") {
+TEST_CASE("the controls belong to one client; every client may pause and stop") {
   Fixture f;
   CHECK(f.load(f.ann, test::two_long) == "done");
   CHECK(f.desk.status(f.ann).yours);
-  CHECK(f.ask(f.bob, RunOperation{}) == "'ann' has the controls; only pause and stop are for everybody");
-  CHECK(f.ask(f.bob, TakeControls{}) == "'ann' has the controls; only pause and stop are for everybody");
+  CHECK(f.ask(f.bob, RunOperation{}) == "'ann' has the controls; other clients may only pause and stop");
+  CHECK(f.ask(f.bob, TakeControls{}) == "'ann' has the controls; other clients may only pause and stop");
   CHECK(f.cell.runs == 0);
   const test::Worker worker(f.desk);
   CHECK(f.ask(f.ann, RunOperation{}) == "done");

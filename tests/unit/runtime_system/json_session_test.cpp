@@ -87,7 +87,7 @@ TEST_CASE("a skill is answered when it has ended; an operation tells itself by e
   CHECK(web.call("state").front()["result"]["reason"] == "breakpoint at end");
 }
 
-TEST_CASE("who comes late is told what happened before") {
+TEST_CASE("a client that comes late is told what happened before") {
   Web web;
   web.enter();
   web.call("operation.load", {{"main", "o"}, {"files", {{"o", test::endless}}}});

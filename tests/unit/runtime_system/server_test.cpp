@@ -77,7 +77,7 @@ class Raw {
   Raw(const Raw&) = delete;
   Raw& operator=(const Raw&) = delete;
   void write(const std::string& bytes) {
-    // Who hangs up in between is no mistake here.
+    // A client that hangs up in between is no mistake here.
     if (::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0 && errno == ENOTSOCK)
       REQUIRE(::write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
   }
@@ -119,7 +119,7 @@ TEST_CASE("clients of both protocols run the same skills") {
     terminal.write("quick 4\r");
     CHECK(terminal.read_until("\n") == "#4\r\n");
   }
-  // Whoever comes after at the terminal shows the token again.
+  // The next user of the terminal shows the token again.
   std::this_thread::sleep_for(200ms);
   Raw next(served.server.terminal());
   next.write("quick 4\r");
@@ -206,7 +206,7 @@ TEST_CASE("a client that is killed leaves the cell to another") {
   ann->call("operation.run");
   served.cell.wait_until_inside();
   CHECK_THROWS_WITH(bob->call("operation.resume"),
-                    "'ann' has the controls; only pause and stop are for everybody");
+                    "'ann' has the controls; other clients may only pause and stop");
   ann.reset();  // without a word
   for (int i = 0; i < 300 && !served.desk.status(0).holder.empty(); ++i) std::this_thread::sleep_for(10ms);
   served.cell.let_go();
