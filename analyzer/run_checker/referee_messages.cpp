@@ -38,8 +38,8 @@ bool Referee::left_to_later(ChannelId channel, ThreadId thread) const {
 /// A thread goes on as if the channel had nothing for it: what is there must still be on its way.
 void Referee::not_there_yet(ChannelId channel, ThreadId thread) {
   // Unless it is there for another thread, which goes on with it at this instant.
-  for (std::size_t t = 0; t < threads_.size() && surely_there(channel, thread); ++t) {
-    const ThreadId other = ThreadId(t);
+  for (const ThreadId other : threads_.ids()) {
+    if (!surely_there(channel, thread)) break;
     const bool waits = threads_[other].mode == Mode::arrived || threads_[other].mode == Mode::waiting;
     if (!waits || other == thread || !goes_on(other)) continue;
     const std::vector<ChannelId>& channels = step_of(other).channels;
@@ -183,8 +183,8 @@ void Referee::drop(const Event& event) {
 void Referee::claim_withdrawn(ChannelId channel) {
   const bool put_for_a_thread = !slot(channel).there_again;
   const auto each_waiting = [&](const auto& visit) {
-    for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
-      const ThreadId thread = ThreadId(t);
+    for (const ThreadId thread : threads_.ids()) {
+      if (slot(channel).claimed) break;
       if (threads_[thread].mode != Mode::waiting) continue;
       const std::vector<ChannelId>& channels = step_of(thread).channels;
       if (std::find(channels.begin(), channels.end(), channel) != channels.end()) visit(thread);

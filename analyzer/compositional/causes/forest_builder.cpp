@@ -95,13 +95,13 @@ class ForestBuilder {
       source.period = never;
       forest_.sources.push_back(source);
     }
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      const ThreadId thread = forest_.segments.owner(StepId(s));
-      if (!thread.valid() || !begins_anew(StepId(s))) continue;
+    for (const StepId s : problem_.steps.ids()) {
+      const ThreadId thread = forest_.segments.owner(s);
+      if (!thread.valid() || !begins_anew(s)) continue;
       Source source;
       source.kind = Source::Kind::joined;
       source.thread = thread;
-      source.fork = StepId(s);
+      source.fork = s;
       source.period = never;
       forest_.sources.push_back(source);
     }

@@ -27,7 +27,7 @@ bool may_start_again(const Problem& problem, ThreadId thread) {
   for (const StepId s : problem.steps.ids()) {
     const Step& fork = problem.steps[s];
     if (std::find(fork.threads.begin(), fork.threads.end(), thread) == fork.threads.end()) continue;
-    if (comes_back(problem, StepId(s))) return true;
+    if (comes_back(problem, s)) return true;
   }
   return may_start_again(problem, parent);
 }

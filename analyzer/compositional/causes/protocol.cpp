@@ -227,7 +227,7 @@ std::string out_of_turn(const Problem& problem, const Segments& segments, const 
     const Channel& request = problem.channels[c];
     if (!request.answer.valid()) continue;
     if (stop && stop()) return {};
-    const std::string who = receiver_name(problem, ChannelId(c));
+    const std::string who = receiver_name(problem, c);
     if (request.receiver_device.valid() && !request.served)
       return who + " is asked for " + request.message + ", which comes by itself";
     if (!request.receiver_device.valid() && !Answers(problem, request.answer).once())

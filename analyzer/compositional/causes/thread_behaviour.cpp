@@ -25,15 +25,15 @@ class Observer {
     for (std::size_t n = 0; n < nodes; ++n) {
       made_.threads[forest_.thread_of(static_cast<int>(n))].nodes.push_back(static_cast<int>(n));
     }
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) find_idle_wait(ThreadId(t));
+    for (const ThreadId t : problem_.threads.ids()) find_idle_wait(t);
     for (std::size_t n = 0; n < nodes; ++n) find_job_start(static_cast<int>(n));
     for (std::size_t n = 0; n < nodes && !(stop && stop()); ++n) order(static_cast<int>(n));
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-      leftovers(ThreadId(t));
-      returns(ThreadId(t));
+    for (const ThreadId t : problem_.threads.ids()) {
+      leftovers(t);
+      returns(t);
     }
     made_.early.assign(nodes, true);
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) find_early(ThreadId(t));
+    for (const ThreadId t : problem_.threads.ids()) find_early(t);
     find_waits();
     for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
     protocol();

@@ -62,7 +62,7 @@ DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
       effects_(view.forest.nodes.size()),
       arrivals_(view.forest.nodes.size()),
       latched_(problem_.threads.size()) {
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t) regular_.push_back(regular(view, ThreadId(t)));
+  for (const ThreadId t : problem_.threads.ids()) regular_.push_back(regular(view, t));
   for (const StepId s : problem_.steps.ids()) {
     const ThreadId owner = view.forest.segments.owner(s);
     if (owner.valid() && problem_.steps[s].kind == Kind::read)

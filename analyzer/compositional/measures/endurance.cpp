@@ -65,11 +65,10 @@ Endurance endurance_of(const Problem& problem, const Forest& forest, const Threa
   made.steady = threads_that_endure(problem, forest, behaviours, times, true);
   const Ending ending(problem, forest, times);
   for (const ThreadId t : problem.threads.ids()) {
-    const ThreadId thread = ThreadId(t);
     if (!behaviours.threads[t].leaves) continue;
-    made.leavers.push_back(thread);
-    const bool known = may_leave(problem, thread) && made.steady.reliable[t];
-    made.over = greater(made.over, known ? ending.after(fork_of(problem, thread), thread) : Sum::unbounded());
+    made.leavers.push_back(t);
+    const bool known = may_leave(problem, t) && made.steady.reliable[t];
+    made.over = greater(made.over, known ? ending.after(fork_of(problem, t), t) : Sum::unbounded());
   }
   return made;
 }

@@ -81,8 +81,8 @@ Sum least_distance(const View& view, const Table<StepId, bool>& at) {
   if (threads.size() != 1) return {};
   std::vector<StepEffect> all;
   for (const StepId s : at.ids()) {
-    if (!at[s] || !view.forest.segments.owner(StepId(s)).valid()) continue;
-    for (int n : nodes_with(view, StepId(s))) all.push_back({n, s});
+    if (!at[s] || !view.forest.segments.owner(s).valid()) continue;
+    for (int n : nodes_with(view, s)) all.push_back({n, s});
   }
   return greater(least_by_source(view, all), by_the_way(view, at, *threads.begin()));
 }

@@ -88,7 +88,7 @@ std::vector<int> nodes_with(const View& view, StepId step) {
 std::set<ThreadId> owners(const View& view, const Table<StepId, bool>& at) {
   std::set<ThreadId> found;
   for (const StepId s : at.ids()) {
-    const ThreadId owner = view.forest.segments.owner(StepId(s));
+    const ThreadId owner = view.forest.segments.owner(s);
     if (at[s] && owner.valid()) found.insert(owner);
   }
   return found;

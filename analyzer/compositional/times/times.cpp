@@ -174,8 +174,8 @@ class Solver : private AnalysisContext {
   /// delay any thread there.
   void find_overlaps(Table<ProcessorId, int>& dirty) {
     Table<ThreadId, bool> done_before_next;
-    for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
-      done_before_next.push_back(is_done_before_next(*this, nodes_, ThreadId(t)));
+    for (const ThreadId t : behaviours.threads.ids())
+      done_before_next.push_back(is_done_before_next(*this, nodes_, t));
     std::vector<bool> in_turn(forest.sources.size(), true);
     for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
       const auto source = static_cast<std::size_t>(forest.nodes[n].source);
