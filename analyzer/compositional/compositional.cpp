@@ -103,7 +103,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
     analysis.statistics.states = forest.nodes.size();
   }
   if (!refusal.empty()) {
-    const Sum whole(1'000'000'000, {Term::Kind::said, -1, {}, -1, refusal});
+    const Sum whole(1'000'000'000, {Term::Kind::said, {}, {}, {}, refusal});
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Measure::load;
       judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], analysis.verdicts[r]);

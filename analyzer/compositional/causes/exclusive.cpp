@@ -12,23 +12,23 @@ namespace {
 
 /// The wait that a job cannot pass without the next one having begun; -1: there is none. A thread that
 /// gives up there goes on in the same job.
-StepId end_of_job(const AnalysisContext& context, int node) {
-  const int job_start = context.job_start_of(node);
+StepId end_of_job(const AnalysisContext& context, NodeId node) {
+  const NodeId job_start = context.job_start_of(node);
   const Beginning& begins = context.segment(job_start).beginning;
   if (begins.kind != Beginning::Kind::arm || context.step_at(begins.step).within) return StepId{};
   return begins.step == context.behaviour_of(begins.thread).idle_wait ? begins.step : StepId{};
 }
 
 /// By node.
-using Steps = std::map<int, std::vector<StepId>>;
+using Steps = std::map<NodeId, std::vector<StepId>>;
 /// By step.
-using Nodes = std::map<StepId, std::vector<int>>;
+using Nodes = std::map<StepId, std::vector<NodeId>>;
 
 /// Whether a run of one node passes two of its steps.
 bool any_in_node(const AnalysisContext& context, const Steps& steps_of) {
-  std::set<std::pair<int, std::vector<StepId>>> seen;  // segments and steps
+  std::set<std::pair<SegmentId, std::vector<StepId>>> seen;  // segments and steps
   return std::any_of(steps_of.begin(), steps_of.end(), [&](const auto& of) {
-    const int segment = context.node(of.first).segment;
+    const SegmentId segment = context.node(of.first).segment;
     return seen.emplace(segment, of.second).second &&
            any_in_row(context.problem, context.segment(of.first), of.second);
   });

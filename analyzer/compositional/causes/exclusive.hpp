@@ -9,7 +9,7 @@ namespace pal::analyzer::compositional {
 
 /// The effect of a step in a node.
 struct StepEffect {
-  int node = -1;
+  NodeId node{};
   StepId step{};
 };
 

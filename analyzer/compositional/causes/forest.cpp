@@ -6,12 +6,11 @@ namespace pal::analyzer::compositional {
 
 using Kind = Step::Kind;
 
-int Forest::cause_in(int node, ThreadId thread) const {
-  for (int at = nodes[static_cast<std::size_t>(node)].cause; at >= 0;
-       at = nodes[static_cast<std::size_t>(at)].cause) {
+NodeId Forest::cause_in(NodeId node, ThreadId thread) const {
+  for (NodeId at = nodes[node].cause; at.valid(); at = nodes[at].cause) {
     if (thread_of(at) == thread) return at;
   }
-  return -1;
+  return NodeId{};
 }
 
 bool end_segment(const Problem& problem, const std::vector<StepId>& sends) {
@@ -22,8 +21,8 @@ bool end_segment(const Problem& problem, const std::vector<StepId>& sends) {
   });
 }
 
-bool ends_with_cause(const Problem& problem, const Forest& forest, int node) {
-  const Node& of = forest.nodes[static_cast<std::size_t>(node)];
+bool ends_with_cause(const Problem& problem, const Forest& forest, NodeId node) {
+  const Node& of = forest.nodes[node];
   // Without a message it has come to a wait, or to its blocks.
   return of.release != Node::Release::message || end_segment(problem, of.sends);
 }

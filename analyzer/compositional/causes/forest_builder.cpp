@@ -38,8 +38,8 @@ class ForestBuilder {
       const std::size_t before = cuts_.size();
       found_.clear();
       sources();
-      for (std::size_t s = 0; s < forest_.sources.size() && forest_.refusal.empty(); ++s) {
-        grow(static_cast<int>(s));
+      for (const SourceId s : forest_.sources.ids()) {
+        if (forest_.refusal.empty()) grow(s);
       }
       if (!forest_.refusal.empty()) return;
       cuts_.insert(found_.begin(), found_.end());
@@ -50,7 +50,7 @@ class ForestBuilder {
 
  private:
   const Step& step_at(StepId step) const { return problem_.steps[step]; }
-  Node& node(int index) { return forest_.nodes[static_cast<std::size_t>(index)]; }
+  Node& node(NodeId index) { return forest_.nodes[index]; }
 
   /// Nothing more is looked at: it is refused, or it was stopped, and is refused for that.
   bool is_over() {
@@ -105,7 +105,7 @@ class ForestBuilder {
       source.period = never;
       forest_.sources.push_back(source);
     }
-    for (int segment : cuts_) {
+    for (SegmentId segment : cuts_) {
       Source source;
       source.kind = Source::Kind::loop;
       source.segment = segment;
@@ -119,27 +119,27 @@ class ForestBuilder {
     }
   }
 
-  void grow(int source) {
-    const Source& of = forest_.sources[static_cast<std::size_t>(source)];
+  void grow(SourceId source) {
+    const Source& of = forest_.sources[source];
     switch (of.kind) {
       case Source::Kind::event:
-        message({source, -1, Node::Release::root, StepId{}, {}, DeviceId{}},
+        message({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}},
                 problem_.devices[of.device].event);
         break;
       case Source::Kind::start:
-        effect({source, -1, Node::Release::root, StepId{}, {}, DeviceId{}},
+        effect({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}},
                {Beginning::Kind::entry, of.thread, StepId{}, -1});
         break;
       case Source::Kind::joined:
-        effect({source, -1, Node::Release::root, StepId{}, {}, DeviceId{}},
+        effect({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}},
                {Beginning::Kind::joined, of.thread, of.fork, -1});
         break;
       case Source::Kind::loop:
-        add({source, -1, Node::Release::root, StepId{}, {}, DeviceId{}}, of.segment);
+        add({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}}, of.segment);
         break;
     }
     while (!open_.empty() && !is_over()) {
-      const int at = open_.back();
+      const NodeId at = open_.back();
       open_.pop_back();
       add_effects(at);
     }
@@ -148,17 +148,17 @@ class ForestBuilder {
 
   /// How something comes about.
   struct Link {
-    int source;
-    int cause;
+    SourceId source;
+    NodeId cause;
     Node::Release release;
     StepId step;  // wait or fork
     std::vector<StepId> sends;
     DeviceId device;
   };
 
-  void add_effects(int at) {
+  void add_effects(NodeId at) {
     const Segment segment = forest_.segments[node(at).segment];
-    const int source = node(at).source;
+    const SourceId source = node(at).source;
     for (const std::vector<StepId>& sends : alternatives(node(at).segment)) {
       if (is_over()) return;
       const ChannelId channel = step_at(sends.front()).channels.front();
@@ -203,7 +203,7 @@ class ForestBuilder {
   }
 
   /// The segment's sends, those of one channel together if a run passes only one of them.
-  const std::vector<std::vector<StepId>>& alternatives(int index) {
+  const std::vector<std::vector<StepId>>& alternatives(SegmentId index) {
     const auto [known, fresh] = alternatives_.emplace(index, std::vector<std::vector<StepId>>());
     std::vector<std::vector<StepId>>& all = known->second;
     if (!fresh) return all;
@@ -239,7 +239,7 @@ class ForestBuilder {
     const ChannelId request = problem_.channels[channel].answers;
     if (!request.valid()) return {};
     if (link.device.valid()) return takers_.after(link.sends);
-    for (int at = link.cause; at >= 0; at = node(at).cause) {
+    for (NodeId at = link.cause; at.valid(); at = node(at).cause) {
       const Beginning& begins = forest_.segment_of(node(at)).beginning;
       const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
                          !node(at).device.valid() &&
@@ -254,7 +254,7 @@ class ForestBuilder {
 
   /// Whether a segment may begin after all that leads to it.
   bool may_follow(const Link& link, const Beginning& beginning) {
-    for (int at = link.cause; at >= 0; at = node(at).cause) {
+    for (NodeId at = link.cause; at.valid(); at = node(at).cause) {
       if (!sequence_.may_follow(forest_.segment_of(node(at)).beginning, beginning)) return false;
     }
     return true;
@@ -262,7 +262,7 @@ class ForestBuilder {
 
   void effect(const Link& link, const Beginning& beginning) {
     if (!may_follow(link, beginning)) return;
-    const int segment = forest_.segments.find(beginning);
+    const SegmentId segment = forest_.segments.find(beginning);
     if (forest_.segments[segment].spins) {
       forest_.refusal = "module " + problem_.threads[beginning.thread].name +
                         " has a loop that may repeat without waiting, any number of times";
@@ -277,8 +277,8 @@ class ForestBuilder {
       return;
     }
     const bool again = comes_again(segment);
-    std::vector<int> circle;
-    for (int at = link.cause; at >= 0; at = node(at).cause) {
+    std::vector<NodeId> circle;
+    for (NodeId at = link.cause; at.valid(); at = node(at).cause) {
       // A way through something that comes once in a skill's life is no circle.
       if (again && !comes_again(node(at).segment)) break;
       circle.push_back(at);
@@ -290,7 +290,7 @@ class ForestBuilder {
     add(link, segment);
   }
 
-  void add(const Link& link, int segment) {
+  void add(const Link& link, SegmentId segment) {
     if (forest_.nodes.size() >= most_nodes_) {
       forest_.refusal = "the modules' messages have too many ways to go";
       return;
@@ -303,26 +303,25 @@ class ForestBuilder {
     made.cause_step = link.step;
     made.sends = link.sends;
     made.device = link.device;
-    made.depth = link.cause < 0 ? 0 : node(link.cause).depth + 1 + (link.device.valid() ? 1 : 0);
-    const int index = static_cast<int>(forest_.nodes.size());
-    forest_.nodes.push_back(made);
-    if (link.cause >= 0) {
+    made.depth = !link.cause.valid() ? 0 : node(link.cause).depth + 1 + (link.device.valid() ? 1 : 0);
+    const NodeId index = forest_.nodes.push_back(made);
+    if (link.cause.valid()) {
       node(link.cause).effects.push_back(index);
     } else {
-      forest_.sources[static_cast<std::size_t>(link.source)].roots.push_back(index);
+      forest_.sources[link.source].roots.push_back(index);
     }
     open_.push_back(index);
     ++planted_[segment];
   }
 
-  bool comes_again(int segment) {
+  bool comes_again(SegmentId segment) {
     const auto [place, fresh] = comes_again_.emplace(segment, false);
     if (fresh) place->second = recurrent(problem_, forest_.segments[segment].beginning);
     return place->second;
   }
 
-  bool takes_request(int index) const {
-    const Beginning& begins = forest_.segment_of(forest_.nodes[static_cast<std::size_t>(index)]).beginning;
+  bool takes_request(NodeId index) const {
+    const Beginning& begins = forest_.segment_of(forest_.nodes[index]).beginning;
     if (begins.kind != Beginning::Kind::arm) return false;
     const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
     return problem_.channels[channel].answer.valid();
@@ -330,25 +329,25 @@ class ForestBuilder {
 
   /// Whether a circle leads back to a server that is asked once more. If that goes on for ever, the
   /// asking is a circle, too, and is found there. Ways that part and ask multiply: not too often.
-  bool is_asked_anew(const std::vector<int>& circle) {
+  bool is_asked_anew(const std::vector<NodeId>& circle) {
     constexpr int most_askings = 128;
     return takes_request(circle.back()) && planted_[node(circle.back()).segment] < most_askings &&
-           !std::all_of(circle.begin(), circle.end(), [this](int index) { return takes_request(index); });
+           !std::all_of(circle.begin(), circle.end(), [this](NodeId index) { return takes_request(index); });
   }
 
   /// The segment of a cycle of causes at which its jobs are counted. If there is one, it belongs to a client:
   /// a thread that in this cycle only waits for answers to its requests.
-  int cut(const std::vector<int>& circle) {
-    const auto asks_only = [this](int index) {
+  SegmentId cut(const std::vector<NodeId>& circle) {
+    const auto asks_only = [this](NodeId index) {
       const Beginning& begins = forest_.segment_of(node(index)).beginning;
       if (begins.kind == Beginning::Kind::give_up) return true;
       if (begins.kind != Beginning::Kind::arm) return false;
       const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
       return problem_.channels[channel].answers.valid();
     };
-    for (int index : circle) {
+    for (const NodeId index : circle) {
       const ThreadId thread = forest_.thread_of(index);
-      const bool client = std::all_of(circle.begin(), circle.end(), [&](int other) {
+      const bool client = std::all_of(circle.begin(), circle.end(), [&](NodeId other) {
         return forest_.thread_of(other) != thread || asks_only(other);
       });
       if (client) return node(index).segment;
@@ -362,12 +361,12 @@ class ForestBuilder {
   Sequence sequence_;
   Takers takers_;
   Table<StepId, bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
-  std::set<int> cuts_;
-  std::set<int> found_;
-  std::map<int, std::vector<std::vector<StepId>>> alternatives_;  // by segment
-  std::map<int, bool> comes_again_;
-  std::map<int, int> planted_;  // by segment: nodes
-  std::vector<int> open_;
+  std::set<SegmentId> cuts_;
+  std::set<SegmentId> found_;
+  std::map<SegmentId, std::vector<std::vector<StepId>>> alternatives_;  // by segment
+  std::map<SegmentId, bool> comes_again_;
+  std::map<SegmentId, int> planted_;  // by segment: nodes
+  std::vector<NodeId> open_;
   std::size_t most_nodes_ = 0;
 };
 

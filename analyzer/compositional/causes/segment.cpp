@@ -99,7 +99,7 @@ Segments::Segments(const Problem& problem) : problem_(problem), owner_(problem.s
   }
 }
 
-int Segments::find(const Beginning& beginning) {
+SegmentId Segments::find(const Beginning& beginning) {
   const auto [place, made] = known_.emplace(beginning, size());
   if (made) segments_.push_back(make(beginning));
   return place->second;

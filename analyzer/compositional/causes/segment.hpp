@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "analyzer/compositional/causes/ids.hpp"
 #include "analyzer/compositional/saturating.hpp"
 
 namespace pal::analyzer::compositional {
@@ -59,9 +60,10 @@ class Segments {
  public:
   explicit Segments(const Problem& problem);
 
-  int find(const Beginning& beginning);
-  const Segment& operator[](int index) const { return segments_[static_cast<std::size_t>(index)]; }
-  int size() const { return static_cast<int>(segments_.size()); }
+  SegmentId find(const Beginning& beginning);
+  const Segment& operator[](SegmentId id) const { return segments_[id]; }
+  IdRange<SegmentId> ids() const { return segments_.ids(); }
+  std::size_t size() const { return segments_.size(); }
   /// The thread that a step belongs to; none: none reaches it.
   ThreadId owner(StepId step) const { return owner_[step]; }
 
@@ -70,8 +72,8 @@ class Segments {
 
   const Problem& problem_;
   Table<StepId, ThreadId> owner_;
-  std::map<Beginning, int> known_;
-  std::vector<Segment> segments_;
+  std::map<Beginning, SegmentId> known_;
+  Table<SegmentId, Segment> segments_;
 };
 
 }  // namespace pal::analyzer::compositional

@@ -20,14 +20,15 @@ class Observer {
   ThreadBehaviours run(const std::function<bool()>& stop) {
     const std::size_t nodes = forest_.nodes.size();
     made_.threads.resize(problem_.threads.size());
-    made_.job_start.assign(nodes, -1);
+    made_.job_start.assign(nodes, {});
     made_.previous.resize(nodes);
-    for (std::size_t n = 0; n < nodes; ++n) {
-      made_.threads[forest_.thread_of(static_cast<int>(n))].nodes.push_back(static_cast<int>(n));
-    }
+    for (const NodeId n : forest_.nodes.ids()) made_.threads[forest_.thread_of(n)].nodes.push_back(n);
     for (const ThreadId t : problem_.threads.ids()) find_idle_wait(t);
-    for (std::size_t n = 0; n < nodes; ++n) find_job_start(static_cast<int>(n));
-    for (std::size_t n = 0; n < nodes && !(stop && stop()); ++n) order(static_cast<int>(n));
+    for (const NodeId n : forest_.nodes.ids()) find_job_start(n);
+    for (const NodeId n : forest_.nodes.ids()) {
+      if (stop && stop()) break;
+      order(n);
+    }
     for (const ThreadId t : problem_.threads.ids()) {
       leftovers(t);
       returns(t);
@@ -35,7 +36,7 @@ class Observer {
     made_.early.assign(nodes, true);
     for (const ThreadId t : problem_.threads.ids()) find_early(t);
     find_waits();
-    for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
+    for (const NodeId n : forest_.nodes.ids()) made_.drains.push_back(drains(n));
     protocol();
     for (ThreadBehaviour& thread : made_.threads) {
       thread.one_job = are_alternatives(problem_, forest_, thread.job_starts);
@@ -47,8 +48,8 @@ class Observer {
   }
 
  private:
-  const Node& node(int index) const { return forest_.nodes[static_cast<std::size_t>(index)]; }
-  const Beginning& beginning(int index) const { return forest_.segment_of(node(index)).beginning; }
+  const Node& node(NodeId index) const { return forest_.nodes[index]; }
+  const Beginning& beginning(NodeId index) const { return forest_.segment_of(node(index)).beginning; }
   ThreadBehaviour& thread(ThreadId index) { return made_.threads[index]; }
   const Step& step_at(StepId step) const { return problem_.steps[step]; }
   std::string text(StepId step) const {
@@ -57,16 +58,16 @@ class Observer {
   }
 
   /// Released by something that the thread did not bring about itself.
-  bool unasked(int index) const {
+  bool unasked(NodeId index) const {
     const Beginning& begins = beginning(index);
     if (begins.kind != Beginning::Kind::arm && begins.kind != Beginning::Kind::give_up) return false;
     if (node(index).release == Release::root) return true;
-    return node(index).release == Release::message && forest_.cause_in(index, begins.thread) < 0;
+    return node(index).release == Release::message && !forest_.cause_in(index, begins.thread).valid();
   }
 
   void find_idle_wait(ThreadId t) {
     ThreadBehaviour& of = thread(t);
-    for (int n : of.nodes) {
+    for (NodeId n : of.nodes) {
       if (!unasked(n)) continue;
       const StepId wait = beginning(n).step;
       if (of.idle_wait.valid() && of.idle_wait != wait) {
@@ -78,26 +79,24 @@ class Observer {
   }
 
   /// Causes stand before their effects, so a node's job is known when it is needed.
-  void find_job_start(int n) {
+  void find_job_start(NodeId n) {
     const Beginning& begins = beginning(n);
     ThreadBehaviour& of = thread(begins.thread);
-    int& job_start = made_.job_start[static_cast<std::size_t>(n)];
+    NodeId& job_start = made_.job_start[n];
     switch (node(n).release) {
       case Release::root:
         job_start = n;
         break;
       case Release::fork:
-        job_start = begins.kind == Beginning::Kind::joined
-                        ? made_.job_start[static_cast<std::size_t>(node(n).cause)]
-                        : n;
+        job_start = begins.kind == Beginning::Kind::joined ? made_.job_start[node(n).cause] : n;
         break;
       case Release::limit:
-        job_start = made_.job_start[static_cast<std::size_t>(node(n).cause)];
+        job_start = made_.job_start[node(n).cause];
         break;
       case Release::message: {
-        const int before = forest_.cause_in(n, begins.thread);
-        const bool begins_job = before < 0 || begins.step == of.idle_wait;
-        job_start = begins_job ? n : made_.job_start[static_cast<std::size_t>(before)];
+        const NodeId before = forest_.cause_in(n, begins.thread);
+        const bool begins_job = !before.valid() || begins.step == of.idle_wait;
+        job_start = begins_job ? n : made_.job_start[before];
         break;
       }
     }
@@ -107,9 +106,9 @@ class Observer {
       arrivals_[{job_start, wait.step}].push_back(n);
   }
 
-  void order(int n) {
-    if (made_.job_start[static_cast<std::size_t>(n)] == n) return;
-    auto& previous = made_.previous[static_cast<std::size_t>(n)];
+  void order(NodeId n) {
+    if (made_.job_start[n] == n) return;
+    auto& previous = made_.previous[n];
     if (node(n).release != Release::message) {
       previous.push_back(node(n).cause);
       return;
@@ -119,14 +118,14 @@ class Observer {
     // It may come twice for what the job has sent; then the next job takes what this one has brought
     // about.
     const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
-    const bool again = forest_.sources[static_cast<std::size_t>(node(n).source)].period < never;
+    const bool again = forest_.sources[node(n).source].period < never;
     if (again && !problem_.channels[channel].answers.valid())
       thread(begins.thread).unbounded_reason = waits + " within its jobs for what answers no request";
-    const auto known = arrivals_.find({made_.job_start[static_cast<std::size_t>(n)], begins.step});
+    const auto known = arrivals_.find({made_.job_start[n], begins.step});
     if (known != arrivals_.end()) previous = known->second;
     if (previous.empty())
       thread(begins.thread).unbounded_reason = waits + " for something that another job triggers";
-    waited_for_.insert({made_.job_start[static_cast<std::size_t>(n)], begins.step});
+    waited_for_.insert({made_.job_start[n], begins.step});
   }
 
   /// What a job brings about it must also take: else a later job finds it in the slot, and takes it for
@@ -134,9 +133,9 @@ class Observer {
   void leftovers(ThreadId t) {
     // By channel of what comes back: sends, and forks to the senders.
     std::map<ChannelId, std::set<StepId>> origins;
-    for (int n : thread(t).nodes) {
-      if (node(n).release != Release::message || made_.job_start[static_cast<std::size_t>(n)] == n) continue;
-      int first = n;  // of what the thread brings about on the way
+    for (NodeId n : thread(t).nodes) {
+      if (node(n).release != Release::message || made_.job_start[n] == n) continue;
+      NodeId first = n;  // of what the thread brings about on the way
       while (forest_.thread_of(node(first).cause) != t) first = node(first).cause;
       const Beginning& begins = beginning(n);
       std::set<StepId>& of = origins[step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)]];
@@ -191,8 +190,8 @@ class Observer {
     // What is for it waits while it is not there.
     if (recurrent(problem_, {Beginning::Kind::entry, t, {}, -1}))
       of.unbounded_reason = name + " is started again and again";
-    for (int n : of.nodes) {
-      const int job_start = made_.job_start[static_cast<std::size_t>(n)];
+    for (NodeId n : of.nodes) {
+      const NodeId job_start = made_.job_start[n];
       const Segment& segment = forest_.segment_of(node(n));
       const bool again = in_job(forest_, made_, n);
       for (const Segment::Arrival& wait : segment.waits) {
@@ -229,13 +228,12 @@ class Observer {
     const bool again = recurrent(problem_, {Beginning::Kind::entry, t, {}, -1});
     std::set<StepId> late;
     std::vector<StepId> waits;
-    for (int n : of.job_starts) waits.push_back(beginning(n).step);
+    for (NodeId n : of.job_starts) waits.push_back(beginning(n).step);
     follow(problem_, waits, [&late](StepId at) {
       late.insert(at);
       return Course::goes_on;
     });
-    for (int n : of.nodes)
-      made_.early[static_cast<std::size_t>(n)] = !again && !late.contains(beginning(n).step);
+    for (NodeId n : of.nodes) made_.early[n] = !again && !late.contains(beginning(n).step);
   }
 
   /// Whether a block stops when its siblings have ended.
@@ -268,12 +266,10 @@ class Observer {
 
   /// ThreadBehaviours::drains: the only thread that receives the message waits for nothing but at its idle
   /// wait.
-  bool drains(int n) {
+  bool drains(NodeId n) {
     const ThreadBehaviour& of = thread(forest_.thread_of(n));
     if (node(n).release != Release::message || node(n).device.valid() || of.waits_within) return false;
-    if (made_.job_start[static_cast<std::size_t>(n)] != n ||
-        !made_.previous[static_cast<std::size_t>(n)].empty())
-      return false;
+    if (made_.job_start[n] != n || !made_.previous[n].empty()) return false;
     const ChannelId channel = step_at(node(n).sends.front()).channels.front();
     if (latency(problem_, channel, forest_.thread_of(node(n).cause), forest_.thread_of(n)).worst > 0)
       return false;
@@ -293,18 +289,17 @@ class Observer {
   void find_endings() {
     made_.endings.resize(forest_.sources.size());
     made_.start_endings.resize(problem_.threads.size());
-    for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
+    for (const NodeId n : forest_.nodes.ids()) {
       const Node& of = forest_.nodes[n];
       if (!may_end(problem_, forest_.segment_of(of))) continue;
-      made_.endings[static_cast<std::size_t>(of.source)].push_back(static_cast<int>(n));
-      if (forest_.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start)
-        end_at_start(static_cast<int>(n));
+      made_.endings[of.source].push_back(n);
+      if (forest_.sources[of.source].kind == Source::Kind::start) end_at_start(n);
     }
   }
 
-  void end_at_start(int ending) {
+  void end_at_start(NodeId ending) {
     std::set<ThreadId> threads;
-    for (int n = ending; n >= 0; n = node(n).cause) {
+    for (NodeId n = ending; n.valid(); n = node(n).cause) {
       const ThreadId thread = forest_.thread_of(n);
       if (thread.valid() && threads.insert(thread).second) made_.start_endings[thread].push_back({ending, n});
     }
@@ -315,7 +310,7 @@ class Observer {
   void servers(ThreadBehaviour& of) {
     if (of.job_starts.empty()) return;
     ChannelId request{};
-    for (int n : of.job_starts) {
+    for (NodeId n : of.job_starts) {
       const Beginning& begins = beginning(n);
       if (begins.kind != Beginning::Kind::arm) return;
       const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
@@ -331,7 +326,7 @@ class Observer {
           std::find(step.channels.begin(), step.channels.end(), channel.answer) != step.channels.end();
       if (gives_up) return;
     }
-    for (int n : of.nodes) {
+    for (NodeId n : of.nodes) {
       const Segment& segment = forest_.segment_of(node(n));
       for (const Segment::Arrival& wait : segment.waits) {
         if (wait.step != of.idle_wait) continue;
@@ -354,17 +349,16 @@ class Observer {
   const Problem& problem_;
   const Forest& forest_;
   ThreadBehaviours made_;
-  std::map<std::pair<int, StepId>, std::vector<int>> arrivals_;  // by job and wait
-  Table<ChannelId, std::vector<StepId>> waits_;                  // by channel, that take from it
-  std::set<std::pair<int, StepId>> waited_for_;                  // job and wait
+  std::map<std::pair<NodeId, StepId>, std::vector<NodeId>> arrivals_;  // by job and wait
+  Table<ChannelId, std::vector<StepId>> waits_;                        // by channel, that take from it
+  std::set<std::pair<NodeId, StepId>> waited_for_;                     // job and wait
 };
 
 }  // namespace
 
-bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, int node) {
-  const std::vector<int>& job_starts = behaviours.threads[forest.thread_of(node)].job_starts;
-  return std::find(job_starts.begin(), job_starts.end(),
-                   behaviours.job_start[static_cast<std::size_t>(node)]) != job_starts.end();
+bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, NodeId node) {
+  const std::vector<NodeId>& job_starts = behaviours.threads[forest.thread_of(node)].job_starts;
+  return std::find(job_starts.begin(), job_starts.end(), behaviours.job_start[node]) != job_starts.end();
 }
 
 ThreadBehaviours thread_behaviours_of(const Problem& problem, const Forest& forest,

@@ -38,9 +38,7 @@ class Ageing {
  private:
   ThreadId owner(StepId step) const { return view_.forest.segments.owner(step); }
   const Step& step_at(StepId step) const { return problem_.steps[step]; }
-  const Segment& segment(int n) const {
-    return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
-  }
+  const Segment& segment(NodeId n) const { return view_.forest.segment_of(view_.forest.nodes[n]); }
 
   bool reads(StepId step) const {
     return (step_at(step).kind == Kind::read && step_at(step).condition == requirement_.condition) ||
@@ -85,8 +83,8 @@ class Ageing {
   Sum distance(StepId from, StepId statement) {
     if (from == statement) return {};
     Sum longest;
-    const std::vector<int> nodes = nodes_with(view_, from);
-    for (int n : nodes_with(view_, statement)) {
+    const std::vector<NodeId> nodes = nodes_with(view_, from);
+    for (NodeId n : nodes_with(view_, statement)) {
       if (std::find(nodes.begin(), nodes.end(), n) == nodes.end()) continue;
       const Sum later = latest(view_, n, statement);
       if (!later.bounded()) return later;
@@ -98,14 +96,14 @@ class Ageing {
   }
 
   /// Whether a statement is a send that may have to wait for its slot.
-  bool may_be_held(int n, StepId statement) const {
+  bool may_be_held(NodeId n, StepId statement) const {
     const AnalysisContext context{problem_, view_.forest, view_.behaviours};
     return held_until(context, view_.times.nodes, n, statement) >
            earliest_effect(view_.forest, view_.times, n, statement);
   }
 
   /// From one effect to another in one segment, if no send waits for its slot.
-  Sum without_pause(int n, StepId from, StepId to) const {
+  Sum without_pause(NodeId n, StepId from, StepId to) const {
     std::map<StepId, Nanoseconds> longest{{from, 0}};
     for (const Segment::Passed& passed : segment(n).steps) {
       const auto known = longest.find(passed.step);
@@ -121,7 +119,7 @@ class Ageing {
     const auto found = longest.find(to);
     if (found == longest.end()) return Sum::unbounded();
     const Nanoseconds all = view_.windows().stretch(thread.processor, thread.priority, found->second);
-    return {all, {Term::Kind::said, n, to, -1, "runs, and is preempted, from the read to the statement"}};
+    return {all, {Term::Kind::said, n, to, {}, "runs, and is preempted, from the read to the statement"}};
   }
 
   const View& view_;

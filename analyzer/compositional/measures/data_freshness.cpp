@@ -72,14 +72,14 @@ DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
   for (int iteration = 0; iteration < most_freshness_rounds; ++iteration) {
     if (!requirement.condition.valid()) ages_.clear();  // samples on their way to conditions
     bool changed = false;
-    for (std::size_t n = 0; n < begins_.size(); ++n) changed = visit(static_cast<int>(n)) || changed;
+    for (const NodeId n : begins_.ids()) changed = visit(n) || changed;
     if (!changed) return;
   }
 }
 
 Known DataFreshness::at(StepEffect effect) const {
-  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]);
-  const auto& effects = effects_[static_cast<std::size_t>(effect.node)];
+  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[effect.node]);
+  const auto& effects = effects_[effect.node];
   for (std::size_t s = 0; s < segment.steps.size() && s < effects.size(); ++s) {
     if (segment.steps[s].step == effect.step) return effects[s];
   }
@@ -92,14 +92,14 @@ Sum DataFreshness::age_since_cause(StepEffect effect) const {
   if (!known || !known->request) return least;
   const StepEffect request = *known->request;
   const AnalysisContext context{problem_, view_.forest, view_.behaviours};
-  int cause = request.node;
-  for (int tried = 0; cause >= 0 && tried < most_causes; ++tried, cause = context.node(cause).cause) {
+  NodeId cause = request.node;
+  for (int tried = 0; cause.valid() && tried < most_causes; ++tried, cause = context.node(cause).cause) {
     if (!since_cause_.counts_from(cause, effect.node)) continue;
     const Segment& segment = context.segment(request.node);
     const Nanoseconds soonest =
         plus(since_cause_.least(cause, request.node), segment.steps[place_of(segment, request.step)].best);
     const Sum latest = since_cause(view_, cause, effect);
-    least = less(least, latest - Sum(soonest, {Term::Kind::earliest, request.node, request.step, -1, ""}));
+    least = less(least, latest - Sum(soonest, {Term::Kind::earliest, request.node, request.step, {}, ""}));
   }
   return least;
 }
@@ -118,8 +118,8 @@ void DataFreshness::find_setters() {
 }
 
 /// Follows the node's ways; true: something more is known than before.
-bool DataFreshness::visit(int node) {
-  const auto n = static_cast<std::size_t>(node);
+bool DataFreshness::visit(NodeId node) {
+  const NodeId n = node;
   const Segment& segment = view_.forest.segment_of(view_.forest.nodes[n]);
   const Beginning& begins = segment.beginning;
   State first = begin(node);
@@ -162,24 +162,24 @@ bool DataFreshness::visit(int node) {
   return more;
 }
 
-DataFreshness::State DataFreshness::begin(int node) const {
-  const auto n = static_cast<std::size_t>(node);
+DataFreshness::State DataFreshness::begin(NodeId node) const {
+  const NodeId n = node;
   const Node& of = view_.forest.nodes[n];
   State state;
-  const auto arrived = [this](int before, StepId step) {
-    const auto& arrivals = arrivals_[static_cast<std::size_t>(before)];
+  const auto arrived = [this](NodeId before, StepId step) {
+    const auto& arrivals = arrivals_[before];
     const auto found = arrivals.find(step);
     return found == arrivals.end() ? State{} : found->second;
   };
   const auto& previous = view_.behaviours.previous[n];
   if (!previous.empty()) {
     state = {unbounded, unbounded};
-    for (int before : previous) {
+    for (NodeId before : previous) {
       const State there = arrived(before, view_.forest.segment_of(of).beginning.step);
       state.known = either(state.known, there.known);
       state.set = either(state.set, there.set);
     }
-  } else if (of.release == Release::fork && of.cause >= 0) {
+  } else if (of.release == Release::fork && of.cause.valid()) {
     state = arrived(of.cause, of.cause_step);
   } else if (in_recurring_job(view_, node)) {
     state = before_idle(node);
@@ -187,7 +187,7 @@ DataFreshness::State DataFreshness::begin(int node) const {
   if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
     state.set = both(state.set, set_by_blocks(of));
   // At time 0 no more is known, and a condition has its first value.
-  if (view_.forest.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start) {
+  if (view_.forest.sources[of.source].kind == Source::Kind::start) {
     state.known = both(state.known, Known(Instant()));
     state.set = both(state.set, Known(Instant()));
   }
@@ -201,10 +201,10 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
   for (ThreadId block : problem_.steps[joined.cause_step].threads) {
     if (!problem_.threads[block].can_end) continue;
     Known soonest = unbounded;
-    for (int n : view_.behaviours.threads[block].nodes) {
-      const int job_start = view_.behaviours.job_start[static_cast<std::size_t>(n)];
-      if (view_.forest.nodes[static_cast<std::size_t>(job_start)].cause != joined.cause) continue;
-      for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
+    for (NodeId n : view_.behaviours.threads[block].nodes) {
+      const NodeId job_start = view_.behaviours.job_start[n];
+      if (view_.forest.nodes[job_start].cause != joined.cause) continue;
+      for (const auto& [step, state] : arrivals_[n]) {
         if (problem_.steps[step].kind == Kind::end) soonest = either(soonest, state.set);
       }
     }
@@ -214,17 +214,17 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
 }
 
 /// From the previous job; the first job begins with what is younger than the skill.
-DataFreshness::State DataFreshness::before_idle(int node) const {
+DataFreshness::State DataFreshness::before_idle(NodeId node) const {
   const ThreadId thread = view_.forest.thread_of(node);
-  const int source = recurring_source(view_, thread);
-  if (source < 0 || !regular_[thread]) return {};
+  const SourceId source = recurring_source(view_, thread);
+  if (!source.valid() || !regular_[thread]) return {};
   if (!in_order(view_, thread)) return {};
   const ThreadBehaviour& of = view_.behaviours.threads[thread];
   State state{unbounded, unbounded};
-  for (int other : of.nodes) {
+  for (NodeId other : of.nodes) {
     if (!in_recurring_job(view_, other)) continue;
-    const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
-    const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]);
+    const auto& arrivals = arrivals_[other];
+    const Segment& segment = view_.forest.segment_of(view_.forest.nodes[other]);
     for (const Segment::Arrival& wait : segment.waits) {
       if (wait.step != of.idle_wait) continue;
       const auto found = arrivals.find(of.idle_wait);
@@ -248,10 +248,10 @@ bool DataFreshness::sampled(ChannelId channel) const {
 }
 
 /// By the message that begins the node.
-Known DataFreshness::told(int node) const {
+Known DataFreshness::told(NodeId node) const {
   if (requirement_.condition.valid()) return std::nullopt;
-  const Node& of = view_.forest.nodes[static_cast<std::size_t>(node)];
-  const Source& source = view_.forest.sources[static_cast<std::size_t>(of.source)];
+  const Node& of = view_.forest.nodes[node];
+  const Source& source = view_.forest.sources[of.source];
   if (of.release == Release::message) return told_by(of.cause, of.sends, of.device);
   if (of.release != Release::root) return std::nullopt;
   if (source.kind == Source::Kind::event) {
@@ -262,7 +262,7 @@ Known DataFreshness::told(int node) const {
 }
 
 /// A message carries what its sender knows; a device's answer says what was so after the request.
-Known DataFreshness::told_by(int sender, const std::vector<StepId>& sends, DeviceId device) const {
+Known DataFreshness::told_by(NodeId sender, const std::vector<StepId>& sends, DeviceId device) const {
   Known known = unbounded;
   for (StepId send : sends) {
     if (!device.valid()) {
@@ -278,14 +278,13 @@ Known DataFreshness::told_by(int sender, const std::vector<StepId>& sends, Devic
 }
 
 /// By what leads to the next job of a loop.
-Known DataFreshness::told_in_loop(const Source& source, int index) const {
+Known DataFreshness::told_in_loop(const Source& source, SourceId index) const {
   Known known = unbounded;
   for (const Source::Feed& feed : source.feeds) {
-    if (feed.node < 0 || feed.sends.empty()) return std::nullopt;
-    const int from = view_.forest.nodes[static_cast<std::size_t>(feed.node)].source;
+    if (!feed.node.valid() || feed.sends.empty()) return std::nullopt;
+    const SourceId from = view_.forest.nodes[feed.node].source;
     const bool own = from == index;
-    if (!own && view_.forest.sources[static_cast<std::size_t>(from)].kind != Source::Kind::start)
-      return std::nullopt;
+    if (!own && view_.forest.sources[from].kind != Source::Kind::start) return std::nullopt;
     const Sum distance = own ? gap(view_, index) : first(view_, index);
     known = either(known, earlier(told_by(feed.node, feed.sends, feed.device), distance));
   }
@@ -300,7 +299,7 @@ bool DataFreshness::surely_read(StepId step, ConditionId condition) const {
   return tests(of, condition) && !latched_[thread].contains(condition);
 }
 
-void DataFreshness::transfer(int node, StepId step, State& state) {
+void DataFreshness::transfer(NodeId node, StepId step, State& state) {
   const Step& of = problem_.steps[step];
   const ThreadId thread = view_.forest.thread_of(node);
   const Sum now = earliest(view_, node, step);
@@ -351,8 +350,8 @@ Sum DataFreshness::sample_age(ConditionId condition, ThreadId reader) const {
       at_set = greater(at_set, age(effect));
     }
     for (const StepEffect& effect : sets.before_jobs()) {
-      const int source = view_.forest.nodes[static_cast<std::size_t>(effect.node)].source;
-      later = later || view_.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start;
+      const SourceId source = view_.forest.nodes[effect.node].source;
+      later = later || view_.forest.sources[source].kind != Source::Kind::start;
       at_set = greater(at_set, age(effect));
     }
     if (!sets.in_every_job() || sets.in_jobs().empty() || !outlasts(view_, setter.thread, reader)) continue;

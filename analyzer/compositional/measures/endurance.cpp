@@ -22,25 +22,26 @@ class Ending {
       if (problem_.threads[block].can_end) return Sum::unbounded();
       const Nanoseconds within = stops_within(problem_, times_.interference->windows(), block);
       stopping = greater(
-          stopping, {within, {Term::Kind::said, -1, {}, -1, "cancelled blocks finish what they have begun"}});
+          stopping, {within, {Term::Kind::said, {}, {}, {}, "cancelled blocks finish what they have begun"}});
     }
     return stopping + to_completion(fork);
   }
 
  private:
-  Sum finish(int node) const {
-    return {times_.nodes[static_cast<std::size_t>(node)].finish, {Term::Kind::latest, node, {}, -1, ""}};
+  Sum finish(NodeId node) const {
+    return {times_.nodes[node].finish, {Term::Kind::latest, node, {}, {}, ""}};
   }
 
   /// From when the blocks are over; all ways must complete the skill without another wait.
   Sum to_completion(StepId fork) const {
-    for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
+    for (const NodeId n : forest_.nodes.ids()) {
       const Segment& segment = forest_.segment_of(forest_.nodes[n]);
-      const Source& source = forest_.sources[static_cast<std::size_t>(forest_.nodes[n].source)];
-      if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause >= 0) continue;
+      const Source& source = forest_.sources[forest_.nodes[n].source];
+      if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause.valid())
+        continue;
       const bool completes =
           segment.waits.empty() && segment.forks.empty() && !segment.ends && sends_freely(segment);
-      return completes ? finish(static_cast<int>(n)) : Sum::unbounded();
+      return completes ? finish(n) : Sum::unbounded();
     }
     return Sum::unbounded();
   }

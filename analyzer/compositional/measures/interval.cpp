@@ -22,7 +22,7 @@ Bound greatest_interval(const View& view, const Table<StepId, bool>& at) {
   // What has had an effect has begun.
   if (has_jobs ? stops : !view.lively[t]) return none;
   Sum end;
-  for (int n : of.nodes) {
+  for (NodeId n : of.nodes) {
     if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
   const auto follow = [&](StepEffect effect, const Sum& distance) {
@@ -46,8 +46,8 @@ Bound greatest_interval(const View& view, const Table<StepId, bool>& at) {
 /// in the next.
 Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
   if (all.empty()) return {};
-  const int source = view.forest.nodes[static_cast<std::size_t>(all.front().node)].source;
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  const SourceId source = view.forest.nodes[all.front().node].source;
+  const Source& of = view.forest.sources[source];
   if (of.period >= never) return {};
   Sum sooner = Sum::unbounded();
   Sum later;
@@ -58,13 +58,13 @@ Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
   }
   if (!later.bounded()) return {};
   return greater(
-      Sum(), Sum(of.period, {Term::Kind::said, -1, {}, source, "comes no sooner again"}) + sooner - later);
+      Sum(), Sum(of.period, {Term::Kind::said, {}, {}, source, "comes no sooner again"}) + sooner - later);
 }
 
 /// What the shortest way through the program takes.
 Sum by_the_way(const View& view, const Table<StepId, bool>& at, ThreadId thread) {
   return {least_effect_distance(view.problem, thread, at),
-          {Term::Kind::said, -1, {}, -1, "what lies on the shortest way from one to the next"}};
+          {Term::Kind::said, {}, {}, {}, "what lies on the shortest way from one to the next"}};
 }
 
 Bound least_interval(const View& view, const Requirement& requirement) {
@@ -82,7 +82,7 @@ Sum least_distance(const View& view, const Table<StepId, bool>& at) {
   std::vector<StepEffect> all;
   for (const StepId s : at.ids()) {
     if (!at[s] || !view.forest.segments.owner(s).valid()) continue;
-    for (int n : nodes_with(view, s)) all.push_back({n, s});
+    for (NodeId n : nodes_with(view, s)) all.push_back({n, s});
   }
   return greater(least_by_source(view, all), by_the_way(view, at, *threads.begin()));
 }

@@ -6,7 +6,7 @@
 
 namespace pal::analyzer::compositional {
 
-bool in_job(const View& view, int node) {
+bool in_job(const View& view, NodeId node) {
   return in_job(view.forest, view.behaviours, node);
 }
 
@@ -14,9 +14,9 @@ bool starts_in_jobs(const View& view, ThreadId thread) {
   const ThreadBehaviour& of = view.behaviours.threads[thread];
   const Thread& block = view.problem.threads[thread];
   return block.parent.valid() && !of.idle_wait.valid() && !of.nodes.empty() &&
-         std::all_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
-           const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
-           return view.forest.sources[static_cast<std::size_t>(node.source)].period < never;
+         std::all_of(of.nodes.begin(), of.nodes.end(), [&](NodeId n) {
+           const Node& node = view.forest.nodes[n];
+           return view.forest.sources[node.source].period < never;
          });
 }
 
@@ -28,32 +28,32 @@ bool goes_on(const View& view, ThreadId thread) {
          goes_on(view, view.problem.threads[t].parent);
 }
 
-int recurring_source(const View& view, ThreadId thread) {
+SourceId recurring_source(const View& view, ThreadId thread) {
   const ThreadBehaviour& of = view.behaviours.threads[thread];
-  int source = -1;
-  for (int n : starts_in_jobs(view, thread) ? of.nodes : of.job_starts) {
-    const int from = view.forest.nodes[static_cast<std::size_t>(n)].source;
-    if (view.forest.sources[static_cast<std::size_t>(from)].period == never) continue;
-    if (source >= 0 && source != from) return -1;
+  SourceId source{};
+  for (NodeId n : starts_in_jobs(view, thread) ? of.nodes : of.job_starts) {
+    const SourceId from = view.forest.nodes[n].source;
+    if (view.forest.sources[from].period == never) continue;
+    if (source.valid() && source != from) return SourceId{};
     source = from;
   }
   return source;
 }
 
-bool in_recurring_job(const View& view, int node) {
+bool in_recurring_job(const View& view, NodeId node) {
   const ThreadId thread = view.forest.thread_of(node);
-  const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
+  const SourceId source = view.forest.nodes[node].source;
   return (in_job(view, node) || starts_in_jobs(view, thread)) && source == recurring_source(view, thread);
 }
 
 bool regular(const View& view, ThreadId thread) {
   const ThreadBehaviour& of = view.behaviours.threads[thread];
-  const int recurring = recurring_source(view, thread);
-  if (recurring < 0) return false;
-  const Source& source = view.forest.sources[static_cast<std::size_t>(recurring)];
-  const bool itself = std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](int n) {
-    const Node& node = view.forest.nodes[static_cast<std::size_t>(n)];
-    return node.source == recurring && node.cause < 0;
+  const SourceId recurring = recurring_source(view, thread);
+  if (!recurring.valid()) return false;
+  const Source& source = view.forest.sources[recurring];
+  const bool itself = std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](NodeId n) {
+    const Node& node = view.forest.nodes[n];
+    return node.source == recurring && !node.cause.valid();
   });
   if (source.kind == Source::Kind::loop && itself) return true;
   Table<StepId, bool> at(view.problem.steps.size());
@@ -70,15 +70,14 @@ bool regular(const View& view, ThreadId thread) {
 bool in_order(const View& view, ThreadId thread) {
   const auto& job_starts = view.behaviours.threads[thread].job_starts;
   return std::count_if(job_starts.begin(), job_starts.end(),
-                       [&](int n) { return in_recurring_job(view, n); }) <= 1;
+                       [&](NodeId n) { return in_recurring_job(view, n); }) <= 1;
 }
 
-std::vector<int> nodes_with(const View& view, StepId step) {
-  std::vector<int> found;
+std::vector<NodeId> nodes_with(const View& view, StepId step) {
+  std::vector<NodeId> found;
   const ThreadId owner = view.forest.segments.owner(step);
-  for (int n : view.behaviours.threads[owner].nodes) {
-    for (const Segment::Passed& passed :
-         view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
+  for (NodeId n : view.behaviours.threads[owner].nodes) {
+    for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[n]).steps) {
       if (passed.step == step) found.push_back(n);
     }
   }

@@ -41,25 +41,25 @@ struct View {
 };
 
 /// The effect of a step in a node at the latest, and at the earliest; the node's end.
-Sum latest(const View& view, int node, StepId step);
-Sum earliest(const View& view, int node, StepId step);
-Sum finish(const View& view, int node);
+Sum latest(const View& view, NodeId node, StepId step);
+Sum earliest(const View& view, NodeId node, StepId step);
+Sum finish(const View& view, NodeId node);
 /// The release of a node at the latest.
-Sum release(const View& view, int node);
+Sum release(const View& view, NodeId node);
 /// The effect of a step in a node, and the node's end, at the latest after the event that brings it about.
-Sum since_event(const View& view, int node, StepId step);
-Sum finish_since_event(const View& view, int node);
+Sum since_event(const View& view, NodeId node, StepId step);
+Sum finish_since_event(const View& view, NodeId node);
 /// The effect of a step at the latest after the release of a cause from which it counts (SinceCause).
-Sum since_cause(const View& view, int cause, StepEffect effect);
+Sum since_cause(const View& view, NodeId cause, StepEffect effect);
 /// From one occurrence of a source to the next, and from time 0 to the first, at the latest.
-Sum gap(const View& view, int source);
-Sum first(const View& view, int source);
+Sum gap(const View& view, SourceId source);
+Sum first(const View& view, SourceId source);
 
 Bound response_bound(const View& view, const Requirement& requirement);
 /// By step: whether it sends what a response is required to.
 Table<StepId, bool> sends_of_events(const Problem& problem, const Requirement& requirement);
 /// Whether each occurrence of a source of one root leads to a statement, as long as the skill lasts.
-bool always_comes(const View& view, int source, const Table<StepId, bool>& at);
+bool always_comes(const View& view, SourceId source, const Table<StepId, bool>& at);
 /// Number of events or answers lost in any row of the length that the requirement names.
 Bound loss_bound(const View& view, const Requirement& requirement);
 Bound event_loss_bound(const View& view, const Requirement& requirement);

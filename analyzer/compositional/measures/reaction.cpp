@@ -12,9 +12,9 @@ Sum since_known(const DataFreshness& freshness, StepEffect effect, const Sum& un
   return known ? until - known->at : Sum::unbounded();
 }
 
-bool of_start(const View& view, int node) {
-  const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
-  return view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+bool of_start(const View& view, NodeId node) {
+  const SourceId source = view.forest.nodes[node].source;
+  return view.forest.sources[source].kind == Source::Kind::start;
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
   std::string why;
   for (const StepId s : view.problem.steps.ids()) {
     if (!requirement.at[s] || !view.forest.segments.owner(s).valid()) continue;
-    for (int n : nodes_with(view, s)) {
+    for (NodeId n : nodes_with(view, s)) {
       const StepEffect effect{n, s};
       const Sum age = since_known(freshness, effect, latest(view, n, effect.step));
       oldest = greater(oldest, less(age, freshness.age_since_cause(effect)));
@@ -64,7 +64,7 @@ Bound reaction_bound(const View& view, const Requirement& requirement) {
     longest = greater(longest, of_start(view, effect.node) ? until : since_known(freshness, effect, until));
   }
   Sum end;
-  for (int n : view.behaviours.threads[t].nodes) {
+  for (NodeId n : view.behaviours.threads[t].nodes) {
     if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
   for (const StepEffect& effect : occurrences.in_jobs()) {

@@ -3,22 +3,22 @@
 namespace pal::analyzer::compositional {
 
 std::string unbounded_reason_behind(const View& view, ThreadId thread) {
-  std::vector<int> open = view.behaviours.threads[thread].nodes;
-  std::vector<bool> seen(view.forest.nodes.size());
+  std::vector<NodeId> open = view.behaviours.threads[thread].nodes;
+  Table<NodeId, bool> seen(view.forest.nodes.size());
   if (!view.times.unbounded_reason[thread].empty()) return view.times.unbounded_reason[thread];
   for (std::size_t next = 0; next < open.size(); ++next) {
-    const auto n = static_cast<std::size_t>(open[next]);
+    const NodeId n = open[next];
     if (seen[n]) continue;
     seen[n] = true;
-    const std::string& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(open[next])];
+    const std::string& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(n)];
     if (!unbounded_reason.empty()) return unbounded_reason;
     const Node& node = view.forest.nodes[n];
-    if (node.cause >= 0) {
+    if (node.cause.valid()) {
       open.push_back(node.cause);
       continue;
     }
-    for (const Source::Feed& feed : view.forest.sources[static_cast<std::size_t>(node.source)].feeds) {
-      if (feed.node >= 0) open.push_back(feed.node);
+    for (const Source::Feed& feed : view.forest.sources[node.source].feeds) {
+      if (feed.node.valid()) open.push_back(feed.node);
     }
   }
   return "";

@@ -100,9 +100,8 @@ class Reliability {
       return at == idle_wait || is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
     if (passed_by) return false;
-    for (int n : behaviours_.threads[parent].nodes) {
-      for (const Segment::Arrival& at :
-           forest_.segment_of(forest_.nodes[static_cast<std::size_t>(n)]).forks) {
+    for (NodeId n : behaviours_.threads[parent].nodes) {
+      for (const Segment::Arrival& at : forest_.segment_of(forest_.nodes[n]).forks) {
         if (before.contains(at.step) && !joins_at(at.step, relies)) return false;
       }
     }
@@ -120,9 +119,9 @@ class Reliability {
              !behaviours_.never_full[send.channels.front()];
     };
     if (times_.blocked[thread] && std::any_of(among.begin(), among.end(), may_wait)) return false;
-    for (int n : behaviours_.threads[thread].nodes) {
-      for (int effect : forest_.nodes[static_cast<std::size_t>(n)].effects) {
-        const std::vector<StepId>& sends = forest_.nodes[static_cast<std::size_t>(effect)].sends;
+    for (NodeId n : behaviours_.threads[thread].nodes) {
+      for (NodeId effect : forest_.nodes[n].effects) {
+        const std::vector<StepId>& sends = forest_.nodes[effect].sends;
         const bool waits = std::any_of(sends.begin(), sends.end(),
                                        [&](StepId send) { return among.contains(send) && may_wait(send); });
         if (waits) relies.push_back(forest_.thread_of(effect));
@@ -133,8 +132,8 @@ class Reliability {
 
   /// Whether the blocks that a thread starts all come to their end, on the way to its idle wait.
   bool joins(ThreadId thread, std::vector<ThreadId>& relies) const {
-    for (int n : behaviours_.threads[thread].nodes) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+    for (NodeId n : behaviours_.threads[thread].nodes) {
+      const Node& node = forest_.nodes[n];
       for (const Segment::Arrival& fork : forest_.segment_of(node).forks) {
         if (!joins_at(fork.step, relies)) return false;
       }
@@ -158,15 +157,15 @@ class Reliability {
   bool servers(ThreadId thread, std::vector<ThreadId>& relies) const {
     const ThreadBehaviour& of = behaviours_.threads[thread];
     std::set<StepId> waits;
-    for (int n : of.nodes) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+    for (NodeId n : of.nodes) {
+      const Node& node = forest_.nodes[n];
       for (const Segment::Arrival& wait : forest_.segment_of(node).waits) waits.insert(wait.step);
     }
-    for (int n : of.nodes) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
-      for (int effect : node.effects) {
+    for (NodeId n : of.nodes) {
+      const Node& node = forest_.nodes[n];
+      for (NodeId effect : node.effects) {
         // A message that no thread takes would stop its sender, sooner or later.
-        const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
+        const Node& taker = forest_.nodes[effect];
         if (taker.release != Node::Release::message || taker.device.valid()) continue;
         const ChannelId channel = step_at(taker.sends.front()).channels.front();
         if (behaviours_.never_full[channel]) continue;
@@ -204,10 +203,9 @@ class Reliability {
   }
 
   bool goes_on_by_itself(const ThreadBehaviour& of) const {
-    return std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](int n) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
-      return forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
-             node.cause < 0;
+    return std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](NodeId n) {
+      const Node& node = forest_.nodes[n];
+      return forest_.sources[node.source].kind == Source::Kind::loop && !node.cause.valid();
     });
   }
 

@@ -13,21 +13,21 @@ Bound unknown(std::string why) {
 }
 
 /// The source of a device's events; -1: no thread waits for them.
-int source_of(const View& view, DeviceId device) {
-  for (std::size_t s = 0; s < view.forest.sources.size(); ++s) {
+SourceId source_of(const View& view, DeviceId device) {
+  for (const SourceId s : view.forest.sources.ids()) {
     const Source& of = view.forest.sources[s];
-    if (of.kind == Source::Kind::event && of.device == device) return static_cast<int>(s);
+    if (of.kind == Source::Kind::event && of.device == device) return s;
   }
-  return -1;
+  return SourceId{};
 }
 
 /// Whether events cannot overtake one another although several are on their way. They cannot if every thread
 /// that they meet serves them alone, in one job each, and if one thread answers.
-bool in_order(const View& view, const Requirement& requirement, int source) {
+bool in_order(const View& view, const Requirement& requirement, SourceId source) {
   std::set<ThreadId> answering;
-  for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
+  for (const NodeId i : view.forest.nodes.ids()) {
     if (view.forest.nodes[i].source != source) continue;
-    const int n = static_cast<int>(i);
+    const NodeId n = i;
     const ThreadId thread = view.forest.thread_of(n);
     if (view.behaviours.threads[thread].job_starts.size() != 1) return false;
     for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[i]).steps) {
@@ -38,9 +38,9 @@ bool in_order(const View& view, const Requirement& requirement, int source) {
 }
 
 /// Why events of a source may find their slot full.
-std::string overrun(const View& view, int source) {
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
-  for (int root : of.roots) {
+std::string overrun(const View& view, SourceId source) {
+  const Source& of = view.forest.sources[source];
+  for (NodeId root : of.roots) {
     const std::string& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(root)];
     if (!unbounded_reason.empty()) return unbounded_reason;
   }
@@ -48,12 +48,12 @@ std::string overrun(const View& view, int source) {
          " is taken before the next one comes";
 }
 
-Bound to_event(const View& view, const Requirement& requirement, int source) {
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+Bound to_event(const View& view, const Requirement& requirement, SourceId source) {
+  const Source& of = view.forest.sources[source];
   if (of.roots.empty())
     return unknown("no thread waits for events of " + view.problem.devices[of.device].name);
-  const int root = of.roots.front();
-  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
+  const NodeId root = of.roots.front();
+  if (!view.times.no_overrun[source]) return unknown(overrun(view, source));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
   const Sum answer = propagation.node_value(root);
   if (!answer.bounded())
@@ -88,12 +88,11 @@ Bound to_message(const View& view, const Requirement& requirement) {
   Sum longest;
   for (const StepId s : sends.ids()) {
     if (!sends[s]) continue;
-    const StepId send = StepId(s);
-    for (int n : nodes_with(view, send)) {
-      const int source = view.forest.nodes[static_cast<std::size_t>(n)].source;
-      const bool event = view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::event;
-      if (event && !view.times.no_overrun[static_cast<std::size_t>(source)])
-        return unknown(overrun(view, source));
+    const StepId send = s;
+    for (NodeId n : nodes_with(view, send)) {
+      const SourceId source = view.forest.nodes[n].source;
+      const bool event = view.forest.sources[source].kind == Source::Kind::event;
+      if (event && !view.times.no_overrun[source]) return unknown(overrun(view, source));
       const Sum answered = propagation.sent_value(n, send);
       if (!answered.bounded())
         return unknown(propagation.why().empty() ? "a message may stay without a response"
@@ -123,26 +122,26 @@ Table<StepId, bool> sends_of_events(const Problem& problem, const Requirement& r
 
 Bound response_bound(const View& view, const Requirement& requirement) {
   if (!requirement.device.valid()) return to_message(view, requirement);
-  const int source = source_of(view, requirement.device);
-  return source < 0 ? unknown(
-                          "a response to what a device answers has none, only one to an event, or to a "
-                          "message of a module")
-                    : to_event(view, requirement, source);
+  const SourceId source = source_of(view, requirement.device);
+  return !source.valid() ? unknown(
+                               "a response to what a device answers has none, only one to an event, or to a "
+                               "message of a module")
+                         : to_event(view, requirement, source);
 }
 
-bool always_comes(const View& view, int source, const Table<StepId, bool>& at) {
+bool always_comes(const View& view, SourceId source, const Table<StepId, bool>& at) {
   EventPropagation propagation(view, at, EventPropagation::Since::event);
-  const auto& roots = view.forest.sources[static_cast<std::size_t>(source)].roots;
+  const auto& roots = view.forest.sources[source].roots;
   return std::any_of(roots.begin(), roots.end(),
-                     [&](int root) { return propagation.node_value(root).bounded(); });
+                     [&](NodeId root) { return propagation.node_value(root).bounded(); });
 }
 
 Bound event_loss_bound(const View& view, const Requirement& requirement) {
-  const int source = source_of(view, requirement.device);
-  if (source < 0) return unknown("no thread waits for its events");
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  const SourceId source = source_of(view, requirement.device);
+  if (!source.valid()) return unknown("no thread waits for its events");
+  const Source& of = view.forest.sources[source];
   if (of.roots.empty()) return unknown("no thread waits for its events");
-  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
+  if (!view.times.no_overrun[source]) return unknown(overrun(view, source));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
   return propagation.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(propagation.why());
 }

@@ -36,9 +36,7 @@ class Staleness {
  private:
   const Step& step_at(StepId step) const { return problem_.steps[step]; }
   const ThreadBehaviour& behaviour(ThreadId thread) const { return view_.behaviours.threads[thread]; }
-  const Segment& segment(int n) const {
-    return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
-  }
+  const Segment& segment(NodeId n) const { return view_.forest.segment_of(view_.forest.nodes[n]); }
   bool sets(StepId step) const {
     return step_at(step).kind == Kind::set && step_at(step).condition == condition_;
   }
@@ -83,10 +81,9 @@ class Staleness {
     const ThreadId above = !parent.valid() ? setter : parent;
     Sum soonest = Sum::unbounded();
     Sum last;
-    for (int n : behaviour(above).nodes) {
-      const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
-      const bool at_start =
-          view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+    for (NodeId n : behaviour(above).nodes) {
+      const SourceId source = view_.forest.nodes[n].source;
+      const bool at_start = view_.forest.sources[source].kind == Source::Kind::start;
       if (!at_start || in_job(view_, n)) continue;
       for (const Segment::Passed& passed : segment(n).steps) {
         if (!sets(passed.step)) continue;
@@ -99,7 +96,7 @@ class Staleness {
     if (!soonest.bounded() || !first.bounded() || !sets_before_jobs(above)) return first;
     // Or the skill ends before the first of them.
     const AnalysisContext context{problem_, view_.forest, view_.behaviours};
-    for (int n : context.endings_before_idle(above)) last = greater(last, finish(view_, n));
+    for (NodeId n : context.endings_before_idle(above)) last = greater(last, finish(view_, n));
     return greater(last, first - soonest);
   }
 

@@ -37,20 +37,19 @@ StatementOccurrences::StatementOccurrences(const View& view, ThreadId thread, co
       reachable_(reaching(view.problem, at)),
       begins_again_(recurrent(view.problem, {Beginning::Kind::entry, thread, {}, -1})) {
   const ThreadBehaviour& of = view.behaviours.threads[thread];
-  for (int n : of.nodes) {
-    for (const Segment::Passed& passed :
-         view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).steps) {
+  for (NodeId n : of.nodes) {
+    for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[n]).steps) {
       if (!at[passed.step]) continue;
       (in_recurring_job(view, n) ? in_jobs_ : before_jobs_).push_back({n, passed.step});
     }
   }
-  const int source = recurring_source(view, thread);
-  if (source < 0 || !regular(view, thread)) return;
+  const SourceId source = recurring_source(view, thread);
+  if (!source.valid() || !regular(view, thread)) return;
   gap_ = compositional::gap(view, source);
   first_ = compositional::first(view, source);
   Way job;
-  for (int n : of.nodes) {
-    const bool begins = view.behaviours.job_start[static_cast<std::size_t>(n)] == n;
+  for (NodeId n : of.nodes) {
+    const bool begins = view.behaviours.job_start[n] == n;
     if (begins && in_recurring_job(view, n)) merge(job, begun(n));
   }
   in_every_job_ = !job.ends_job && !job.lost;
@@ -60,12 +59,12 @@ StatementOccurrences::StatementOccurrences(const View& view, ThreadId thread, co
   find_ends(source);
 }
 
-void StatementOccurrences::find_ends(int source) {
+void StatementOccurrences::find_ends(SourceId source) {
   const AnalysisContext context{view_.problem, view_.forest, view_.behaviours};
-  const auto latest_of = [&](Sum& ended, const std::vector<int>& endings) {
-    for (int n : endings) ended = greater(ended, finish(view_, n));
+  const auto latest_of = [&](Sum& ended, const std::vector<NodeId>& endings) {
+    for (NodeId n : endings) ended = greater(ended, finish(view_, n));
   };
-  latest_of(ended_, view_.behaviours.endings[static_cast<std::size_t>(source)]);
+  latest_of(ended_, view_.behaviours.endings[source]);
   latest_of(ended_at_start_, context.endings_before_idle(thread_));
   latest_of(ended_at_start_, context.endings_before_first(source));
 }
@@ -85,9 +84,8 @@ void StatementOccurrences::merge(Way& into, const Way& other) const {
   into.lost = into.lost || other.lost || !other.latest.bounded();
 }
 
-std::optional<StepId> StatementOccurrences::opening(int node) const {
-  const Beginning& begins =
-      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning;
+std::optional<StepId> StatementOccurrences::opening(NodeId node) const {
+  const Beginning& begins = view_.forest.segment_of(view_.forest.nodes[node]).beginning;
   if (begins.kind == Beginning::Kind::entry) return view_.problem.threads[begins.thread].entry;
   const Step& step = view_.problem.steps[begins.step];
   if (begins.kind == Beginning::Kind::joined) return step.next.front();
@@ -96,20 +94,18 @@ std::optional<StepId> StatementOccurrences::opening(int node) const {
   return gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)];
 }
 
-Way StatementOccurrences::begun(int node) {
+Way StatementOccurrences::begun(NodeId node) {
   const std::optional<StepId> first = opening(node);
   if (first) return from(node, *first);
-  const StepId wait =
-      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(node)]).beginning.step;
+  const StepId wait = view_.forest.segment_of(view_.forest.nodes[node]).beginning.step;
   return {compositional::latest(view_, node, wait), release(view_, node), false, false};
 }
 
 Way StatementOccurrences::from_entry() {
   Way way;
   bool any = false;
-  for (int n : view_.behaviours.threads[thread_].nodes) {
-    if (view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]).beginning.kind ==
-        Beginning::Kind::entry) {
+  for (NodeId n : view_.behaviours.threads[thread_].nodes) {
+    if (view_.forest.segment_of(view_.forest.nodes[n]).beginning.kind == Beginning::Kind::entry) {
       any = true;
       merge(way, begun(n));
     }
@@ -120,8 +116,7 @@ Way StatementOccurrences::from_entry() {
 
 Way StatementOccurrences::after(StepEffect effect) {
   Way way;
-  const Beginning& begins =
-      view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]).beginning;
+  const Beginning& begins = view_.forest.segment_of(view_.forest.nodes[effect.node]).beginning;
   const Step& step = view_.problem.steps[effect.step];
   if (step.kind == Kind::wait) {
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
@@ -132,7 +127,7 @@ Way StatementOccurrences::after(StepEffect effect) {
   return way;
 }
 
-Way StatementOccurrences::from(int node, StepId at) {
+Way StatementOccurrences::from(NodeId node, StepId at) {
   const auto leads_on = [&](StepId step) {
     const Kind kind = view_.problem.steps[step].kind;
     const bool ends = kind == Kind::wait || kind == Kind::fork || !reachable_[step];
@@ -145,7 +140,7 @@ Way StatementOccurrences::from(int node, StepId at) {
   return known_.at({node, at});
 }
 
-Way StatementOccurrences::way_from(int node, StepId at) {
+Way StatementOccurrences::way_from(NodeId node, StepId at) {
   const Step& step = view_.problem.steps[at];
   Way way;
   if (!reachable_[at]) {
@@ -171,15 +166,14 @@ Way StatementOccurrences::way_from(int node, StepId at) {
 }
 
 /// What the thread does when its wait, or its blocks, are over.
-Way StatementOccurrences::beyond_wait(int node, StepId wait) {
+Way StatementOccurrences::beyond_wait(NodeId node, StepId wait) {
   const ThreadBehaviour& of = view_.behaviours.threads[thread_];
   if (wait == of.idle_wait) return {Sum(), Sum(), true, false};
   Way way;
   bool any = false;
-  for (int other : of.nodes) {
-    const Beginning& begins =
-        view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]).beginning;
-    const auto& previous = view_.behaviours.previous[static_cast<std::size_t>(other)];
+  for (NodeId other : of.nodes) {
+    const Beginning& begins = view_.forest.segment_of(view_.forest.nodes[other]).beginning;
+    const auto& previous = view_.behaviours.previous[other];
     if (begins.step != wait || std::find(previous.begin(), previous.end(), node) == previous.end()) continue;
     any = true;
     merge(way, begun(other));

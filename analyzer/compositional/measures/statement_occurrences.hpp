@@ -51,15 +51,15 @@ class StatementOccurrences {
   Sum first_or_end(const Sum& effect) const;
 
  private:
-  Way from(int node, StepId step);
+  Way from(NodeId node, StepId step);
   /// The same from the results of the steps that follow. Unbounded in a cycle of steps.
-  Way way_from(int node, StepId step);
-  Way beyond_wait(int node, StepId wait);
-  Way begun(int node);
+  Way way_from(NodeId node, StepId step);
+  Way beyond_wait(NodeId node, StepId wait);
+  Way begun(NodeId node);
   /// The first step of a node's segment behind the wait that begins it; nothing: that wait is one of the
   /// statements.
-  std::optional<StepId> opening(int node) const;
-  void find_ends(int source);
+  std::optional<StepId> opening(NodeId node) const;
+  void find_ends(SourceId source);
   void merge(Way& into, const Way& other) const;
 
   const View& view_;
@@ -69,7 +69,7 @@ class StatementOccurrences {
   bool begins_again_;              // a block of a CONCURRENT that comes again
   std::vector<StepEffect> in_jobs_;
   std::vector<StepEffect> before_jobs_;
-  std::map<std::pair<int, StepId>, Way> known_;
+  std::map<std::pair<NodeId, StepId>, Way> known_;
   bool in_every_job_ = false;
   bool may_skip_ = false;
   Sum latest_;

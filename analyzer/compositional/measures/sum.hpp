@@ -22,11 +22,11 @@ struct Term {
     said,         // `what`
   };
   Kind kind = Kind::said;
-  int node = -1;  // said: a node of the thread that does it; -1: none does
+  NodeId node{};  // said: a node of the thread that does it; -1: none does
   StepId step{};
-  int source = -1;
+  SourceId source{};
   std::string what;
-  int cause = -1;  // node
+  NodeId cause{};  // node
 };
 
 /// A time or a difference of times, with the terms it is made of. Saturates at `never`, which has no terms.

@@ -24,9 +24,9 @@ TEST_CASE("what a thread does before its first job is early") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
   const ThreadId sm1 = stages.thread("SM1");
   int early = 0;
-  for (const int n : stages.context.behaviour_of(sm1).nodes) {
-    if (stages.behaviours.early[static_cast<std::size_t>(n)]) ++early;
+  for (const NodeId n : stages.context.behaviour_of(sm1).nodes) {
+    if (stages.behaviours.early[n]) ++early;
   }
   CHECK(early == 1);
-  CHECK_FALSE(stages.behaviours.early[static_cast<std::size_t>(stages.job("SM1"))]);
+  CHECK_FALSE(stages.behaviours.early[stages.job("SM1")]);
 }

@@ -37,7 +37,9 @@ struct Stages {
     return analyzer::ThreadId{};
   }
   /// The only node of a thread's jobs.
-  int job(const std::string& name) const { return behaviours.threads[thread(name)].job_starts.at(0); }
+  analyzer::compositional::NodeId job(const std::string& name) const {
+    return behaviours.threads[thread(name)].job_starts.at(0);
+  }
 
   std::unique_ptr<Skill> skill;
   const analyzer::Problem& problem;
