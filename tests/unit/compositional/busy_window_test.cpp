@@ -5,6 +5,7 @@
 
 using pal::analyzer::ProcessorId;
 using namespace pal::analyzer::compositional;
+using pal::analyzer::Nanoseconds;
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 using namespace pal::analyzer::compositional;
+using pal::analyzer::Nanoseconds;
 
 TEST_CASE("a closed window of a whole period has two releases") {
   CHECK(releases(10, 0, 9) == 1);
