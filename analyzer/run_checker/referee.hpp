@@ -65,8 +65,8 @@ class Referee {
     bool withdrawn = false;  // … and is gone
     bool acted = false;      // the put, take, set or read of the statement has happened at this instant
     bool told = false;       // joining: that it waits for its blocks
-    std::map<int, bool> latched;
-    std::map<int, bool> reads;  // at this instant, for a test
+    std::map<ConditionId, bool> latched;
+    std::map<ConditionId, bool> reads;  // at this instant, for a test
   };
 
   /// When a message is available to one group of threads: at some instant in [lo, hi].
@@ -235,7 +235,7 @@ class Referee {
   Table<ProcessorId, ThreadId> holders_;    // the thread that has it
   Table<ProcessorId, ThreadId> preempted_;  // the thread that has just lost it to one still to start
   std::vector<Queued> queue_;
-  std::vector<bool> conditions_;
+  Table<ConditionId, bool> conditions_;
   std::vector<std::pair<ThreadId, StatementId>>
       passed_;  // at this instant: threads and statements of CONCURRENTs that were over at once
 

@@ -116,7 +116,7 @@ void Referee::take(const Event& event) {
   demand(step_of(thread).kind == Step::Kind::wait && !of.gives_up && !of.acted && !of.withdrawn &&
              of.claim == ChannelId::of(event.subject) && slot(ChannelId::of(event.subject)).full,
          name(thread), " takes a message that is not its own");
-  monitor_.takes(ThreadId::of(event.actor), ChannelId::of(event.subject));
+  monitor_.takes(thread, ChannelId::of(event.subject));
   of.acted = true;
   midway_ = thread;
   empty(ChannelId::of(event.subject));

@@ -179,7 +179,7 @@ void Referee::stopped(const Event& event) {
          " is preempted on a processor that does not");
   of.work += now_ - of.since;
   of.mode = Mode::stopped;
-  preempted_[thread_of(thread).processor] = ThreadId::of(event.actor);
+  preempted_[thread_of(thread).processor] = thread;
   holder(thread) = ThreadId{};
   enqueue(thread, true, true, 0);
 }

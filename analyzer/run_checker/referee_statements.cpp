@@ -7,10 +7,10 @@ namespace pal::analyzer::rules {
 
 namespace {
 
-bool holds(const pan::Guard& guard, const std::map<int, bool>& values) {
+bool holds(const pan::Guard& guard, const std::map<ConditionId, bool>& values) {
   switch (guard.kind) {
     case pan::Guard::Kind::equals:
-      return values.at(guard.condition.value) == guard.value;
+      return values.at(guard.condition) == guard.value;
     case pan::Guard::Kind::negation:
       return !holds(guard.terms.front(), values);
     case pan::Guard::Kind::all_of:
@@ -23,8 +23,8 @@ bool holds(const pan::Guard& guard, const std::map<int, bool>& values) {
   return false;
 }
 
-void collect(const pan::Guard& guard, std::set<int>& conditions) {
-  if (guard.kind == pan::Guard::Kind::equals) conditions.insert(guard.condition.value);
+void collect(const pan::Guard& guard, std::set<ConditionId>& conditions) {
+  if (guard.kind == pan::Guard::Kind::equals) conditions.insert(guard.condition);
   for (const pan::Guard& term : guard.terms) collect(term, conditions);
 }
 
@@ -131,15 +131,16 @@ void Referee::block_over(ThreadId parent) {
 StepId Referee::next_of_test(ThreadId thread) const {
   const Step& step = step_of(thread);
   const Party& of = party(thread);
-  std::set<int> mentioned;
+  std::set<ConditionId> mentioned;
   for (const pan::Guard& guard : step.guards) collect(guard, mentioned);
-  std::map<int, bool> values = of.latched;
+  std::map<ConditionId, bool> values = of.latched;
   for (const auto& [condition, value] : of.reads) {
     demand(mentioned.contains(condition) && !of.latched.contains(condition), name(thread),
            " reads what its test does not need");
     values[condition] = value;
   }
-  for (int condition : mentioned) demand(values.contains(condition), name(thread), " tests without reading");
+  for (const ConditionId condition : mentioned)
+    demand(values.contains(condition), name(thread), " tests without reading");
   for (std::size_t i = 0; i < step.guards.size(); ++i) {
     if (holds(step.guards[i], values)) return step.next[i];
   }
@@ -266,31 +267,30 @@ void Referee::condition(const Event& event) {
   Party& of = party(thread);
   const Step& step = step_of(thread);
   check_work(thread);
-  const auto condition = static_cast<std::size_t>(event.subject);
+  const auto condition = ConditionId::of(event.subject);
   const bool value = event.value != 0;
   midway_ = thread;
   if (event.kind == Kind::set) {
-    demand(step.kind == Step::Kind::set && step.condition.value == event.subject && !of.acted, name(thread),
+    demand(step.kind == Step::Kind::set && step.condition == condition && !of.acted, name(thread),
            " sets what it does not set here");
     demand(!step.value || *step.value == value, name(thread), " sets another value");
     conditions_[condition] = value;
     of.acted = true;
     monitor_.uses(thread, of.step);
-    monitor_.sets(ThreadId::of(event.actor), ConditionId::of(event.subject));
+    monitor_.sets(thread, condition);
     return;
   }
   demand(conditions_[condition] == value, name(thread), " reads another value than was set");
   if (step.kind == Step::Kind::read) {
-    demand(step.condition.value == event.subject && !of.acted, name(thread),
-           " reads what it does not read here");
-    of.latched[event.subject] = value;
+    demand(step.condition == condition && !of.acted, name(thread), " reads what it does not read here");
+    of.latched[condition] = value;
     of.acted = true;
   } else {
     demand(step.kind == Step::Kind::test, name(thread), " reads what it does not read here");
-    demand(!of.reads.contains(event.subject), name(thread), " reads a condition twice");
-    of.reads[event.subject] = value;
+    demand(!of.reads.contains(condition), name(thread), " reads a condition twice");
+    of.reads[condition] = value;
   }
-  monitor_.reads(ThreadId::of(event.actor), ConditionId::of(event.subject));
+  monitor_.reads(thread, condition);
 }
 
 void Referee::cancelled(const Event& event) {
