@@ -14,7 +14,7 @@ class BlockCloner {
 
   Problem run() {
     // Copies come behind what they are copies of, and are looked at in their turn.
-    for (const StepId s : made_.steps.ids()) {
+    for (StepId s{0}; made_.steps.contains(s); s = StepId(s.index() + 1)) {
       if (!owner_[s].valid()) continue;
       for (std::size_t i = 0; i < made_.steps[s].threads.size(); ++i) {
         const ThreadId block = made_.steps[s].threads[i];
