@@ -106,7 +106,7 @@ class Writer {
     const Source& of = view_.forest.sources[source];
     const std::string& name = source_name(source);
     if (of.kind == Source::Kind::event) {
-      say(amount - next.after, name, "comes before a thread waits for it");
+      say(amount - next.after, name, "has no thread that waits for it yet");
       return say(next.after, name, first ? "comes for the first time" : "comes again");
     }
     if (amount != next.at || !next.node.valid())
