@@ -132,7 +132,7 @@ bool Firing::cannot_change(ConditionId condition) const {
   const Setters& setters = problem_.setters[condition];
   if (!setters.processor.valid()) return false;
   const ThreadNumber runs = state_.running[setters.processor];
-  return runs >= 0 && !setters.threads[static_cast<std::size_t>(runs)];
+  return runs >= 0 && !setters.threads[ThreadId::of(runs)];
 }
 
 /// The next reads of a free condition give the same value, as long as it cannot change.

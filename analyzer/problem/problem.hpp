@@ -157,7 +157,7 @@ struct Requirement {
 /// The threads that set a condition.
 struct Setters {
   ProcessorId processor;      // on which all of them run; none: there is no such one
-  std::vector<bool> threads;  // by number
+  Table<ThreadId, bool> threads;
 };
 
 struct Problem {

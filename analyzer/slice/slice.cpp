@@ -99,7 +99,7 @@ class Slicer {
       Setters setters;
       setters.threads.assign(talk_.size(), false);
       bool together = true;
-      for (std::size_t t = 0; t < talk_.size(); ++t) {
+      for (const ThreadId t : talk_.ids()) {
         if (!talk_[t].sets.contains(c)) continue;
         const ProcessorId processor = whole_.threads[t].processor;
         setters.threads[t] = true;
