@@ -7,6 +7,8 @@
 #include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/runs/run_search.hpp"
+#include "analyzer/runs/zone_walk.hpp"
+#include "analyzer/verdict/confront.hpp"
 #include "analyzer/verdict/explain.hpp"
 #include "analyzer/verdict/refuted.hpp"
 #include "analyzer/verdict/story.hpp"
@@ -32,13 +34,6 @@ std::size_t glance(const Problem& problem) {
 /// So many classes show most loops in which no time passes.
 constexpr std::size_t first_look = 5'000;
 
-/// Whether the run that the verdict knows attains its bound.
-bool attains(const Verdict& verdict) {
-  const auto& witness = verdict.witness;
-  return verdict.bound && witness && !witness->failed && !witness->grows &&
-         verdict.measure != Requirement::Measure::load && witness->measured.value == verdict.bound->count();
-}
-
 /// What the compositional analysis adds to an exact verdict.
 void complete(Verdict& verdict, Verdict bound) {
   if (verdict.state != State::undecided) return;
@@ -57,31 +52,6 @@ void complete(Verdict& verdict, Verdict bound) {
   bound.gave_up = verdict.gave_up;
   bound.exact = attains(bound);
   verdict = std::move(bound);
-}
-
-bool beyond(const Requirement& requirement, const Witness& witness) {
-  const Nanoseconds value = witness.measured.value;
-  return witness.failed || (requirement.at_least ? value < requirement.limit : value > requirement.limit);
-}
-
-bool says_more(const Requirement& requirement, const Witness& found, const std::optional<Witness>& known) {
-  if (!known || found.failed) return true;
-  if (known->failed || known->grows) return false;
-  return requirement.at_least ? found.measured.value < known->measured.value
-                              : found.measured.value > known->measured.value;
-}
-
-/// What a run that was found by chance makes of a verdict: that it fails, that its bound is attained, or an
-/// example.
-void confront(const Problem& problem, const Requirement& requirement, Witness found, Verdict& verdict) {
-  if (!says_more(requirement, found, verdict.witness)) return;
-  const bool fails = beyond(requirement, found);
-  verdict.witness = std::move(found);
-  verdict.reasons = reasons(problem, requirement, *verdict.witness);
-  if (fails) verdict.state = State::fails;
-  verdict.exact = attains(verdict) || verdict.witness->failed;
-  if (verdict.witness->failed) verdict.bound.reset();
-  if (fails || verdict.exact) verdict.explanation = explanation(problem, requirement, verdict);
 }
 
 /// Until a part of the time that is left is over.
@@ -112,6 +82,16 @@ void look_for_run(const Problem& problem, const Requirement& requirement, const 
 void look_for_long_run(const Problem& problem, const Requirement& requirement, const Options& options,
                        Verdict& verdict) {
   auto found = simulated_witness(problem, requirement, options.stop, events_for(options.max_states));
+  if (found) confront(problem, requirement, std::move(*found), verdict);
+}
+
+/// What has to meet within a short time is seldom met by times that are drawn.
+void look_by_walks(const Problem& problem, const Requirement& requirement, const Options& options,
+                   Verdict& verdict) {
+  ZoneWalkOptions how;
+  how.steps = std::min(how.steps, options.max_states);
+  how.stop = options.stop;
+  auto found = walk_zones(problem, requirement, how);
   if (found) confront(problem, requirement, std::move(*found), verdict);
 }
 
@@ -216,6 +196,7 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
     }
     if (verdict.state == State::undecided)
       look_for_run(problem, requirement, share_of(here, 0.3), {}, verdict);
+    if (verdict.state == State::undecided) look_by_walks(problem, requirement, share_of(here, 0.3), verdict);
     if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.6), verdict);
     // Also of a bound that decides: the run that comes near it is shown.
     if (verdict.state != State::undecided) search(problem, requirement, here, verdict);

@@ -12,8 +12,12 @@ using Measure = Requirement::Measure;
 
 constexpr std::uint64_t runs = 6;
 constexpr std::uint64_t extreme_runs = 300;
+constexpr std::uint64_t steady_runs = 20;
 constexpr std::size_t few_events = 1'500;
 constexpr std::size_t many_events = 50'000;
+
+/// SimulationOptions::seldom of steady runs: most loops go round dozens of times.
+constexpr std::uint64_t seldom_in_steady_runs = 64;
 
 /// A run with times at their extremes is as long as pal simulate makes it.
 constexpr Nanoseconds usual_length = 10'000'000'000;
@@ -37,6 +41,20 @@ Simulation run_of_extremes(const Machine& machine, std::uint64_t seed, std::size
   SimulationOptions how;
   how.times = Times::extremes;
   how.seed = seed;
+  how.until = usual_length;
+  how.max_events = events;
+  how.stop = stop;
+  how.record = false;
+  return simulate(machine, how);
+}
+
+/// A run in which loops go on for long. So the phases of devices that drift meet in many ways in one run.
+Simulation steady_run(const Machine& machine, std::uint64_t seed, std::size_t events,
+                      const std::function<bool()>& stop) {
+  SimulationOptions how;
+  how.times = seed % 2 == 1 ? Times::worst : Times::extremes;
+  how.seed = seed;
+  how.seldom = seldom_in_steady_runs;
   how.until = usual_length;
   how.max_events = events;
   how.stop = stop;
@@ -120,6 +138,14 @@ std::optional<Witness> simulated_witness(const Problem& problem, const Requireme
       Simulation run = number <= runs
                            ? run_by_chance(machine, number, few_events, stop)
                            : run_of_extremes(machine, number - runs, std::min(left, many_events), stop);
+      left -= std::min(left, run.script.size());
+      if (break_in(requirement, run) == Break::none) continue;
+      return witness_of(requirement, machine, std::move(run));
+    }
+    left = events / 2;
+    for (std::uint64_t number = 1; number <= steady_runs && left > 0; ++number) {
+      if (stop && stop()) return std::nullopt;
+      Simulation run = steady_run(machine, number, std::min(left, many_events), stop);
       left -= std::min(left, run.script.size());
       if (break_in(requirement, run) == Break::none) continue;
       return witness_of(requirement, machine, std::move(run));

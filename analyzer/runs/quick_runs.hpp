@@ -19,8 +19,9 @@ Break simulated_break(const Problem& problem, const Requirement& requirement,
 /// How many events of simulated runs are worth their time where `classes` classes may be explored.
 std::size_t events_for(std::size_t classes);
 
-/// The run for which simulated_break says so, or one of some hundreds with times at their extremes, up to
-/// where it breaks `requirement`. All runs together have at most `events` events. Nothing: none of them does.
+/// The run for which simulated_break says so, one of some hundreds with times at their extremes, or one of a
+/// few in which loops go on for long, up to where it breaks `requirement`. The last ones have half of
+/// `events` for themselves; the others together have at most `events` events. Nothing: none of them does.
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
                                          const std::function<bool()>& stop, std::size_t events);
 

@@ -2,39 +2,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <random>
 #include <utility>
+
+#include "analyzer/runs/dice.hpp"
 
 namespace pal::analyzer {
 namespace {
 
 /// So much happens at one instant only where time stands still.
 constexpr std::size_t most_at_once = 20'000;
-
-/// Of more only the first are drawn from: a script holds small numbers.
-constexpr int most_picks = 255;
-
-/// Draws, and remembers what it drew for the firing at hand.
-class Dice final : public Choices {
- public:
-  Dice(std::uint64_t seed, std::uint64_t seldom) : engine_(seed), seldom_(seldom) {}
-
-  int pick(int n) override {
-    const bool first = seldom_ > 0 && below(seldom_) > 0;
-    const int picked = first ? 0 : drawn(std::min(n, most_picks));
-    picks_.push_back(static_cast<std::uint8_t>(picked));
-    return picked;
-  }
-  int drawn(int n) { return static_cast<int>(below(static_cast<std::uint64_t>(n))); }
-  std::uint64_t below(std::uint64_t n) { return engine_() % n; }
-
-  std::vector<std::uint8_t> take_picks() { return std::exchange(picks_, {}); }
-
- private:
-  std::mt19937_64 engine_;
-  std::uint64_t seldom_;
-  std::vector<std::uint8_t> picks_;
-};
 
 /// The longest of a device's times.
 Nanoseconds longest_of(const Device& device) {

@@ -19,7 +19,7 @@ bool time_to_stop(std::size_t moves, StopToken& stop) {
 /// What those can have left that got back a time that is not fixed.
 void find_left(const Machine& machine, const State& state, Move& move) {
   const auto priority = [&](int timer) {
-    return machine.problem().threads[static_cast<std::size_t>(timer)].priority;
+    return machine.problem().threads[machine.thread_of(timer)].priority;
   };
   for (std::size_t k = 0; k < move.timers.size(); ++k) {
     if (!move.timers[k].repaid) continue;
@@ -50,7 +50,7 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
     // An action that ends gives back its time to those that were preempted on its processor: they have as
     // much left as before.
     kept.repaid = kept.frozen && processor.valid() &&
-                  machine.problem().threads[static_cast<std::size_t>(kept.timer)].processor == processor;
+                  machine.problem().threads[machine.thread_of(kept.timer)].processor == processor;
     move.timers.push_back(kept);
   }
   for (const TimerChange& change : move.outcome.changes) {
@@ -86,15 +86,27 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
 
 }  // namespace
 
+Move first_move(const Machine& machine, Choices& choices) {
+  Move made;
+  made.outcome = machine.initial(choices, false);
+  follow_timers(machine, {}, made);
+  return made;
+}
+
+std::optional<Move> move_from(const Machine& machine, const Place& place, std::size_t k, Choices& choices) {
+  Move made;
+  if (!machine.fire(place.state, place.timers[k], choices, false, made.outcome)) return std::nullopt;
+  made.timer = place.timers[k];
+  follow_timers(machine, place, made);
+  return made;
+}
+
 std::vector<Move> first_moves(const Machine& machine, StopToken& stop) {
   std::vector<Move> moves;
   AllChoices choices;
   do {
-    Move made;
-    made.outcome = machine.initial(choices, false);
-    made.choices = choices.taken();
-    follow_timers(machine, {}, made);
-    moves.push_back(std::move(made));
+    moves.push_back(first_move(machine, choices));
+    moves.back().choices = choices.taken();
     if (moves.size() == most_beginnings) moves.back().outcome.too_many = true;
     if (time_to_stop(moves.size(), stop)) return moves;
   } while (moves.size() < most_beginnings && choices.next());
@@ -108,12 +120,10 @@ std::vector<Move> moves_from(const Machine& machine, const Place& place, StopTok
     AllChoices choices;
     const std::size_t most = moves.size() + most_outcomes;
     do {
-      Move made;
-      if (!machine.fire(place.state, place.timers[k], choices, false, made.outcome)) break;
-      made.timer = place.timers[k];
-      made.choices = choices.taken();
-      follow_timers(machine, place, made);
-      moves.push_back(std::move(made));
+      auto made = move_from(machine, place, k, choices);
+      if (!made) break;
+      moves.push_back(std::move(*made));
+      moves.back().choices = choices.taken();
       if (moves.size() == most) moves.back().outcome.too_many = true;
       if (time_to_stop(moves.size(), stop)) return moves;
     } while (moves.size() < most && choices.next());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "analyzer/machine/machine.hpp"
@@ -64,6 +65,11 @@ std::vector<Move> first_moves(const Machine& machine, StopToken& stop);
 /// All firings that are possible at `place`, apart from times. If those of a timer are too many the last one
 /// says so. Some of them, if `stop` was requested before all were known.
 std::vector<Move> moves_from(const Machine& machine, const Place& place, StopToken& stop);
+
+/// The way to begin, or the firing of the active timer number `k` of `place`, that `choices` make; nothing,
+/// if that cannot fire. The caller knows what was chosen.
+Move first_move(const Machine& machine, Choices& choices);
+std::optional<Move> move_from(const Machine& machine, const Place& place, std::size_t k, Choices& choices);
 
 /// The part of `zone` in which the timer of `variable` is the first to fire. False: there is none.
 bool fire_first(Dbm& zone, std::size_t variable, const std::vector<bool>& frozen);

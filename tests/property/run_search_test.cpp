@@ -4,6 +4,7 @@
 
 #include "analyzer/analysis.hpp"
 #include "analyzer/runs/run_search.hpp"
+#include "analyzer/runs/zone_walk.hpp"
 #include "tests/support/chain_system.hpp"
 #include "tests/support/confirm.hpp"
 #include "tests/support/random_skill.hpp"
@@ -75,6 +76,45 @@ TEST_CASE("runs found by the search are runs of the skill, within the bounds") {
             << " attain it\n";
   CHECK(tally.found > 0);
   CHECK(10 * tally.worst > 7 * tally.exact);
+}
+
+TEST_CASE("runs found by walks through zones are runs of the skill, within the bounds") {
+  std::size_t found = 0;
+  std::size_t tried = 0;
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
+    const std::string text = test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text();
+    const auto skill = test::skill_from_text(text);
+    if (!skill->problem) continue;
+    Options options;
+    options.max_states = 2'000;
+    const Analysis exact = analyze_exactly(*skill->problem, options);
+    for (std::size_t r = 0; r < exact.verdicts.size(); ++r) {
+      Requirement requirement = skill->problem->requirements[r];
+      const Verdict& verdict = exact.verdicts[r];
+      if (!verdict.bound || requirement.measure == Requirement::Measure::load) continue;
+      // Not quite the worst there is.
+      const Nanoseconds bound = verdict.bound->count();
+      requirement.limit = requirement.at_least ? bound + bound / 8 + 1 : bound - bound / 8 - 1;
+      ZoneWalkOptions how;
+      how.steps = 3'000;
+      const auto walked = walk_zones(*skill->problem, requirement, how);
+      INFO("seed " << seed << ", " << requirement.name << ", bound " << bound << "\n" << text);
+      if (verdict.exact && verdict.witness && !verdict.witness->failed) ++tried;
+      if (!walked) continue;
+      ++found;
+      REQUIRE(test::refusal(*skill->problem, requirement, *walked, walked->trace) == "");
+      if (walked->failed) {
+        REQUIRE(verdict.state != Verdict::State::holds);
+        continue;
+      }
+      const Nanoseconds value = walked->measured.value;
+      REQUIRE((requirement.at_least ? value < requirement.limit : value > requirement.limit));
+      REQUIRE((requirement.at_least ? value >= bound : value <= bound));
+    }
+  }
+  std::cout << found << " runs found by walks, of " << tried << " that there are\n";
+  CHECK(4 * found > 3 * tried);
 }
 
 TEST_CASE("a large system: a run refutes a requirement whose bound is above the limit") {

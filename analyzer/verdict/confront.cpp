@@ -1,0 +1,42 @@
+#include "analyzer/verdict/confront.hpp"
+
+#include <utility>
+
+#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/story.hpp"
+
+namespace pal::analyzer {
+namespace {
+
+bool beyond(const Requirement& requirement, const Witness& witness) {
+  const Nanoseconds value = witness.measured.value;
+  return witness.failed || (requirement.at_least ? value < requirement.limit : value > requirement.limit);
+}
+
+bool says_more(const Requirement& requirement, const Witness& found, const std::optional<Witness>& known) {
+  if (!known || found.failed) return true;
+  if (known->failed || known->grows) return false;
+  return requirement.at_least ? found.measured.value < known->measured.value
+                              : found.measured.value > known->measured.value;
+}
+
+}  // namespace
+
+bool attains(const Verdict& verdict) {
+  const auto& witness = verdict.witness;
+  return verdict.bound && witness && !witness->failed && !witness->grows &&
+         verdict.measure != Requirement::Measure::load && witness->measured.value == verdict.bound->count();
+}
+
+void confront(const Problem& problem, const Requirement& requirement, Witness found, Verdict& verdict) {
+  if (!says_more(requirement, found, verdict.witness)) return;
+  const bool fails = beyond(requirement, found);
+  verdict.witness = std::move(found);
+  verdict.reasons = reasons(problem, requirement, *verdict.witness);
+  if (fails) verdict.state = Verdict::State::fails;
+  verdict.exact = attains(verdict) || verdict.witness->failed;
+  if (verdict.witness->failed) verdict.bound.reset();
+  if (fails || verdict.exact) verdict.explanation = explanation(problem, requirement, verdict);
+}
+
+}  // namespace pal::analyzer
