@@ -60,14 +60,16 @@ std::optional<Change> without_line(const Mistake& mistake, const Tokens& tokens)
   };
   std::size_t next = first + 1;
   while (next < end && !goes_on_at(next)) ++next;
-  if (all[first]->getType() == Parser::UNTIL && mistake.at < next)
+  const auto begins = all[first]->getType();
+  if (mistake.between || mistake.at >= next) return Change{first, next - first, {}};
+  if (begins == Parser::UNTIL)
     return Change{first, next - first, {Parser::UNTIL, Parser::LEFT, Parser::FOREVER, Parser::RIGHT}};
-  const auto is_colon = [](const antlr4::Token* token) { return token->getType() == Parser::COLON; };
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto colon = std::find_if(begin, all.begin() + static_cast<std::ptrdiff_t>(next), is_colon);
-  const auto test = static_cast<std::size_t>(colon - begin);
-  if (all[first]->getType() == Parser::LEFT && is_colon(*colon) && mistake.at <= first + test)
-    return Change{first, test, {Parser::LEFT, Parser::NAME, Parser::RIGHT}};
+  std::size_t colon = first;
+  while (colon < next && all[colon]->getType() != Parser::COLON) ++colon;
+  if (begins == Parser::LEFT && colon < mistake.at)
+    return Change{colon + 1, next - colon - 1, {Parser::DO, Parser::NOTHING}};
+  if (begins == Parser::LEFT && colon < next)
+    return Change{first, colon - first, {Parser::LEFT, Parser::NAME, Parser::RIGHT}};
   return Change{first, next - first, {}};
 }
 
@@ -84,6 +86,7 @@ void report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
   for (std::size_t reported = 0;; ++reported) {
     const auto mistake = first_mistake(tokens);
     if (!mistake) return;
+    if (is_made_up(tokens.all()[mistake->at])) return;  // not the user's mistake
     if (reported == most_reports) {
       diagnostics.report(Code::PAL0104, mistake->finding.where,
                          "too many syntax errors; the rest of this file is not read",

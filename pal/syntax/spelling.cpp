@@ -8,6 +8,7 @@
 
 #include "PalParser.h"
 #include "pal/support/nearest.hpp"
+#include "pal/syntax/token_list.hpp"
 
 namespace pal::syntax {
 
@@ -129,7 +130,7 @@ std::string spelling(const antlr4::Token& token) {
     case Parser::OPEN_STRING:
       return "the text " + text();
     default:
-      return "'" + text() + "'";
+      return is_made_up(&token) ? spelling_of_type(type) : "'" + text() + "'";
   }
 }
 

@@ -160,7 +160,7 @@ TEST_CASE("replay refuses what no run says, whatever stands in the file") {
   refused([](OrderedJson& witness) { witness["measure"] = "busy"; }, "measures something else");
   refused([](OrderedJson& witness) { witness["run"]["actors"][0]["priority"] = 99; },
           "another place, priority or parent");
-  refused([](OrderedJson& witness) { witness["run"]["channels"][0]["sender"] = "nobody"; },
+  refused([](OrderedJson& witness) { witness["run"]["channels"][0]["sender"] = "no-such-thread"; },
           "another channel");
   // A value that has grown since before all times, up to an instant before all times: no such numbers.
   refused(
