@@ -35,11 +35,11 @@ class Writer {
  private:
   /// What instants count from: the nominal instants of their sources, or the events themselves.
   struct Clock {
-    const std::vector<NodeTimes>& nodes;
+    const Table<NodeId, NodeTimes>& nodes;
     Releases releases;
     Since since;  // what the ends of segments count from
 
-    const NodeTimes& times(int node) const { return nodes[static_cast<std::size_t>(node)]; }
+    const NodeTimes& times(NodeId node) const { return nodes[node]; }
   };
 
   void say(Nanoseconds amount, const std::string& actor, std::string what, StatementId statement = {}) {
@@ -53,16 +53,16 @@ class Writer {
     out_.push_back(std::move(made));
   }
 
-  const std::string& thread_name(int thread) const { return context_.thread_at(thread).name; }
-  const std::string& actor(int node) const { return thread_name(view_.forest.thread_of(node)); }
+  const std::string& thread_name(ThreadId thread) const { return context_.thread_at(thread).name; }
+  const std::string& actor(NodeId node) const { return thread_name(view_.forest.thread_of(node)); }
 
-  std::string text(int step) const {
+  std::string text(StepId step) const {
     const StatementId statement = context_.step_at(step).statement;
     return !statement.valid() ? "a test" : view_.problem.statements[statement].text;
   }
 
   /// Where a node begins, in the text.
-  StatementId statement_of(int node) const {
+  StatementId statement_of(NodeId node) const {
     const Segment& of = context_.segment(node);
     for (const Segment::Passed& passed : of.steps) {
       const StatementId statement = context_.step_at(passed.step).statement;
@@ -81,7 +81,7 @@ class Writer {
         return say(each.amount, actor(term.node), "at the latest, until " + place(term), statement(term));
       }
       case Term::Kind::since_cause: {
-        const int cause = std::exchange(from_, term.cause);
+        const NodeId cause = std::exchange(from_, term.cause);
         if (each.amount == instant(nominal_, term) - begun()) until(nominal_, term.node, term.step);
         from_ = cause;
         return;
@@ -92,26 +92,24 @@ class Writer {
         if (each.amount == nominal_.times(term.node).latest) return release(nominal_, term.node);
         return say(each.amount, actor(term.node), "begins at the latest", statement_of(term.node));
       case Term::Kind::gap:
-        return inter_arrival(term.source, view_.times.longest_gap[static_cast<std::size_t>(term.source)],
-                             each.amount, false);
+        return inter_arrival(term.source, view_.times.longest_gap[term.source], each.amount, false);
       case Term::Kind::first:
-        return inter_arrival(term.source, view_.times.first[static_cast<std::size_t>(term.source)],
-                             each.amount, true);
+        return inter_arrival(term.source, view_.times.first[term.source], each.amount, true);
       case Term::Kind::said:
-        if (term.node >= 0) return say(each.amount, actor(term.node), term.what, statement(term));
-        return say(each.amount, term.source < 0 ? "" : source_name(term.source), term.what);
+        if (term.node.valid()) return say(each.amount, actor(term.node), term.what, statement(term));
+        return say(each.amount, !term.source.valid() ? "" : source_name(term.source), term.what);
     }
   }
 
   /// To a source's next occurrence, or the first.
-  void inter_arrival(int source, const Due& next, Nanoseconds amount, bool first) {
-    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+  void inter_arrival(SourceId source, const Due& next, Nanoseconds amount, bool first) {
+    const Source& of = view_.forest.sources[source];
     const std::string& name = source_name(source);
     if (of.kind == Source::Kind::event) {
-      say(amount - next.after, name, "comes before a thread waits for it");
+      say(amount - next.after, name, "has no thread that waits for it yet");
       return say(next.after, name, first ? "comes for the first time" : "comes again");
     }
-    if (amount != next.at || next.node < 0)
+    if (amount != next.at || !next.node.valid())
       return say(amount, name, first ? "comes to its first job" : "comes to its next job");
     wait_for(nominal_, next, name, feed_device(of, next));
   }
@@ -139,52 +137,52 @@ class Writer {
   }
 
   Nanoseconds instant(const Clock& clock, const Term& term) const {
-    return term.step < 0 ? clock.times(term.node).finish
-                         : latest_effect(view_.forest, clock.nodes, term.node, term.step);
+    return !term.step.valid() ? clock.times(term.node).finish
+                              : latest_effect(view_.forest, clock.nodes, term.node, term.step);
   }
   std::string place(const Term& term) const {
-    return term.step < 0 ? "the end of the segment" : text(term.step) + " has its effect";
+    return !term.step.valid() ? "the end of the segment" : text(term.step) + " has its effect";
   }
   StatementId statement(const Term& term) const {
-    return term.step < 0 ? statement_of(term.node) : context_.step_at(term.step).statement;
+    return !term.step.valid() ? statement_of(term.node) : context_.step_at(term.step).statement;
   }
 
-  std::string source_name(int source) const {
-    const Source& of = view_.forest.sources[static_cast<std::size_t>(source)];
+  std::string source_name(SourceId source) const {
+    const Source& of = view_.forest.sources[source];
     return of.kind == Source::Kind::event ? view_.problem.devices[of.device].name : thread_name(of.thread);
   }
 
   /// To the latest effect of a step of a node, or to the end of its segment.
-  void until(const Clock& clock, int node, int step) {
+  void until(const Clock& clock, NodeId node, StepId step) {
     const Segment& of = context_.segment(node);
-    if (step < 0) {
-      return work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
+    if (!step.valid()) {
+      return work(clock, node, of.worst, StepId{}, [](const NodeTimes& times) { return times.finish; });
     }
     const std::size_t at = place_of(of, step);
     work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.effects[at]; });
   }
 
   /// To where a step puts, or waits for its slot.
-  void until_put(const Clock& clock, int node, int step) {
+  void until_put(const Clock& clock, NodeId node, StepId step) {
     const Segment& of = context_.segment(node);
     const std::size_t at = place_of(of, step);
     work(clock, node, of.steps[at].worst, step, [at](const NodeTimes& times) { return times.worked[at]; });
   }
 
   /// To the latest arrival at a wait or CONCURRENT.
-  void until_arrival(const Clock& clock, int node, int step) {
+  void until_arrival(const Clock& clock, NodeId node, StepId step) {
     const Segment& of = context_.segment(node);
     for (std::size_t w = 0; w < of.waits.size(); ++w) {
       if (of.waits[w].step != step) continue;
       return work(clock, node, of.waits[w].worst, step,
                   [w](const NodeTimes& times) { return times.arrivals[w]; });
     }
-    work(clock, node, of.worst, -1, [](const NodeTimes& times) { return times.finish; });
+    work(clock, node, of.worst, StepId{}, [](const NodeTimes& times) { return times.finish; });
   }
 
   /// To when `part` of the node's work is done, at the instant `done_of` its times; it ends with `step`.
   template <class DoneOf>
-  void work(const Clock& asked, int node, Nanoseconds part, int step, const DoneOf& done_of) {
+  void work(const Clock& asked, NodeId node, Nanoseconds part, StepId step, const DoneOf& done_of) {
     if (out_.size() > most_addends) return;
     const Nanoseconds done = done_of(asked.times(node));
     // What is no later after the event than after its nominal instant is followed from there.
@@ -200,39 +198,39 @@ class Writer {
       return actions(node, part, step);
     }
     // A send waits for its slot.
-    const bool sends = step >= 0 && context_.step_at(step).kind == Step::Kind::send;
+    const bool sends = step.valid() && context_.step_at(step).kind == Step::Kind::send;
     say(done - released, actor(node), sends ? "is blocked at " + text(step) : "is blocked in its last send",
-        step < 0 ? StatementId{} : context_.step_at(step).statement);
+        !step.valid() ? StatementId{} : context_.step_at(step).statement);
   }
 
   /// If `done` is when a chain of segments in one window is done: to that instant.
-  bool together(const Clock& clock, int node, Nanoseconds part, Nanoseconds done, int step) {
-    const auto released = [&clock](int n) { return clock.times(n).latest; };
+  bool together(const Clock& clock, NodeId node, Nanoseconds part, Nanoseconds done, StepId step) {
+    const auto released = [&clock](NodeId n) { return clock.times(n).latest; };
     const JointEnd joint = soonest_joint_end(*view_.times.interference,
                                              joint_chain(context_, view_.times, node), part, released);
     if (joint.chain.empty() || plus(released(joint.chain.front()), joint.after) != done) return false;
     release(clock, joint.chain.front());
     others(node, view_.times.interference->joint_breakdown(joint.chain, part));
-    for (int each : joint.chain) {
-      if (each != node) actions(each, context_.segment(each).worst, -1);
+    for (NodeId each : joint.chain) {
+      if (each != node) actions(each, context_.segment(each).worst, StepId{});
     }
     actions(node, part, step);
     return true;
   }
 
-  bool ends_by_window(const Clock& clock, int node, Nanoseconds part, Nanoseconds done) const {
+  bool ends_by_window(const Clock& clock, NodeId node, Nanoseconds part, Nanoseconds done) const {
     const Interference& interference = *view_.times.interference;
     const Nanoseconds end = interference.finish(node, part, interference.blocking(node), clock.since);
     return done == (clock.since == Since::release ? plus(clock.times(node).latest, end) : end);
   }
 
   /// What keeps the node from its processor.
-  void window(const Clock& clock, int node, Nanoseconds part) {
+  void window(const Clock& clock, NodeId node, Nanoseconds part) {
     const FinishBreakdown breakdown = view_.times.interference->breakdown(node, part, clock.since);
     if (out_.size() + breakdown.others.size() > most_addends) return out_.resize(most_addends + 1);
     const std::string& name = actor(node);
     if (breakdown.blocking > 0) {
-      const int thread = view_.times.interference->blocking_thread(node);
+      const ThreadId thread = view_.times.interference->blocking_thread(node);
       say(breakdown.blocking, name,
           "is kept from its processor by " + thread_name(thread) + ", which cannot be preempted");
     }
@@ -241,11 +239,11 @@ class Writer {
   }
 
   /// The work that keeps the node from its processor.
-  void others(int node, const std::vector<Share>& shares) {
+  void others(NodeId node, const std::vector<Share>& shares) {
     if (out_.size() + shares.size() > most_addends) return out_.resize(most_addends + 1);
     const std::string& name = actor(node);
     for (const Share& share : shares) {
-      const int other = view_.times.interference->node_of(share.transaction, share.task);
+      const NodeId other = view_.times.interference->node_of(share.transaction, share.task);
       const std::string times = share.jobs == 1 ? "" : ", " + std::to_string(share.jobs) + " times";
       const bool itself = view_.forest.thread_of(other) == view_.forest.thread_of(node);
       say(share.work, name,
@@ -255,16 +253,16 @@ class Writer {
   }
 
   /// The actions on the longest way to `part` of the node's work.
-  void actions(int node, Nanoseconds part, int step) {
+  void actions(NodeId node, Nanoseconds part, StepId step) {
     const Segment& of = context_.segment(node);
-    std::vector<int> way;
+    std::vector<StepId> way;
     Nanoseconds left = part;
-    int next = step;
+    StepId next = step;
     for (std::size_t s = of.steps.size(); s-- > 0 && left > 0;) {
       const Segment::Passed& passed = of.steps[s];
-      const std::vector<int>& after = context_.step_at(passed.step).next;
+      const std::vector<StepId>& after = context_.step_at(passed.step).next;
       const bool leads =
-          way.empty() && (next < 0 || passed.step == next)
+          way.empty() && (!next.valid() || passed.step == next)
               ? true
               : std::find(after.begin(), after.end(), next) != after.end() || begins_with(of, s);
       if (!leads || passed.worst != left) continue;
@@ -291,10 +289,10 @@ class Writer {
   }
 
   /// When the cause from which instants count is released at the latest.
-  Nanoseconds begun() const { return from_ < 0 ? 0 : nominal_.times(from_).latest; }
+  Nanoseconds begun() const { return !from_.valid() ? 0 : nominal_.times(from_).latest; }
 
   /// To the latest release of a node.
-  void release(const Clock& asked, int node) {
+  void release(const Clock& asked, NodeId node) {
     if (node == from_) return;
     const Nanoseconds latest_at = asked.times(node).latest;
     const Clock& clock = latest_at == nominal_.times(node).latest ? nominal_ : asked;
@@ -302,7 +300,7 @@ class Writer {
     const Node& of = context_.node(node);
     const std::string& name = actor(node);
     const Nanoseconds at = latest_at - begun();
-    const bool before = from_ >= 0 && !since_cause_.counts_from(from_, node);
+    const bool before = from_.valid() && !since_cause_.counts_from(from_, node);
     if (latest.at != latest_at || before || deep_ > 200)
       return say(at, name, "begins so late", statement_of(node));
     ++deep_;
@@ -333,7 +331,7 @@ class Writer {
   Clock nominal_;
   Clock since_event_;
   SinceCause since_cause_;
-  int from_ = -1;  // the node from whose release instants count; -1: the nominal instant of their source
+  NodeId from_{};  // the node from whose release instants count; -1: the nominal instant of their source
   std::vector<Addend> out_;
   int deep_ = 0;
 };

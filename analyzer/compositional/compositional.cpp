@@ -54,12 +54,12 @@ void judge(const Bound& bound, const Requirement& requirement, Verdict& verdict)
 }
 
 /// Every step whose time some requirement may ask for.
-std::vector<bool> asked_for(const Problem& problem) {
-  std::vector<bool> at(problem.steps.size());
+Table<StepId, bool> asked_for(const Problem& problem) {
+  Table<StepId, bool> at(problem.steps.size());
   for (const Requirement& requirement : problem.requirements) {
-    const std::vector<bool> sends = sends_of_events(problem, requirement);
-    for (std::size_t s = 0; s < at.size(); ++s) {
-      if (sends[s] || (s < requirement.at.size() && requirement.at[s])) at[s] = true;
+    const Table<StepId, bool> sends = sends_of_events(problem, requirement);
+    for (const StepId s : at.ids()) {
+      if (sends[s] || (requirement.at.contains(s) && requirement.at[s])) at[s] = true;
     }
   }
   return at;
@@ -103,7 +103,7 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
     analysis.statistics.states = forest.nodes.size();
   }
   if (!refusal.empty()) {
-    const Sum whole(1'000'000'000, {Term::Kind::said, -1, -1, -1, refusal});
+    const Sum whole(1'000'000'000, {Term::Kind::said, {}, {}, {}, refusal});
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Measure::load;
       judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], analysis.verdicts[r]);

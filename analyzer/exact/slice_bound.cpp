@@ -38,10 +38,10 @@ bool is_loose(const Problem& slice, const Step& step) {
 }
 
 /// Steps that lead to `step`.
-std::vector<bool> leading_to(const Problem& problem, int step) {
-  std::vector<bool> found(problem.steps.size());
-  for (std::size_t s = 0; s < found.size(); ++s) {
-    const std::vector<int>& next = problem.steps[s].next;
+Table<StepId, bool> leading_to(const Problem& problem, StepId step) {
+  Table<StepId, bool> found(problem.steps.size());
+  for (const StepId s : found.ids()) {
+    const std::vector<StepId>& next = problem.steps[s].next;
     found[s] = std::find(next.begin(), next.end(), step) != next.end();
   }
   return found;
@@ -49,25 +49,25 @@ std::vector<bool> leading_to(const Problem& problem, int step) {
 
 /// The longest time in the whole problem from reaching `step`, which comes once at most, until its thread is
 /// past it; nothing, if it was not found.
-std::optional<Nanoseconds> longest(const Problem& problem, int step, const Limits& limits,
+std::optional<Nanoseconds> longest(const Problem& problem, StepId step, const Limits& limits,
                                    Statistics& statistics) {
   const std::size_t all = problem.threads.size();
-  Problem first = slice_of(problem,
-                           {std::vector<bool>(all, true), Table<DeviceId, bool>(problem.devices.size(), true),
-                            Table<DeviceId, bool>(problem.devices.size(), false)},
-                           {true, true});
+  Problem first =
+      slice_of(problem,
+               {Table<ThreadId, bool>(all, true), Table<DeviceId, bool>(problem.devices.size(), true),
+                Table<DeviceId, bool>(problem.devices.size(), false)},
+               {true, true});
   Step past;
   past.kind = Step::Kind::complete;
   for (Step& each : first.steps) {
     if (each.kind == Step::Kind::complete) each.code = -1;
   }
   first.error_code = -1;
-  for (int& next : first.steps[static_cast<std::size_t>(step)].next)
-    next = static_cast<int>(first.steps.size());
-  first.steps.push_back(past);
+  const StepId behind = first.steps.push_back(past);
+  for (StepId& next : first.steps[step].next) next = behind;
   Requirement until;
   until.measure = Requirement::Measure::duration;
-  const std::vector<bool> before = leading_to(problem, step);
+  const Table<StepId, bool> before = leading_to(problem, step);
   if (std::find(before.begin(), before.end(), true) != before.end()) until.phase.after = before;
   const SliceBound found = bound_in(first, until, cap_of(problem, 0), limits);
   statistics += found.statistics;
@@ -76,12 +76,12 @@ std::optional<Nanoseconds> longest(const Problem& problem, int step, const Limit
 
 /// Says of waits at the beginning, for a party that is left out, and of sends to it, how long they last.
 void limit_beginning(const Problem& problem, Problem& slice, const Limits& limits, Statistics& statistics) {
-  const std::vector<ThreadTalk> talk = talk_of(problem);
-  for (std::size_t t = 0; t < talk.size(); ++t) {
+  const Table<ThreadId, ThreadTalk> talk = talk_of(problem);
+  for (const ThreadId t : talk.ids()) {
     const Thread& thread = slice.threads[t];
-    if (thread.parent >= 0 || thread.left_out) continue;
-    for (const int s : talk[t].beginning) {
-      Step& step = slice.steps[static_cast<std::size_t>(s)];
+    if (thread.parent.valid() || thread.left_out) continue;
+    for (const StepId s : talk[t].beginning) {
+      Step& step = slice.steps[s];
       if (!is_loose(slice, step)) continue;
       const auto found = longest(problem, s, limits, statistics);
       if (!found) break;

@@ -10,9 +10,9 @@ namespace pal::analyzer {
 namespace {
 
 /// Where a thread may go on to from a step at the same instant.
-std::vector<int> at_once(const Step& step) {
-  if (step.kind != Step::Kind::wait) return step.cost.worst == 0 ? step.next : std::vector<int>();
-  std::vector<int> next;
+std::vector<StepId> at_once(const Step& step) {
+  if (step.kind != Step::Kind::wait) return step.cost.worst == 0 ? step.next : std::vector<StepId>();
+  std::vector<StepId> next;
   for (std::size_t i = 0; i < step.next.size(); ++i) {
     const bool takes = i < step.channels.size();
     if (takes ? step.cost.worst == 0 : step.within == 0 && step.give_up_cost.worst == 0)
@@ -24,8 +24,8 @@ std::vector<int> at_once(const Step& step) {
 /// Whether the steps of some thread lead back to themselves in no time, if messages are there in time.
 bool possible(const Problem& problem) {
   std::vector<std::pair<int, int>> links;
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    for (int next : at_once(problem.steps[s])) links.emplace_back(static_cast<int>(s), next);
+  for (const StepId s : problem.steps.ids()) {
+    for (StepId next : at_once(problem.steps[s])) links.emplace_back(s.value, next.value);
   }
   const std::vector<Gain> gains(links.size(), 1);
   return !PositiveCycle(static_cast<int>(problem.steps.size()), links).find(gains).empty();
@@ -56,11 +56,12 @@ std::vector<StatementId> cycle_statements(const Problem& problem, const ZoneGrap
   std::set<StatementId> found;
   for (int e : way) {
     const Edge& edge = graph.edges()[static_cast<std::size_t>(e)];
-    if (edge.timer >= static_cast<int>(problem.threads.size())) continue;
+    const ThreadId thread = ThreadId::of(edge.timer);
+    if (!problem.threads.contains(thread)) continue;
     const ZoneClass& from = graph.classes()[static_cast<std::size_t>(edge.from)];
     const State& state = graph.places()[static_cast<std::size_t>(from.state)].state;
-    const int step = state.threads[static_cast<std::size_t>(edge.timer)].step;
-    const StatementId statement = problem.steps[static_cast<std::size_t>(step)].statement;
+    const StepId step = state.threads[thread].at();
+    const StatementId statement = problem.steps[step].statement;
     if (statement.valid()) found.insert(statement);
   }
   std::vector<StatementId> ordered(found.begin(), found.end());

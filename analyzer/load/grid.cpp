@@ -27,7 +27,7 @@ Nanoseconds unit_of(const Problem& problem, const Slice& slice) {
     add(range.best);
     add(range.worst);
   };
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+  for (const StepId s : problem.steps.ids()) {
     if (!slice.steps[s]) continue;
     add_range(problem.steps[s].cost);
     add_range(problem.steps[s].give_up_cost);
@@ -75,12 +75,12 @@ Grid::Grid(const Machine& machine, const Slice& slice) : sliced_(machine), slice
 }
 
 State Grid::masked(State state) const {
-  for (std::size_t t = 0; t < state.threads.size(); ++t) {
+  for (const ThreadId t : state.threads.ids()) {
     // A thread that waits for its processor for ever must not get that of a thread that is left out.
-    if (!slice_.threads[t]) std::erase(state.queue, static_cast<ThreadNumber>(t));
+    if (!slice_.threads[t]) std::erase(state.queue, static_cast<ThreadNumber>(t.index()));
     if (!slice_.left_out[t]) continue;
     for (ThreadNumber& running : state.running) {
-      if (running == static_cast<ThreadNumber>(t)) running = -1;
+      if (running == static_cast<ThreadNumber>(t.index())) running = -1;
     }
     state.threads[t] = {};
   }
@@ -184,7 +184,7 @@ const std::vector<Grid::Move>& Grid::moves(int place) {
       const Range cost = sliced_.cost(here.state, here.timers[k]);
       for (std::size_t f = 0; f < here.timers.size(); ++f) {
         if (!here.frozen[f]) continue;
-        const auto thread = static_cast<std::size_t>(here.timers[f]);
+        const ThreadId thread = sliced_.thread_of(here.timers[f]);
         if (sliced_.problem().threads[thread].processor == processor && cost.best != cost.worst)
           unfixed = true;
       }

@@ -56,7 +56,7 @@ class Loads {
   Explored* explored_of(std::size_t r, ProcessorId processor) {
     Slice slice = slice_of(machine_, graph_, recurrences_[r], processor);
     if (std::find(slice.threads.begin(), slice.threads.end(), true) == slice.threads.end()) return nullptr;
-    Explored& explored = explored_[{r, slice.threads}];
+    Explored& explored = explored_[{r, {slice.threads.begin(), slice.threads.end()}}];
     explored.slice = std::move(slice);
     return &explored;
   }

@@ -24,7 +24,7 @@ std::vector<Share> shares(const Problem& problem, ProcessorId processor,
   std::map<std::pair<int, int>, Nanoseconds> by;
   for (const trace::Slice& slice : slices) {
     const bool here = slice.state == trace::State::running && slice.to_ns > from &&
-                      problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
+                      problem.threads[ThreadId::of(slice.actor)].processor == processor;
     if (here) by[{slice.actor, slice.statement}] += slice.to_ns - std::max<Nanoseconds>(slice.from_ns, from);
   }
   std::vector<Share> all;

@@ -123,7 +123,7 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph) {
 
 std::uint64_t position(const Slice& slice, const State& state) {
   std::uint64_t hash = 0xcbf29ce484222325U;
-  for (std::size_t t = 0; t < slice.threads.size(); ++t) {
+  for (const ThreadId t : slice.threads.ids()) {
     if (!slice.threads[t]) continue;
     const ThreadState& of = state.threads[t];
     const auto word = static_cast<std::uint64_t>(of.step + 1) << 8U | static_cast<std::uint64_t>(of.status);
@@ -141,35 +141,35 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
   const std::size_t channels = problem.channels.size();
 
   // Where each thread can be, and whether it comes and goes.
-  std::vector<std::set<int>> steps(threads);
-  std::vector<bool> off(threads);
+  Table<ThreadId, std::set<StepId>> steps(threads);
+  Table<ThreadId, bool> off(threads);
   std::set<int> places;
   for (int c : recurrence.classes) places.insert(graph.classes()[static_cast<std::size_t>(c)].state);
   for (int p : places) {
     const State& state = graph.places()[static_cast<std::size_t>(p)].state;
-    for (std::size_t t = 0; t < threads; ++t) {
+    for (const ThreadId t : problem.threads.ids()) {
       if (state.threads[t].status == Status::off) {
         off[t] = true;
       } else {
-        steps[t].insert(state.threads[t].step);
+        steps[t].insert(state.threads[t].at());
       }
     }
   }
-  std::vector<bool> active(threads);
+  Table<ThreadId, bool> active(threads);
   for (int timer : recurrence.fired) {
-    if (timer < static_cast<int>(threads)) active[static_cast<std::size_t>(timer)] = true;
+    if (machine.is_of_thread(timer)) active[machine.thread_of(timer)] = true;
   }
   // Blocks that begin again and again belong to their parent and to one another.
   Groups groups(threads + devices + channels);
-  for (std::size_t t = 0; t < threads; ++t) {
-    const int parent = problem.threads[t].parent;
-    if (parent < 0 || !off[t] || steps[t].empty()) continue;
-    active[t] = active[static_cast<std::size_t>(parent)] = true;
-    groups.join(t, static_cast<std::size_t>(parent));
-    for (std::size_t s = 0; s < threads; ++s) {
+  for (const ThreadId t : problem.threads.ids()) {
+    const ThreadId parent = problem.threads[t].parent;
+    if (!parent.valid() || !off[t] || steps[t].empty()) continue;
+    active[t] = active[parent] = true;
+    groups.join(t.index(), parent.index());
+    for (const ThreadId s : problem.threads.ids()) {
       if (problem.threads[s].parent == parent && !steps[s].empty()) {
         active[s] = true;
-        groups.join(s, t);
+        groups.join(s.index(), t.index());
       }
     }
   }
@@ -180,17 +180,19 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
     if (of.sender_device.valid()) groups.join(channel(c), device(of.sender_device));
     if (of.receiver_device.valid()) groups.join(channel(c), device(of.receiver_device));
   }
-  for (std::size_t t = 0; t < threads; ++t) {
+  for (const ThreadId t : problem.threads.ids()) {
     if (!active[t]) continue;
-    for (std::size_t s = 0; s < t; ++s) {
-      if (active[s] && problem.threads[s].processor == problem.threads[t].processor) groups.join(s, t);
+    for (const ThreadId s : problem.threads.ids()) {
+      if (s == t) break;
+      if (active[s] && problem.threads[s].processor == problem.threads[t].processor)
+        groups.join(s.index(), t.index());
     }
-    for (int step : steps[t]) {
-      for (ChannelId c : problem.steps[static_cast<std::size_t>(step)].channels) {
-        groups.join(t, channel(c));
+    for (StepId step : steps[t]) {
+      for (ChannelId c : problem.steps[step].channels) {
+        groups.join(t.index(), channel(c));
         const Channel& of = problem.channels[c];
-        if (of.answers.valid()) groups.join(t, channel(of.answers));
-        if (of.answer.valid()) groups.join(t, channel(of.answer));
+        if (of.answers.valid()) groups.join(t.index(), channel(of.answers));
+        if (of.answer.valid()) groups.join(t.index(), channel(of.answer));
       }
     }
   }
@@ -203,20 +205,20 @@ Slice slice_of(const Machine& machine, const ZoneGraph& graph, const Recurrence&
   slice.steps.assign(problem.steps.size(), false);
   slice.timers.assign(static_cast<std::size_t>(machine.timer_count()), false);
   std::size_t group = threads + devices + channels;
-  for (std::size_t t = 0; t < threads; ++t) {
-    if (active[t] && problem.threads[t].processor == processor) group = groups.of(t);
+  for (const ThreadId t : problem.threads.ids()) {
+    if (active[t] && problem.threads[t].processor == processor) group = groups.of(t.index());
   }
   if (group == threads + devices + channels) return slice;
-  for (std::size_t t = 0; t < threads; ++t) {
-    slice.threads[t] = active[t] && groups.of(t) == group;
+  for (const ThreadId t : problem.threads.ids()) {
+    slice.threads[t] = active[t] && groups.of(t.index()) == group;
     slice.left_out[t] = active[t] && !slice.threads[t];
-    slice.timers[t] = slice.threads[t];
+    slice.timers[t.index()] = slice.threads[t];
     if (slice.threads[t]) {
-      for (int step : steps[t]) slice.steps[static_cast<std::size_t>(step)] = true;
+      for (const StepId step : steps[t]) slice.steps[step] = true;
     }
     if (!slice.left_out[t]) continue;
-    for (int step : steps[t]) {
-      const Step& of = problem.steps[static_cast<std::size_t>(step)];
+    for (StepId step : steps[t]) {
+      const Step& of = problem.steps[step];
       if (of.kind == Step::Kind::set)
         slice.free_conditions |= std::uint64_t{1} << static_cast<unsigned>(of.condition.index());
     }

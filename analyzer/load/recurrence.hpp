@@ -21,15 +21,15 @@ std::vector<Recurrence> recurrences(const ZoneGraph& graph);
 /// Threads, channels and devices that influence one another while a skill stays in a recurrence. Influence
 /// through the values of conditions does not count.
 struct Slice {
-  std::vector<bool> threads;
+  Table<ThreadId, bool> threads;
   Table<ChannelId, bool> channels;
   Table<DeviceId, bool> devices;
   std::vector<bool> timers;
   /// Threads outside that are active: they are left out.
-  std::vector<bool> left_out;
+  Table<ThreadId, bool> left_out;
   /// Conditions that left-out threads set: they may have any value.
   std::uint64_t free_conditions = 0;
-  std::vector<bool> steps;  // of the slice's threads, while in the recurrence
+  Table<StepId, bool> steps;  // of the slice's threads, while in the recurrence
   /// Where the slice's threads are while the skill stays in the recurrence.
   std::unordered_set<std::uint64_t> positions;
 };

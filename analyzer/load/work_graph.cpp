@@ -13,7 +13,7 @@ namespace {
 struct Meaning {
   enum class Kind { other, action, gives_up, limit };
   int timer = -1;
-  int step = -1;
+  StepId step{};
   Kind kind = Kind::other;
 
   friend auto operator<=>(const Meaning&, const Meaning&) = default;
@@ -49,17 +49,17 @@ class Builder {
   }
 
   Meaning meaning(const State& state, int timer) const {
-    if (timer >= static_cast<int>(state.threads.size())) return {timer, -1, Meaning::Kind::other};
-    const ThreadState& thread = state.threads[static_cast<std::size_t>(timer)];
+    if (!machine_.is_of_thread(timer)) return {timer, StepId{}, Meaning::Kind::other};
+    const ThreadState& thread = state.threads[machine_.thread_of(timer)];
     const Meaning::Kind kind = thread.status == Status::waiting         ? Meaning::Kind::limit
                                : thread.choice == ThreadState::gives_up ? Meaning::Kind::gives_up
                                                                         : Meaning::Kind::action;
-    return {timer, thread.step, kind};
+    return {timer, thread.at(), kind};
   }
 
   bool ours(const Meaning& of) const {
     return (of.kind == Meaning::Kind::action || of.kind == Meaning::Kind::gives_up) &&
-           machine_.problem().threads[static_cast<std::size_t>(of.timer)].processor == processor_;
+           machine_.problem().threads[machine_.thread_of(of.timer)].processor == processor_;
   }
 
   /// What surely passes from the start of a timer to its end; of the processor's own actions, what may.

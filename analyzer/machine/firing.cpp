@@ -22,12 +22,11 @@ void Firing::stop_timer(int timer) {
   outcome_.changes.push_back({TimerChange::Kind::stop, timer, {}});
 }
 
-void Firing::emit(Kind kind, int thread, int subject, int value) {
+void Firing::emit(Kind kind, ThreadId thread, int subject, int value) {
   if (!record_) return;
-  const int step = state_of(thread).step;
-  const StatementId statement =
-      step < 0 ? StatementId{} : problem_.steps[static_cast<std::size_t>(step)].statement;
-  outcome_.events.push_back({0, kind, thread, statement.value, subject, value});
+  const StepId step = state_of(thread).at();
+  const StatementId statement = !step.valid() ? StatementId{} : problem_.steps[step].statement;
+  outcome_.events.push_back({0, kind, thread.value, statement.value, subject, value});
 }
 
 void Firing::emit_device(Kind kind, DeviceId device, int subject, int value) {
@@ -38,15 +37,16 @@ void Firing::emit_device(Kind kind, DeviceId device, int subject, int value) {
 
 void Firing::fire(int timer) {
   const bool was_busy = watched_busy();
-  if (timer < machine_.first_flight_timer()) {
-    if (is_loose(timer)) {
-      loosened(timer);
-    } else if (state_of(timer).status == Status::waiting) {
-      emit(Kind::give_up, timer, step_of(timer).channels.front());
-      state_of(timer).choice = ThreadState::gives_up;
-      need_processor(timer);
+  if (machine_.is_of_thread(timer)) {
+    const ThreadId thread = machine_.thread_of(timer);
+    if (is_loose(thread)) {
+      loosened(thread);
+    } else if (state_of(thread).status == Status::waiting) {
+      emit(Kind::give_up, thread, step_of(thread).channels.front());
+      state_of(thread).choice = ThreadState::gives_up;
+      need_processor(thread);
     } else {
-      effect(timer);
+      effect(thread);
     }
   } else if (timer < machine_.first_device_timer()) {
     const ChannelId channel = machine_.channel_of(timer);
@@ -70,7 +70,7 @@ void Firing::fire(int timer) {
   settle();
 }
 
-void Firing::effect(int thread) {
+void Firing::effect(ThreadId thread) {
   switch (step_of(thread).kind) {
     case Step::Kind::wait:
       effect_wait(thread);
@@ -114,7 +114,7 @@ void Firing::effect(int thread) {
   }
 }
 
-void Firing::finish(int thread, int next) {
+void Firing::finish(ThreadId thread, StepId next) {
   emit(Kind::done, thread);
   if (state_.ended) return;
   has_done(thread);
@@ -125,21 +125,21 @@ void Firing::finish(int thread, int next) {
   }
 }
 
-void Firing::complete(int thread, int code) {
+void Firing::complete(ThreadId thread, int code) {
   has_completed(thread, code);
   emit(Kind::complete, thread, -1, code);
   emit(Kind::done, thread);
   state_.ended = true;
 }
 
-void Firing::effect_wait(int thread) {
+void Firing::effect_wait(ThreadId thread) {
   const Step& step = step_of(thread);
   ThreadState& state = state_of(thread);
   if (state.choice == ThreadState::withdrawn) {
     if (state.cancelled) {
       stop(thread);
     } else {
-      reach(thread, state.step);
+      reach(thread, state.at());
     }
     return;
   }
@@ -163,7 +163,7 @@ void Firing::effect_wait(int thread) {
 }
 
 /// The thread goes on, and the channels are there for senders that are blocked.
-void Firing::go_on_and_admit(int thread, int next, std::vector<ChannelId> channels) {
+void Firing::go_on_and_admit(ThreadId thread, StepId next, std::vector<ChannelId> channels) {
   std::erase_if(channels, [this](ChannelId channel) { return !somebody_sends(channel); });
   if (state_of(thread).cancelled) {
     in_any_order(std::move(channels), [this](ChannelId channel) { admit(channel); });
@@ -174,7 +174,7 @@ void Firing::go_on_and_admit(int thread, int next, std::vector<ChannelId> channe
   go_on_later(thread, next);
 }
 
-void Firing::effect_send(int thread) {
+void Firing::effect_send(ThreadId thread) {
   const ChannelId channel = step_of(thread).channels.front();
   if (channel_of(channel).loose) return effect_loose_send(thread);
   SlotState& to = slot(channel);
@@ -198,7 +198,7 @@ void Firing::effect_send(int thread) {
 }
 
 /// The effect of a send: of the thread that has just done it, or of one that was blocked in it.
-void Firing::sent(int thread, bool put_it) {
+void Firing::sent(ThreadId thread, bool put_it) {
   const Step& step = step_of(thread);
   uses_kept(thread);
   const std::uint8_t carries = sent_along(thread);
@@ -214,7 +214,7 @@ void Firing::sent(int thread, bool put_it) {
   go_on_later(thread, step.next.front());
 }
 
-void Firing::effect_set(int thread) {
+void Firing::effect_set(ThreadId thread) {
   const Step& step = step_of(thread);
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition.index());
   const bool free = (problem_.free_conditions & bit) != 0;
@@ -228,7 +228,7 @@ void Firing::effect_set(int thread) {
   finish(thread, step.next.front());
 }
 
-bool Firing::read(int thread, ConditionId condition) {
+bool Firing::read(ThreadId thread, ConditionId condition) {
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(condition.index());
   bool value = (state_.conditions & bit) != 0;
   const bool free = ((machine_.free_conditions | problem_.free_conditions) & bit) != 0;
@@ -272,7 +272,7 @@ bool value_of(const pan::Guard& guard, std::uint64_t values) {
 }  // namespace
 
 /// Latched values where there are some, the rest read now.
-std::uint64_t Firing::values_for_test(int thread, const Step& step) {
+std::uint64_t Firing::values_for_test(ThreadId thread, const Step& step) {
   std::uint64_t all = 0;
   for (const pan::Guard& guard : step.guards) all |= mentioned(guard);
   std::uint64_t values = state_of(thread).latched_values & state_of(thread).latched;
@@ -284,7 +284,7 @@ std::uint64_t Firing::values_for_test(int thread, const Step& step) {
   return values;
 }
 
-void Firing::effect_test(int thread) {
+void Firing::effect_test(ThreadId thread) {
   const Step& step = step_of(thread);
   const std::uint64_t values = values_for_test(thread, step);
   state_of(thread).latched = 0;

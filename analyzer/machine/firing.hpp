@@ -35,15 +35,15 @@ class Firing {
     };
     What what = What::go_on;
     int who = -1;  // thread, channel or device
-    int next = -1;
+    StepId next{};
     std::uint8_t carries = tag::none;  // answer
   };
   void all_due();
   void happen(const Due& due);
-  void go_on_later(int thread, int next);
-  void queue_later(int thread);
+  void go_on_later(ThreadId thread, StepId next);
+  void queue_later(ThreadId thread);
   void admit_later(ChannelId channel);
-  void forget(int thread);
+  void forget(ThreadId thread);
   bool orderless(const Due& due) const;
   bool keeps_processor(const Due& due) const;
   bool may_be_stopped(const Due& due) const;
@@ -52,37 +52,37 @@ class Firing {
   std::vector<std::size_t> rivals_of_due() const;
 
   // Threads and processors (firing_threads.cpp).
-  void first_queues(int thread, int step, std::set<int>& seen, std::set<Queue>& queues) const;
-  std::vector<std::size_t> rivals_of_first(const std::vector<int>& modules) const;
-  void reach(int thread, int step);
-  void reach_wait(int thread);
-  void fork(int thread);
-  void need_processor(int thread);
-  void leave_processor(int thread);
-  void end(int thread);
-  void child_ended(int parent, bool stopped);
-  void go_on_behind_blocks(int parent);
-  void cancel_all(std::vector<int> blocks);
-  bool leaves_answer_to_others(int thread) const;
-  void cancel(int thread);
-  void stop(int thread);
+  void first_queues(ThreadId thread, StepId step, std::set<StepId>& seen, std::set<Queue>& queues) const;
+  std::vector<std::size_t> rivals_of_first(const std::vector<ThreadId>& modules) const;
+  void reach(ThreadId thread, StepId step);
+  void reach_wait(ThreadId thread);
+  void fork(ThreadId thread);
+  void need_processor(ThreadId thread);
+  void leave_processor(ThreadId thread);
+  void end(ThreadId thread);
+  void child_ended(ThreadId parent, bool stopped);
+  void go_on_behind_blocks(ThreadId parent);
+  void cancel_all(std::vector<ThreadId> blocks);
+  bool leaves_answer_to_others(ThreadId thread) const;
+  void cancel(ThreadId thread);
+  void stop(ThreadId thread);
   void dispatch();
   void dispatch(ProcessorId processor);
-  void enqueue(int thread, bool front);
-  void dequeue(int thread);
+  void enqueue(ThreadId thread, bool front);
+  void dequeue(ThreadId thread);
 
   // Statements (firing.cpp).
-  void effect(int thread);
-  void effect_wait(int thread);
-  void effect_send(int thread);
-  void effect_set(int thread);
-  void effect_test(int thread);
-  void sent(int thread, bool put_it);
-  void finish(int thread, int next);
-  bool read(int thread, ConditionId condition);
-  std::uint64_t values_for_test(int thread, const Step& step);
-  void complete(int thread, int code);
-  void go_on_and_admit(int thread, int next, std::vector<ChannelId> channels);
+  void effect(ThreadId thread);
+  void effect_wait(ThreadId thread);
+  void effect_send(ThreadId thread);
+  void effect_set(ThreadId thread);
+  void effect_test(ThreadId thread);
+  void sent(ThreadId thread, bool put_it);
+  void finish(ThreadId thread, StepId next);
+  bool read(ThreadId thread, ConditionId condition);
+  std::uint64_t values_for_test(ThreadId thread, const Step& step);
+  void complete(ThreadId thread, int code);
+  void go_on_and_admit(ThreadId thread, StepId next, std::vector<ChannelId> channels);
 
   /// Calls `each` for all of `of`, in every order.
   template <class Of, class Each>
@@ -97,39 +97,39 @@ class Firing {
 
   // Where the other end is left out (firing_loose.cpp).
   static bool is_loose(const Problem& problem, const Step& step);
-  bool is_loose(int thread) const;
+  bool is_loose(ThreadId thread) const;
   bool ends_loosely(const Step& step, std::size_t branch) const;
   int loose_branch(const Step& step, bool gives_up);
-  bool finishes_first(int thread);
-  void wait_loosely(int thread);
-  void loosened(int thread);
-  void stop_waiting(int thread);
-  void effect_loose_wait(int thread, std::size_t branch);
-  void effect_loose_send(int thread);
+  bool finishes_first(ThreadId thread);
+  void wait_loosely(ThreadId thread);
+  void loosened(ThreadId thread);
+  void stop_waiting(ThreadId thread);
+  void effect_loose_wait(ThreadId thread, std::size_t branch);
+  void effect_loose_send(ThreadId thread);
   bool may_be_withdrawn(const Step& step, std::size_t branch) const;
   bool cannot_change(ConditionId condition) const;
   void hold(ConditionId condition, bool value);
   void let_change();
 
   // Messages and devices (firing_mail.cpp).
-  void place(ChannelId channel, int thread, DeviceId device, std::uint8_t carries);
+  void place(ChannelId channel, ThreadId thread, DeviceId device, std::uint8_t carries);
   void announce(ChannelId channel);
-  bool available(ChannelId channel, int thread) const;
-  int claimed_by(ChannelId channel);
+  bool available(ChannelId channel, ThreadId thread) const;
+  ThreadId claimed_by(ChannelId channel);
   void message_available(ChannelId channel);
-  bool stays_at_home(int sender) const;
-  void fill(ChannelId channel, int sender);
-  void take(ChannelId channel, int thread, DeviceId device);
+  bool stays_at_home(ThreadId sender) const;
+  void fill(ChannelId channel, ThreadId sender);
+  void take(ChannelId channel, ThreadId thread, DeviceId device);
   void clear(ChannelId channel);
   void admit(ChannelId channel);
   bool somebody_sends(ChannelId channel) const;
-  std::vector<int> waiting_for(ChannelId channel) const;
+  std::vector<ThreadId> waiting_for(ChannelId channel) const;
   void empty(ChannelId channel);
   void drop(ChannelId channel);
 
   // Open requests (firing_requests.cpp).
   bool tracked(ChannelId channel) const;
-  void ask(ChannelId request, int thread);
+  void ask(ChannelId request, ThreadId thread);
   int answered_next(ChannelId answer) const;
   bool discards(ChannelId answer) const;
   void discard(ChannelId answer);
@@ -137,9 +137,9 @@ class Firing {
   template <class Meant>
   void withdraw(ChannelId request, Meant meant, std::vector<ChannelId>& freed);
   void withdraw_all(ChannelId request, std::vector<ChannelId>& freed);
-  void hand_over(int block, int parent);
-  bool answers_to(ChannelId channel, int owner) const;
-  std::vector<ChannelId> abandon(int thread);
+  void hand_over(ThreadId block, ThreadId parent);
+  bool answers_to(ChannelId channel, ThreadId owner) const;
+  std::vector<ChannelId> abandon(ThreadId thread);
   void open_device(DeviceId device);
   void arrives_at_device(ChannelId channel);
   void take_pending(DeviceId device);
@@ -150,25 +150,25 @@ class Firing {
   void event_occurs(DeviceId device);
 
   // Measuring (firing_measure.cpp).
-  void measure(int thread);
-  void has_read(int thread, ConditionId condition);
-  void has_set(int thread, ConditionId condition);
-  void has_taken(int thread, ChannelId channel, std::uint8_t carries);
-  void uses_kept(int thread);
-  void has_written(int thread);
-  std::uint8_t sent_along(int thread) const;
+  void measure(ThreadId thread);
+  void has_read(ThreadId thread, ConditionId condition);
+  void has_set(ThreadId thread, ConditionId condition);
+  void has_taken(ThreadId thread, ChannelId channel, std::uint8_t carries);
+  void uses_kept(ThreadId thread);
+  void has_written(ThreadId thread);
+  std::uint8_t sent_along(ThreadId thread) const;
   std::uint8_t sampled(ChannelId request);
   std::uint8_t new_sample();
   std::uint8_t occurred(ChannelId channel);
   bool awaits_response(ChannelId channel) const;
   std::uint8_t new_event();
-  void has_completed(int thread, int code);
+  void has_completed(ThreadId thread, int code);
   void forget_event(std::uint8_t event);
-  void measure_from(std::uint8_t observer, int step);
+  void measure_from(std::uint8_t observer, StepId step);
   void start_tracking();
   void track_busy(bool was_busy);
   bool watched_busy() const;
-  void measure_now(int thread);
+  void measure_now(ThreadId thread);
   std::uint8_t now() const { return static_cast<std::uint8_t>(old_observers_ + phases_begun_); }
 
   // The part of a run that is measured (firing_phase.cpp).
@@ -176,7 +176,7 @@ class Firing {
   bool counts() const { return !limited() || state_.in_phase; }
   bool changes_phase(const Due& due) const;
   bool phase_may_change() const;
-  void has_done(int thread);
+  void has_done(ThreadId thread);
   void follow_phase();
   void begin_phase();
   void end_phase();
@@ -196,20 +196,18 @@ class Firing {
   bool any_live() const;
   bool is_live(const ThreadState& thread) const;
 
-  ThreadState& state_of(int thread) { return state_.threads[static_cast<std::size_t>(thread)]; }
-  const ThreadState& state_of(int thread) const { return state_.threads[static_cast<std::size_t>(thread)]; }
-  const Thread& thread_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)]; }
-  const Step& step_of(int thread) const {
-    return problem_.steps[static_cast<std::size_t>(state_of(thread).step)];
-  }
+  ThreadState& state_of(ThreadId thread) { return state_.threads[thread]; }
+  const ThreadState& state_of(ThreadId thread) const { return state_.threads[thread]; }
+  const Thread& thread_of(ThreadId thread) const { return problem_.threads[thread]; }
+  const Step& step_of(ThreadId thread) const { return problem_.steps[state_of(thread).at()]; }
   SlotState& slot(ChannelId channel) { return state_.slots[channel]; }
   const Channel& channel_of(ChannelId channel) const { return problem_.channels[channel]; }
   ThreadNumber& running(ProcessorId processor) { return state_.running[processor]; }
 
   void start_timer(int timer, Range range);
   void stop_timer(int timer);
-  void emit(Kind kind, int thread, int subject = -1, int value = 0);
-  void emit(Kind kind, int thread, ChannelId channel) { emit(kind, thread, channel.value); }
+  void emit(Kind kind, ThreadId thread, int subject = -1, int value = 0);
+  void emit(Kind kind, ThreadId thread, ChannelId channel) { emit(kind, thread, channel.value); }
   void emit_device(Kind kind, DeviceId device, int subject = -1, int value = 0);
   void emit_device(Kind kind, DeviceId device, ChannelId channel) {
     emit_device(kind, device, channel.value);
@@ -225,7 +223,7 @@ class Firing {
   int old_observers_;
   int phases_begun_ = 0;  // by this event: what comes after each is later than what came before
   std::vector<int> pending_origin_;
-  std::vector<int> queued_;  // threads that became ready
+  std::vector<ThreadId> queued_;  // threads that became ready
   std::vector<Due> due_;
 };
 

@@ -20,15 +20,15 @@ void Firing::all_due() {
 void Firing::happen(const Due& due) {
   switch (due.what) {
     case Due::What::go_on:
-      return finish(due.who, due.next);
+      return finish(ThreadId::of(due.who), due.next);
     case Due::What::queue:
-      enqueue(due.who, false);
-      queued_.push_back(due.who);
+      enqueue(ThreadId::of(due.who), false);
+      queued_.push_back(ThreadId::of(due.who));
       return;
     case Due::What::admit:
       return admit(ChannelId::of(due.who));
     case Due::What::parent:
-      return go_on_behind_blocks(due.who);
+      return go_on_behind_blocks(ThreadId::of(due.who));
     case Due::What::answer:
       return answer(ChannelId::of(due.who), due.carries);
     case Due::What::serve:
@@ -36,12 +36,12 @@ void Firing::happen(const Due& due) {
   }
 }
 
-void Firing::go_on_later(int thread, int next) {
-  due_.push_back({Due::What::go_on, thread, next});
+void Firing::go_on_later(ThreadId thread, StepId next) {
+  due_.push_back({Due::What::go_on, thread.value, next});
 }
 
-void Firing::queue_later(int thread) {
-  due_.push_back({Due::What::queue, thread});
+void Firing::queue_later(ThreadId thread) {
+  due_.push_back({Due::What::queue, thread.value});
 }
 
 void Firing::admit_later(ChannelId channel) {
@@ -49,11 +49,11 @@ void Firing::admit_later(ChannelId channel) {
 }
 
 /// The thread has been stopped.
-void Firing::forget(int thread) {
+void Firing::forget(ThreadId thread) {
   std::erase_if(due_, [thread](const Due& due) {
     const bool of_thread =
         due.what == Due::What::go_on || due.what == Due::What::queue || due.what == Due::What::parent;
-    return of_thread && due.who == thread;
+    return of_thread && ThreadId::of(due.who) == thread;
   });
 }
 
@@ -77,13 +77,14 @@ bool Firing::orderless(const Due& due) const {
 /// that does.
 bool Firing::meets_other_answers(const Due& due) const {
   std::set<Queue> queues;
-  const std::vector<int> waiting = waiting_for(channel_of(ChannelId::of(due.who)).answer);
-  for (const int thread : waiting) queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
+  const std::vector<ThreadId> waiting = waiting_for(channel_of(ChannelId::of(due.who)).answer);
+  for (const ThreadId thread : waiting)
+    queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
   if (queues.empty()) return false;
   return std::any_of(due_.begin(), due_.end(), [&](const Due& other) {
     if (&other == &due) return false;
-    const std::vector<int> others = waiting_for(channel_of(ChannelId::of(other.who)).answer);
-    return std::any_of(others.begin(), others.end(), [&](int thread) {
+    const std::vector<ThreadId> others = waiting_for(channel_of(ChannelId::of(other.who)).answer);
+    return std::any_of(others.begin(), others.end(), [&](ThreadId thread) {
       return queues.contains({thread_of(thread).processor, thread_of(thread).priority});
     });
   });
@@ -91,21 +92,21 @@ bool Firing::meets_other_answers(const Due& due) const {
 
 /// A thread goes on with its next action.
 bool Firing::keeps_processor(const Due& due) const {
-  const Step::Kind after = problem_.steps[static_cast<std::size_t>(due.next)].kind;
-  return state_of(due.who).status == Status::running && after != Step::Kind::wait &&
+  const Step::Kind after = problem_.steps[due.next].kind;
+  return state_of(ThreadId::of(due.who)).status == Status::running && after != Step::Kind::wait &&
          after != Step::Kind::fork && after != Step::Kind::end;
 }
 
 /// Whether the thread, in a block that cannot end, stops here: what else is due may end the others. Then what
 /// it has asked for is withdrawn, and its parent goes on.
 bool Firing::may_be_stopped(const Due& due) const {
-  if (state_of(due.who).cancelled) return true;
+  if (state_of(ThreadId::of(due.who)).cancelled) return true;
   const bool alone = std::all_of(due_.begin(), due_.end(), [&due](const Due& other) {
     return &other == &due || other.what == Due::What::queue || other.what == Due::What::answer;
   });
   if (alone) return false;
-  for (int thread = due.who; thread >= 0; thread = thread_of(thread).parent) {
-    if (thread_of(thread).parent >= 0 && !thread_of(thread).can_end) return true;
+  for (ThreadId thread = ThreadId::of(due.who); thread.valid(); thread = thread_of(thread).parent) {
+    if (thread_of(thread).parent.valid() && !thread_of(thread).can_end) return true;
   }
   return false;
 }
@@ -115,12 +116,14 @@ std::optional<Firing::Queue> Firing::only_queue(const Due& due) const {
   if (due.what != Due::What::queue && due.what != Due::What::go_on) return std::nullopt;
   if (changes_phase(due)) return std::nullopt;
   if (due.what == Due::What::go_on) {
-    if (state_of(due.who).status == Status::running || state_of(due.who).cancelled) return std::nullopt;
-    const Step::Kind after = problem_.steps[static_cast<std::size_t>(due.next)].kind;
+    if (state_of(ThreadId::of(due.who)).status == Status::running ||
+        state_of(ThreadId::of(due.who)).cancelled)
+      return std::nullopt;
+    const Step::Kind after = problem_.steps[due.next].kind;
     if (after == Step::Kind::wait || after == Step::Kind::fork || after == Step::Kind::end)
       return std::nullopt;
   }
-  return std::pair(thread_of(due.who).processor, thread_of(due.who).priority);
+  return std::pair(thread_of(ThreadId::of(due.who)).processor, thread_of(ThreadId::of(due.who)).priority);
 }
 
 /// Which may be the next to happen: positions in due_.
@@ -140,9 +143,9 @@ std::vector<std::size_t> Firing::rivals_of_due() const {
   }
   const auto begins_to_wait = [this](std::size_t i) {
     const Due& due = due_[i];
-    return due.what == Due::What::go_on && state_of(due.who).status == Status::running &&
-           !state_of(due.who).cancelled && !changes_phase(due) &&
-           problem_.steps[static_cast<std::size_t>(due.next)].kind == Step::Kind::wait;
+    return due.what == Due::What::go_on && state_of(ThreadId::of(due.who)).status == Status::running &&
+           !state_of(ThreadId::of(due.who)).cancelled && !changes_phase(due) &&
+           problem_.steps[due.next].kind == Step::Kind::wait;
   };
   const bool apart = rivals.size() == 2 && ((queues(rivals[0]) && begins_to_wait(rivals[1])) ||
                                             (begins_to_wait(rivals[0]) && queues(rivals[1])));

@@ -20,7 +20,7 @@ bool Firing::is_loose(const Problem& problem, const Step& step) {
 }
 
 /// Whether the thread is stopped at a wait or a send that a party that is left out may end.
-bool Firing::is_loose(int thread) const {
+bool Firing::is_loose(ThreadId thread) const {
   const Status status = state_of(thread).status;
   return (status == Status::waiting || status == Status::sending) && is_loose(problem_, step_of(thread));
 }
@@ -42,18 +42,18 @@ int Firing::loose_branch(const Step& step, bool gives_up) {
 
 /// A block that is left out, and is cancelled, stops at once, or finishes first what it has begun. Whether it
 /// does: then it is at work from now on.
-bool Firing::finishes_first(int thread) {
-  if (!thread_of(thread).left_out || state_of(thread).step < 0 || choices_.pick(2) == 0) return false;
+bool Firing::finishes_first(ThreadId thread) {
+  if (!thread_of(thread).left_out || !state_of(thread).at().valid() || choices_.pick(2) == 0) return false;
   stop_waiting(thread);
   state_of(thread).choice = ThreadState::no_choice;
-  state_of(thread).step = static_cast<std::int16_t>(step_of(thread).next.front());
+  state_of(thread).go_to(step_of(thread).next.front());
   need_processor(thread);
   return true;
 }
 
 /// The thread is stopped at a wait that a party that is left out may end. If a message comes only so late it
 /// may not come at all; then nothing is left to end the wait, unless another party does.
-void Firing::wait_loosely(int thread) {
+void Firing::wait_loosely(ThreadId thread) {
   const Step& step = step_of(thread);
   const Nanoseconds longest = step.within.value_or(step.arrival.worst);
   if (step.channels.empty() && static_cast<int>(step.next.size()) <= left_out_ends) {
@@ -69,14 +69,14 @@ void Firing::wait_loosely(int thread) {
 }
 
 /// Another party ends the wait, or the send: its timer is stopped, if it has one.
-void Firing::stop_waiting(int thread) {
+void Firing::stop_waiting(ThreadId thread) {
   const bool timed =
       is_loose(thread) || (state_of(thread).status == Status::waiting && step_of(thread).within);
   if (timed && state_of(thread).choice != ThreadState::for_ever) stop_timer(machine_.thread_timer(thread));
 }
 
 /// The timer of a thread that waits, or whose send is blocked: it goes on.
-void Firing::loosened(int thread) {
+void Firing::loosened(ThreadId thread) {
   if (state_of(thread).status == Status::sending) {
     state_of(thread).status = Status::ready;
     return sent(thread, false);
@@ -94,11 +94,11 @@ bool Firing::may_be_withdrawn(const Step& step, std::size_t branch) const {
   return of.withdrawable && !(step.before_blocks && of.answers.valid());
 }
 
-void Firing::effect_loose_wait(int thread, std::size_t branch) {
+void Firing::effect_loose_wait(ThreadId thread, std::size_t branch) {
   const Step& step = step_of(thread);
   if (may_be_withdrawn(step, branch) && choices_.pick(2) == 1) {
     if (state_of(thread).cancelled) return stop(thread);
-    return reach(thread, state_of(thread).step);
+    return reach(thread, state_of(thread).at());
   }
   state_of(thread).choice = ThreadState::no_choice;
   // No thread has a sample of a sender that is left out.
@@ -109,7 +109,7 @@ void Firing::effect_loose_wait(int thread, std::size_t branch) {
 
 /// The slot is free, or becomes free later. If it does so within a limit, it may as well never do so: then
 /// nothing is left to end the send.
-void Firing::effect_loose_send(int thread) {
+void Firing::effect_loose_send(ThreadId thread) {
   constexpr int free = 0;
   constexpr int never_free = 2;
   const Nanoseconds longest = step_of(thread).arrival.worst;
@@ -132,7 +132,7 @@ bool Firing::cannot_change(ConditionId condition) const {
   const Setters& setters = problem_.setters[condition];
   if (!setters.processor.valid()) return false;
   const ThreadNumber runs = state_.running[setters.processor];
-  return runs >= 0 && !setters.threads[static_cast<std::size_t>(runs)];
+  return runs >= 0 && !setters.threads[ThreadId::of(runs)];
 }
 
 /// The next reads of a free condition give the same value, as long as it cannot change.

@@ -42,7 +42,7 @@ void Firing::occurrence(DeviceId device, bool lost) {
   state_.lost = (state_.lost << 1U | (lost ? 1U : 0U)) & all;
   for (const ChannelId c : state_.slots.ids()) {
     SlotState& of = state_.slots[c];
-    if (channel_of(ChannelId(c)).sender_device != device || of.carries == tag::none) continue;
+    if (channel_of(c).sender_device != device || of.carries == tag::none) continue;
     if (of.carries < remembered(watch_.in)) ++of.carries;
   }
   count_losses();

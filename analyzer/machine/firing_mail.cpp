@@ -7,7 +7,7 @@
 namespace pal::analyzer {
 
 /// The message is in its slot; announce() is still to be called.
-void Firing::place(ChannelId channel, int thread, DeviceId device, std::uint8_t carries) {
+void Firing::place(ChannelId channel, ThreadId thread, DeviceId device, std::uint8_t carries) {
   SlotState& to = slot(channel);
   fill(channel, thread);
   to.carries = awaits_response(channel) ? new_event() : carries;
@@ -24,22 +24,22 @@ void Firing::announce(ChannelId channel) {
   if (channel_of(channel).receiver_device.valid()) {
     arrives_at_device(channel);
   } else {
-    const int thread = claimed_by(channel);
-    if (thread >= 0) queue_later(thread);
+    const ThreadId thread = claimed_by(channel);
+    if (thread.valid()) queue_later(thread);
   }
 }
 
 /// Whether what else follows from a send at this instant has to do with its thread's processor alone.
-bool Firing::stays_at_home(int sender) const {
+bool Firing::stays_at_home(ThreadId sender) const {
   const ThreadState& of = state_of(sender);
-  const Step::Kind next = problem_.steps[static_cast<std::size_t>(step_of(sender).next.front())].kind;
+  const Step::Kind next = problem_.steps[step_of(sender).next.front()].kind;
   return of.status == Status::running && !of.cancelled && due_.empty() && next != Step::Kind::fork &&
          next != Step::Kind::end;
 }
 
 /// The message sets out for the processors on which a thread waits for it. `sender`: -1: a device.
-void Firing::fill(ChannelId channel, int sender) {
-  const ProcessorId processor = sender < 0 ? ProcessorId{} : thread_of(sender).processor;
+void Firing::fill(ChannelId channel, ThreadId sender) {
+  const ProcessorId processor = !sender.valid() ? ProcessorId{} : thread_of(sender).processor;
   SlotState& to = slot(channel);
   to.fill = SlotState::Fill::full;
   to.from = processor;
@@ -65,23 +65,23 @@ void Firing::fill(ChannelId channel, int sender) {
   if (far) fly(to.far, machine_.flight_timer(channel) + 1, problem_.between_processors);
 }
 
-bool Firing::available(ChannelId channel, int thread) const {
+bool Firing::available(ChannelId channel, ThreadId thread) const {
   const SlotState& of = state_.slots[channel];
   if (of.fill != SlotState::Fill::full) return false;
   return (of.from == thread_of(thread).processor ? of.near : of.far) == SlotState::Way::there;
 }
 
 /// Gives the message to one of the threads that wait for it, if any, which has to come to its queue yet.
-int Firing::claimed_by(ChannelId channel) {
-  std::vector<std::pair<int, int>> waiting;
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-    if (state_.threads[t].status != Status::waiting || !available(channel, static_cast<int>(t))) continue;
-    const Step& step = step_of(static_cast<int>(t));
+ThreadId Firing::claimed_by(ChannelId channel) {
+  std::vector<std::pair<ThreadId, int>> waiting;
+  for (const ThreadId t : problem_.threads.ids()) {
+    if (state_.threads[t].status != Status::waiting || !available(channel, t)) continue;
+    const Step& step = step_of(t);
     for (std::size_t i = 0; i < step.channels.size(); ++i) {
-      if (step.channels[i] == channel) waiting.emplace_back(static_cast<int>(t), static_cast<int>(i));
+      if (step.channels[i] == channel) waiting.emplace_back(t, static_cast<int>(i));
     }
   }
-  if (waiting.empty()) return -1;
+  if (waiting.empty()) return {};
   const std::size_t chosen =
       waiting.size() == 1 ? 0 : static_cast<std::size_t>(choices_.pick(static_cast<int>(waiting.size())));
   const auto [thread, branch] = waiting[chosen];
@@ -95,14 +95,14 @@ int Firing::claimed_by(ChannelId channel) {
 
 /// Gives the message to one of the threads that wait for it, if any.
 void Firing::message_available(ChannelId channel) {
-  const int thread = claimed_by(channel);
-  if (thread < 0) return;
+  const ThreadId thread = claimed_by(channel);
+  if (!thread.valid()) return;
   enqueue(thread, false);
   queued_.push_back(thread);
 }
 
 /// The message leaves its slot; empty() is still to be called.
-void Firing::take(ChannelId channel, int thread, DeviceId device) {
+void Firing::take(ChannelId channel, ThreadId thread, DeviceId device) {
   SlotState& from = slot(channel);
   if (device.valid()) {
     emit_device(Kind::take, device, channel);
@@ -132,22 +132,19 @@ void Firing::clear(ChannelId channel) {
 }
 
 bool Firing::somebody_sends(ChannelId channel) const {
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-    if (state_.threads[t].status == Status::sending &&
-        step_of(static_cast<int>(t)).channels.front() == channel)
-      return true;
+  for (const ThreadId t : problem_.threads.ids()) {
+    if (state_.threads[t].status == Status::sending && step_of(t).channels.front() == channel) return true;
   }
   return false;
 }
 
 /// The threads that wait for a message of the channel.
-std::vector<int> Firing::waiting_for(ChannelId channel) const {
-  std::vector<int> waiting;
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+std::vector<ThreadId> Firing::waiting_for(ChannelId channel) const {
+  std::vector<ThreadId> waiting;
+  for (const ThreadId t : problem_.threads.ids()) {
     if (state_.threads[t].status != Status::waiting) continue;
-    const std::vector<ChannelId>& channels = step_of(static_cast<int>(t)).channels;
-    if (std::find(channels.begin(), channels.end(), channel) != channels.end())
-      waiting.push_back(static_cast<int>(t));
+    const std::vector<ChannelId>& channels = step_of(t).channels;
+    if (std::find(channels.begin(), channels.end(), channel) != channels.end()) waiting.push_back(t);
   }
   return waiting;
 }
@@ -156,15 +153,14 @@ std::vector<int> Firing::waiting_for(ChannelId channel) const {
 void Firing::admit(ChannelId channel) {
   SlotState& of = slot(channel);
   if (of.fill != SlotState::Fill::empty) return;
-  std::vector<int> senders;
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-    if (state_.threads[t].status == Status::sending &&
-        step_of(static_cast<int>(t)).channels.front() == channel) {
-      senders.push_back(static_cast<int>(t));
+  std::vector<ThreadId> senders;
+  for (const ThreadId t : problem_.threads.ids()) {
+    if (state_.threads[t].status == Status::sending && step_of(t).channels.front() == channel) {
+      senders.push_back(t);
     }
   }
   if (senders.empty()) return;
-  const int sender = senders[static_cast<std::size_t>(
+  const ThreadId sender = senders[static_cast<std::size_t>(
       senders.size() == 1 ? 0 : choices_.pick(static_cast<int>(senders.size())))];
   state_of(sender).status = Status::ready;
   if (discards(channel)) {
@@ -181,10 +177,10 @@ void Firing::admit(ChannelId channel) {
 void Firing::drop(ChannelId channel) {
   SlotState& of = slot(channel);
   if (of.fill == SlotState::Fill::claimed) {
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+    for (const ThreadId t : problem_.threads.ids()) {
       ThreadState& thread = state_.threads[t];
       if (thread.status != Status::ready && thread.status != Status::running) continue;
-      const Step& step = step_of(static_cast<int>(t));
+      const Step& step = step_of(t);
       if (step.kind != Step::Kind::wait || thread.choice < 0 || step.channels.empty()) continue;
       if (step.channels[static_cast<std::size_t>(thread.choice)] == channel)
         thread.choice = ThreadState::withdrawn;
@@ -210,7 +206,7 @@ void Firing::arrives_at_device(ChannelId channel) {
   const Channel& of = channel_of(channel);
   const DeviceId device = of.receiver_device;
   if (!of.served) {
-    take(channel, -1, device);
+    take(channel, ThreadId{}, device);
     empty(channel);
     return;
   }
@@ -240,7 +236,7 @@ void Firing::take_pending(DeviceId device) {
   for (std::size_t i : pending) {
     state_.devices[device].serving.set(i);
     slot(of.requests[i]).serving_carries = sampled(of.requests[i]);
-    take(of.requests[i], -1, device);
+    take(of.requests[i], ThreadId{}, device);
   }
   if (request != nullptr) {
     start_timer(machine_.service_timer(device),
@@ -294,7 +290,7 @@ void Firing::device_service(DeviceId device) {
                                      ? std::exchange(slot(request).serving_carries, tag::none)
                                  : counts() ? std::uint8_t{0}
                                             : tag::none;
-    due_.push_back({Due::What::answer, request.value, -1, carries});
+    due_.push_back({Due::What::answer, request.value, {}, carries});
   }
   if (std::holds_alternative<pan::RequestDevice>(of.behaviour))
     due_.push_back({Due::What::serve, device.value});
@@ -328,7 +324,7 @@ void Firing::answer(ChannelId request, std::uint8_t carries) {
     emit_device(Kind::overrun, device, channel);
     if (awaits_response(channel) && counts()) state_.failed = true;
   } else {
-    place(channel, -1, device, carries);
+    place(channel, ThreadId{}, device, carries);
     message_available(channel);
   }
 }
@@ -343,7 +339,7 @@ void Firing::event_occurs(DeviceId device) {
     return;
   }
   occurrence(device, false);
-  place(channel, -1, device, occurred(channel));
+  place(channel, ThreadId{}, device, occurred(channel));
   message_available(channel);
 }
 

@@ -18,7 +18,7 @@ void Firing::start_tracking() {
 }
 
 /// The value from `observer` until now.
-void Firing::measure_from(std::uint8_t observer, int step) {
+void Firing::measure_from(std::uint8_t observer, StepId step) {
   outcome_.measured_steps.push_back(step);
   if (observer == tag::over) {
     outcome_.measured.push_back(Outcome::older_than_cap);
@@ -28,13 +28,13 @@ void Firing::measure_from(std::uint8_t observer, int step) {
 }
 
 /// At the effect of the thread's statement. Of a phase it is asked as the thread goes on.
-void Firing::measure(int thread) {
+void Firing::measure(ThreadId thread) {
   if (!limited()) measure_now(thread);
 }
 
-void Firing::measure_now(int thread) {
-  const int step = state_of(thread).step;
-  if (watch_.kind == Watch::Kind::nothing || !watch_.at[static_cast<std::size_t>(step)]) return;
+void Firing::measure_now(ThreadId thread) {
+  const StepId step = state_of(thread).at();
+  if (watch_.kind == Watch::Kind::nothing || !watch_.at[step]) return;
   const bool counted = counts();
   outcome_.passed = outcome_.passed || counted;
   if (!counted && watch_.kind != Watch::Kind::response) return;
@@ -71,11 +71,11 @@ void Firing::measure_now(int thread) {
   }
 }
 
-void Firing::has_completed(int thread, int code) {
+void Firing::has_completed(ThreadId thread, int code) {
   if (watch_.kind != Watch::Kind::duration || watch_.code != code) return;
   if (!counts()) return;
   outcome_.passed = true;
-  measure_from(state_.reference, state_of(thread).step);
+  measure_from(state_.reference, state_of(thread).at());
 }
 
 bool Firing::watched_busy() const {
@@ -89,7 +89,7 @@ void Firing::track_busy(bool was_busy) {
   if (watch_.kind != Watch::Kind::busy) return;
   const bool busy = !state_.ended && watched_busy();
   if (was_busy && !busy) {
-    measure_from(state_.reference, -1);
+    measure_from(state_.reference, StepId{});
     if (!state_.ended) start_timer(machine_.pause_timer(), {0, 0});
   }
   const bool pauses = !was_busy && state_.reference != tag::none;
@@ -99,7 +99,7 @@ void Firing::track_busy(bool was_busy) {
   if (!pauses) state_.reference = now();
 }
 
-void Firing::has_read(int thread, ConditionId condition) {
+void Firing::has_read(ThreadId thread, ConditionId condition) {
   std::uint8_t& carries = state_of(thread).carries;
   if (watch_.kind == Watch::Kind::age && watch_.condition == condition) carries = state_.condition_carries;
   if (watch_.kind == Watch::Kind::sample) {
@@ -108,7 +108,7 @@ void Firing::has_read(int thread, ConditionId condition) {
   }
 }
 
-void Firing::has_set(int thread, ConditionId condition) {
+void Firing::has_set(ThreadId thread, ConditionId condition) {
   if (watch_.kind == Watch::Kind::age && watch_.condition == condition) {
     state_.condition_carries = now();
   }
@@ -118,7 +118,7 @@ void Firing::has_set(int thread, ConditionId condition) {
 }
 
 /// A message without an event leaves the thread with the one that it has, one with an older sample likewise.
-void Firing::has_taken(int thread, ChannelId channel, std::uint8_t carries) {
+void Firing::has_taken(ThreadId thread, ChannelId channel, std::uint8_t carries) {
   const KeptId kept = channel_of(channel).kept;
   if (watch_.kind == Watch::Kind::sample && kept.valid()) state_.kept[kept] = carries;
   std::uint8_t& own = state_of(thread).carries;
@@ -127,7 +127,7 @@ void Firing::has_taken(int thread, ChannelId channel, std::uint8_t carries) {
 }
 
 /// The statement uses what its module keeps: its thread knows the samples of that from then on.
-void Firing::uses_kept(int thread) {
+void Firing::uses_kept(ThreadId thread) {
   if (watch_.kind != Watch::Kind::sample) return;
   std::uint8_t& own = state_of(thread).carries;
   for (const KeptId kept : step_of(thread).uses) {
@@ -136,12 +136,12 @@ void Firing::uses_kept(int thread) {
   }
 }
 
-void Firing::has_written(int thread) {
+void Firing::has_written(ThreadId thread) {
   if (watch_.kind != Watch::Kind::sample) return;
   for (const KeptId kept : step_of(thread).writes) state_.kept[kept] = state_of(thread).carries;
 }
 
-std::uint8_t Firing::sent_along(int thread) const {
+std::uint8_t Firing::sent_along(ThreadId thread) const {
   const bool along = watch_.kind == Watch::Kind::response || watch_.kind == Watch::Kind::sample;
   return along ? state_of(thread).carries : tag::none;
 }

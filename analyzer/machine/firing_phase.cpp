@@ -7,8 +7,8 @@
 namespace pal::analyzer {
 namespace {
 
-bool is_one_of(const std::vector<bool>& steps, int step) {
-  return !steps.empty() && step >= 0 && steps[static_cast<std::size_t>(step)];
+bool is_one_of(const Table<StepId, bool>& steps, StepId step) {
+  return !steps.empty() && step.valid() && steps[step];
 }
 
 }  // namespace
@@ -16,7 +16,7 @@ bool is_one_of(const std::vector<bool>& steps, int step) {
 /// Whether the phase may begin or end when it happens.
 bool Firing::changes_phase(const Due& due) const {
   if (due.what != Due::What::go_on) return false;
-  const int step = state_of(due.who).step;
+  const StepId step = state_of(ThreadId::of(due.who)).at();
   if (is_one_of(watch_.phase.after, step) && !state_.in_phase) return true;
   return is_one_of(watch_.phase.during, step) != is_one_of(watch_.phase.during, due.next);
 }
@@ -29,10 +29,10 @@ bool Firing::phase_may_change() const {
 }
 
 /// The thread has done its statement.
-void Firing::has_done(int thread) {
+void Firing::has_done(ThreadId thread) {
   if (!limited()) return;
   measure_now(thread);
-  if (is_one_of(watch_.phase.after, state_of(thread).step) && !state_.in_phase) begin_phase();
+  if (is_one_of(watch_.phase.after, state_of(thread).at()) && !state_.in_phase) begin_phase();
 }
 
 /// Some thread has come to another statement, or is over.
@@ -40,7 +40,7 @@ void Firing::follow_phase() {
   if (watch_.phase.during.empty()) return;
   const bool within =
       std::any_of(state_.threads.begin(), state_.threads.end(), [this](const ThreadState& thread) {
-        return thread.status != Status::off && is_one_of(watch_.phase.during, thread.step);
+        return thread.status != Status::off && is_one_of(watch_.phase.during, thread.at());
       });
   if (within == state_.in_phase) return;
   if (within) {

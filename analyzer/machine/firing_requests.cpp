@@ -9,14 +9,14 @@ bool Firing::tracked(ChannelId channel) const {
   return of.answer.valid() && (!of.receiver_device.valid() || of.served);
 }
 
-/// A request was put, by a thread or by a device (-1).
-void Firing::ask(ChannelId request, int thread) {
+/// A request was put, by a thread or, without one, by a device.
+void Firing::ask(ChannelId request, ThreadId thread) {
   if (!tracked(request)) return;
   Asked& asked = slot(request).asked;
   if (asked.count == Asked::most) {
     outcome_.too_many = true;
   } else {
-    asked.push(thread < 0 ? Asked::device : static_cast<ThreadNumber>(thread));
+    asked.push(thread.valid() ? number_of(thread) : Asked::device);
   }
 }
 
@@ -78,25 +78,25 @@ void Firing::withdraw_all(ChannelId request, std::vector<ChannelId>& freed) {
 }
 
 /// What a block that has ended has open is its parent's.
-void Firing::hand_over(int block, int parent) {
+void Firing::hand_over(ThreadId block, ThreadId parent) {
   for (SlotState& of : state_.slots) {
     for (std::size_t i = 0; i < of.asked.count; ++i) {
-      if (of.asked.by[i] == block) of.asked.by[i] = static_cast<ThreadNumber>(parent);
+      if (of.asked.by[i] == number_of(block)) of.asked.by[i] = number_of(parent);
     }
   }
 }
 
 /// Whether a message answers a request of `owner` that is open.
-bool Firing::answers_to(ChannelId channel, int owner) const {
+bool Firing::answers_to(ChannelId channel, ThreadId owner) const {
   const ChannelId request = channel_of(channel).answers;
   if (!request.valid() || !state_.slots[channel].answers) return false;
-  return state_.slots[request].asked.by.front() == owner;
+  return state_.slots[request].asked.by.front() == number_of(owner);
 }
 
 /// A stopped thread leaves nothing behind: what it was to take is there for others, what it asked for is not.
 /// If both are one message, it goes to another thread before it is withdrawn, or it does not. admit() is
 /// still to be called for the channels that are free now.
-std::vector<ChannelId> Firing::abandon(int thread) {
+std::vector<ChannelId> Firing::abandon(ThreadId thread) {
   const ThreadState& state = state_of(thread);
   // A block that is stopped before it has begun is at no step yet; one with a choice is at a wait.
   if (state.choice >= 0 && !step_of(thread).channels.empty()) {
@@ -105,14 +105,14 @@ std::vector<ChannelId> Firing::abandon(int thread) {
       slot(channel).fill = SlotState::Fill::full;
       const bool goes_first =
           !answers_to(channel, thread) || waiting_for(channel).empty() || choices_.pick(2) == 0;
-      const int other = goes_first ? claimed_by(channel) : -1;
-      if (other >= 0) queue_later(other);
+      const ThreadId other = goes_first ? claimed_by(channel) : ThreadId{};
+      if (other.valid()) queue_later(other);
     }
   }
   std::vector<ChannelId> freed;
-  for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+  for (const ChannelId c : problem_.channels.ids()) {
     withdraw(
-        ChannelId(c), [thread](ThreadNumber owner) { return owner == thread; }, freed);
+        c, [thread](ThreadNumber owner) { return owner == number_of(thread); }, freed);
   }
   return freed;
 }

@@ -18,18 +18,18 @@ void Firing::begin() {
     Range first = frames->phase ? Range{frames->phase->count(), frames->phase->count()}
                                 : Range{0, frames->period.count()};
     if (problem_.devices[d].seldom) first = {0, Range::unbounded};
-    start_timer(machine_.next_timer(DeviceId(d)), first);
+    start_timer(machine_.next_timer(d), first);
   }
-  std::vector<int> modules;
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
+  std::vector<ThreadId> modules;
+  for (const ThreadId t : problem_.threads.ids()) {
     const Thread& thread = problem_.threads[t];
-    if (thread.parent < 0 && !thread.left_out) modules.push_back(static_cast<int>(t));
+    if (!thread.parent.valid() && !thread.left_out) modules.push_back(t);
   }
   while (!modules.empty()) {
     const std::vector<std::size_t> rivals = rivals_of_first(modules);
     const std::size_t chosen = rivals[static_cast<std::size_t>(
         rivals.size() == 1 ? 0 : choices_.pick(static_cast<int>(rivals.size())))];
-    const int thread = modules[chosen];
+    const ThreadId thread = modules[chosen];
     modules.erase(modules.begin() + static_cast<std::ptrdiff_t>(chosen));
     state_of(thread).status = Status::ready;
     reach(thread, thread_of(thread).entry);
@@ -42,25 +42,26 @@ void Firing::begin() {
 
 /// The queues that a thread, or its blocks, may come to as it begins at `step`: none if it waits. Blocks that
 /// are over at once lead on to what is behind them.
-void Firing::first_queues(int thread, int step, std::set<int>& seen, std::set<Queue>& queues) const {
+void Firing::first_queues(ThreadId thread, StepId step, std::set<StepId>& seen,
+                          std::set<Queue>& queues) const {
   if (!seen.insert(step).second) return;
-  const Step& first = problem_.steps[static_cast<std::size_t>(step)];
+  const Step& first = problem_.steps[step];
   if (first.kind == Step::Kind::end) return;
   if (first.kind == Step::Kind::wait && !(first.within && *first.within == 0)) return;
   if (first.kind != Step::Kind::fork) {
     queues.emplace(thread_of(thread).processor, thread_of(thread).priority);
     return;
   }
-  for (int block : first.threads) first_queues(block, thread_of(block).entry, seen, queues);
+  for (ThreadId block : first.threads) first_queues(block, thread_of(block).entry, seen, queues);
   first_queues(thread, first.next.front(), seen, queues);
 }
 
 /// Which of `modules` may become ready before the first of them, if that matters to any party: positions, the
 /// first's too.
-std::vector<std::size_t> Firing::rivals_of_first(const std::vector<int>& modules) const {
+std::vector<std::size_t> Firing::rivals_of_first(const std::vector<ThreadId>& modules) const {
   std::vector<std::set<Queue>> queues(modules.size());
   for (std::size_t i = 0; i < modules.size(); ++i) {
-    std::set<int> seen;
+    std::set<StepId> seen;
     first_queues(modules[i], thread_of(modules[i]).entry, seen, queues[i]);
   }
   std::set<Queue> shared = queues.front();
@@ -81,8 +82,8 @@ std::vector<std::size_t> Firing::rivals_of_first(const std::vector<int>& modules
 }
 
 /// The thread comes to a statement. That needs no processor and is one with what led to it.
-void Firing::reach(int thread, int step) {
-  state_of(thread).step = static_cast<std::int16_t>(step);
+void Firing::reach(ThreadId thread, StepId step) {
+  state_of(thread).go_to(step);
   state_of(thread).begun = false;
   state_of(thread).choice = ThreadState::no_choice;
   follow_phase();
@@ -101,7 +102,7 @@ void Firing::reach(int thread, int step) {
   }
 }
 
-void Firing::reach_wait(int thread) {
+void Firing::reach_wait(ThreadId thread) {
   const Step& step = step_of(thread);
   for (ChannelId channel : step.channels) {
     if (channel_of(channel).sender_device.valid()) open_device(channel_of(channel).sender_device);
@@ -136,24 +137,24 @@ void Firing::reach_wait(int thread) {
   }
 }
 
-void Firing::fork(int thread) {
+void Firing::fork(ThreadId thread) {
   leave_processor(thread);
   state_of(thread).status = Status::joining;
   emit(Kind::block, thread);
-  const std::vector<int>& blocks = step_of(thread).threads;
-  for (int block : blocks) {
+  const std::vector<ThreadId>& blocks = step_of(thread).threads;
+  for (ThreadId block : blocks) {
     ThreadState fresh;
     fresh.status = Status::ready;
     fresh.carries = state_of(thread).carries;
     state_of(block) = fresh;
   }
-  for (int block : blocks) {
+  for (ThreadId block : blocks) {
     if (state_of(block).status != Status::off && !state_.ended) reach(block, thread_of(block).entry);
   }
 }
 
 /// With a new statement: keeps the processor, or queues for it.
-void Firing::need_processor(int thread) {
+void Firing::need_processor(ThreadId thread) {
   ThreadState& state = state_of(thread);
   state.begun = false;
   if (state.status == Status::running) return;
@@ -162,47 +163,47 @@ void Firing::need_processor(int thread) {
   queued_.push_back(thread);
 }
 
-void Firing::leave_processor(int thread) {
+void Firing::leave_processor(ThreadId thread) {
   if (state_of(thread).status == Status::running) running(thread_of(thread).processor) = -1;
   dequeue(thread);
 }
 
-void Firing::dequeue(int thread) {
-  std::erase(state_.queue, static_cast<ThreadNumber>(thread));
+void Firing::dequeue(ThreadId thread) {
+  std::erase(state_.queue, number_of(thread));
 }
 
-void Firing::enqueue(int thread, bool front) {
+void Firing::enqueue(ThreadId thread, bool front) {
   const Thread& of = thread_of(thread);
   const auto behind = [&](ThreadNumber other) {  // whether `other` stands behind the new one
-    const Thread& o = thread_of(other);
+    const Thread& o = thread_of(ThreadId::of(other));
     if (o.processor != of.processor) return o.processor > of.processor;
     if (o.priority != of.priority) return o.priority < of.priority;
     return front;
   };
   const auto place = std::find_if(state_.queue.begin(), state_.queue.end(), behind);
-  state_.queue.insert(place, static_cast<ThreadNumber>(thread));
+  state_.queue.insert(place, static_cast<ThreadNumber>(thread.index()));
 }
 
-void Firing::end(int thread) {
+void Firing::end(ThreadId thread) {
   leave_processor(thread);
   ThreadState off;
   state_of(thread) = off;
   follow_phase();
-  if (thread_of(thread).parent >= 0) hand_over(thread, thread_of(thread).parent);
-  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, false);
+  if (thread_of(thread).parent.valid()) hand_over(thread, thread_of(thread).parent);
+  if (thread_of(thread).parent.valid()) child_ended(thread_of(thread).parent, false);
 }
 
 /// A block has ended, or was stopped. When all that can end have, the others are cancelled. When all are
 /// over, the parent goes on at once. If the last one was stopped, other threads may go on as well, and the
 /// parent goes on before or after them.
-void Firing::child_ended(int parent, bool stopped) {
+void Firing::child_ended(ThreadId parent, bool stopped) {
   ThreadState& state = state_of(parent);
   if (state.status != Status::joining) return;
-  std::vector<int> blocks = step_of(parent).threads;
+  std::vector<ThreadId> blocks = step_of(parent).threads;
   bool alive = false;
   bool goes_on = false;
   bool can_end = false;
-  for (int block : blocks) {
+  for (ThreadId block : blocks) {
     const bool here = state_of(block).status != Status::off;
     alive = alive || here;
     goes_on = goes_on || (here && thread_of(block).can_end);
@@ -210,7 +211,7 @@ void Firing::child_ended(int parent, bool stopped) {
   }
   if (alive) {
     if (!state.cancelled && (goes_on || !can_end)) return;
-    std::erase_if(blocks, [this](int block) {
+    std::erase_if(blocks, [this](ThreadId block) {
       return state_of(block).status == Status::off || state_of(block).cancelled;
     });
     cancel_all(std::move(blocks));
@@ -220,33 +221,32 @@ void Firing::child_ended(int parent, bool stopped) {
     state.status = Status::ready;
     stop(parent);
   } else if (stopped) {
-    due_.push_back({Due::What::parent, parent});
+    due_.push_back({Due::What::parent, parent.value});
   } else {
     go_on_behind_blocks(parent);
   }
 }
 
-void Firing::go_on_behind_blocks(int parent) {
+void Firing::go_on_behind_blocks(ThreadId parent) {
   state_of(parent).status = Status::ready;
   reach(parent, step_of(parent).next.front());
 }
 
 /// In the order of the text, unless one of them leaves a message to others that another has asked for.
-void Firing::cancel_all(std::vector<int> blocks) {
-  for (int block : blocks) state_of(block).cancelled = true;
+void Firing::cancel_all(std::vector<ThreadId> blocks) {
+  for (ThreadId block : blocks) state_of(block).cancelled = true;
   // Stopping the last one lets the parent go on, perhaps to blocks that begin: those are not meant.
-  const auto cancel_one = [this](int block) {
+  const auto cancel_one = [this](ThreadId block) {
     if (state_of(block).status != Status::off && state_of(block).cancelled) cancel(block);
   };
   bool ordered = true;
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t)
-    ordered = ordered && !leaves_answer_to_others(static_cast<int>(t));
+  for (const ThreadId t : problem_.threads.ids()) ordered = ordered && !leaves_answer_to_others(t);
   if (!ordered) return in_any_order(std::move(blocks), cancel_one);
-  for (int block : blocks) cancel_one(block);
+  for (ThreadId block : blocks) cancel_one(block);
 }
 
 /// Whether, if it were stopped now, a message that one thread has asked for might be taken by another.
-bool Firing::leaves_answer_to_others(int thread) const {
+bool Firing::leaves_answer_to_others(ThreadId thread) const {
   const ThreadState& state = state_of(thread);
   if (state.choice < 0 || step_of(thread).channels.empty()) return false;
   const ChannelId channel = step_of(thread).channels[static_cast<std::size_t>(state.choice)];
@@ -254,7 +254,7 @@ bool Firing::leaves_answer_to_others(int thread) const {
 }
 
 /// A thread that is cancelled stops, or will when it has finished its statement.
-void Firing::cancel(int thread) {
+void Firing::cancel(ThreadId thread) {
   const ThreadState& state = state_of(thread);
   if (state.status == Status::joining) {
     child_ended(thread, true);
@@ -264,12 +264,12 @@ void Firing::cancel(int thread) {
   if (!busy && !finishes_first(thread)) stop(thread);
 }
 
-void Firing::stop(int thread) {
+void Firing::stop(ThreadId thread) {
   emit(Kind::cancel, thread);
   stop_waiting(thread);
   leave_processor(thread);
   const bool goes_on = std::any_of(due_.begin(), due_.end(), [thread](const Due& due) {
-    return due.what == Due::What::go_on && due.who == thread;
+    return due.what == Due::What::go_on && ThreadId::of(due.who) == thread;
   });
   if (goes_on && limited()) measure_now(thread);
   state_of(thread).status = Status::off;
@@ -278,26 +278,26 @@ void Firing::stop(int thread) {
   state_of(thread) = {};
   follow_phase();
   for (ChannelId channel : freed) admit_later(channel);
-  if (thread_of(thread).parent >= 0) child_ended(thread_of(thread).parent, true);
+  if (thread_of(thread).parent.valid()) child_ended(thread_of(thread).parent, true);
 }
 
 void Firing::dispatch() {
   for (const ProcessorId p : problem_.processors.ids()) dispatch(p);
-  for (int thread : queued_) {
+  for (ThreadId thread : queued_) {
     if (state_of(thread).status == Status::ready && !state_of(thread).begun) emit(Kind::ready, thread);
   }
 }
 
 void Firing::dispatch(ProcessorId processor) {
-  int first = -1;
+  ThreadId first{};
   for (ThreadNumber queued : state_.queue) {
-    if (thread_of(queued).processor == processor) {
-      first = queued;
+    if (thread_of(ThreadId::of(queued)).processor == processor) {
+      first = ThreadId::of(queued);
       break;
     }
   }
-  int current = running(processor);
-  if (current >= 0 && first >= 0 && problem_.processors[processor].preemptive &&
+  auto current = ThreadId::of(running(processor));
+  if (current.valid() && first.valid() && problem_.processors[processor].preemptive &&
       thread_of(first).priority > thread_of(current).priority) {
     if (state_of(current).begun) {
       outcome_.changes.push_back({TimerChange::Kind::freeze, machine_.thread_timer(current), {}});
@@ -307,22 +307,22 @@ void Firing::dispatch(ProcessorId processor) {
     }
     state_of(current).status = Status::ready;
     enqueue(current, true);
-    current = -1;
+    current = ThreadId{};
   }
-  if (current < 0 && first >= 0) {
+  if (!current.valid() && first.valid()) {
     dequeue(first);
     current = first;
     state_of(current).status = Status::running;
-    running(processor) = static_cast<ThreadNumber>(current);
+    running(processor) = number_of(current);
     if (state_of(current).begun) {
       outcome_.changes.push_back({TimerChange::Kind::resume, machine_.thread_timer(current), {}});
       emit(Kind::start, current);
       return;
     }
   }
-  if (current >= 0 && !state_of(current).begun) {
+  if (current.valid() && !state_of(current).begun) {
     state_of(current).begun = true;
-    start_timer(machine_.thread_timer(current), machine_.cost(state_, current));
+    start_timer(machine_.thread_timer(current), machine_.cost(state_, machine_.thread_timer(current)));
     emit(Kind::start, current);
   }
 }

@@ -35,20 +35,20 @@ int Machine::timer_count() const {
 }
 
 ProcessorId Machine::processor_of(const State& state, int timer) const {
-  if (timer >= static_cast<int>(problem_.threads.size())) return ProcessorId{};
-  const auto thread = static_cast<std::size_t>(timer);
+  if (!is_of_thread(timer)) return ProcessorId{};
+  const ThreadId thread = thread_of(timer);
   return state.threads[thread].status == Status::running ? problem_.threads[thread].processor : ProcessorId{};
 }
 
 Range Machine::cost(const State& state, int timer) const {
-  const ThreadState& thread = state.threads[static_cast<std::size_t>(timer)];
-  const Step& step = problem_.steps[static_cast<std::size_t>(thread.step)];
+  const ThreadState& thread = state.threads[thread_of(timer)];
+  const Step& step = problem_.steps[thread.at()];
   const bool gives_up = step.kind == Step::Kind::wait && thread.choice == ThreadState::gives_up;
   return gives_up ? step.give_up_cost : step.cost;
 }
 
 std::string Machine::timer_name(int timer) const {
-  if (timer < first_flight_timer()) return problem_.threads[static_cast<std::size_t>(timer)].name;
+  if (is_of_thread(timer)) return problem_.threads[thread_of(timer)].name;
   if (timer < first_device_timer()) {
     const ChannelId channel = channel_of(timer);
     return problem_.channels[channel].message + " from " + sender_name(problem_, channel) + " to " +

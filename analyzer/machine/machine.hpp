@@ -61,10 +61,10 @@ struct Outcome {
   static constexpr int born_now = -1;
   static constexpr int older_than_cap = -2;
   State state;
-  std::vector<TimerChange> changes;  // in order; the fired timer is gone already
-  std::vector<int> origin;           // of each observer of `state`: its number before, or born_now
-  std::vector<int> measured;         // at this instant: number before, born_now or older_than_cap
-  std::vector<int> measured_steps;   // the steps at which; -1: at none
+  std::vector<TimerChange> changes;    // in order; the fired timer is gone already
+  std::vector<int> origin;             // of each observer of `state`: its number before, or born_now
+  std::vector<int> measured;           // at this instant: number before, born_now or older_than_cap
+  std::vector<StepId> measured_steps;  // the steps at which; none: at none
   int lost = -1;        // losses: the greatest number in a row of Watch::in, if it may have grown
   bool passed = false;  // what the watch is about has happened
   std::vector<trace::Event> events;  // without times and serial numbers; only if recorded
@@ -87,7 +87,10 @@ class Machine {
   /// - two for each device: its next event or frame, and its service or lateness;
   /// - one that ends a busy period behind a pause of no length.
   int timer_count() const;
-  int thread_timer(int thread) const { return thread; }
+  int thread_timer(ThreadId thread) const { return thread.value; }
+  bool is_of_thread(int timer) const { return timer < first_flight_timer(); }
+  /// Whose timer it is, if it is one of a thread.
+  ThreadId thread_of(int timer) const { return ThreadId::of(timer); }
   int flight_timer(ChannelId channel) const {
     return static_cast<int>(problem_.threads.size()) + 2 * channel.value;
   }

@@ -34,15 +34,14 @@ bool Firing::any_live() const {
 /// Whether it can come from where the thread itself is.
 bool Firing::is_live(const ThreadState& thread) const {
   if (thread.status == Status::off) return false;
-  const auto at = static_cast<std::size_t>(thread.step);
+  const StepId at = thread.at();
   if (thread.cancelled) return watch_.at[at];
   if (thread.status != Status::joining) return watch_.live[at];
   // Its blocks count for themselves.
   const Step& fork = problem_.steps[at];
-  const bool goes_on = std::any_of(fork.threads.begin(), fork.threads.end(), [this](int block) {
-    return problem_.threads[static_cast<std::size_t>(block)].can_end;
-  });
-  return goes_on && watch_.live[static_cast<std::size_t>(fork.next.front())];
+  const bool goes_on = std::any_of(fork.threads.begin(), fork.threads.end(),
+                                   [this](ThreadId block) { return problem_.threads[block].can_end; });
+  return goes_on && watch_.live[fork.next.front()];
 }
 
 /// Observers in the order of their birth, which is what newer and older are told by.
@@ -57,7 +56,7 @@ void Firing::settle_ordered() {
   keep(state_.reference, true);
   bool ahead = false;
   for (ThreadState& thread : state_.threads) {
-    const auto step = static_cast<std::size_t>(thread.step);
+    const StepId step = thread.at();
     const bool on = thread.status != Status::off;
     keep(thread.carries, on && watch_.counts[step]);
     ahead = ahead || (on && watch_.read_ahead[step]);
@@ -69,7 +68,7 @@ void Firing::settle_ordered() {
     for (const KeptId k : state_.kept.ids()) keep(state_.kept[k], watch_.kept_counts[k]);
     for (const ChannelId c : state_.slots.ids()) {
       keep(state_.slots[c].carries, watch_.message_counts[c]);
-      const ChannelId answer = channel_of(ChannelId(c)).answer;
+      const ChannelId answer = channel_of(c).answer;
       keep(state_.slots[c].serving_carries, answer.valid() && watch_.message_counts[answer]);
     }
   }
@@ -98,7 +97,7 @@ void Firing::settle_age() {
       thread.carries = tag::none;
       continue;
     }
-    const auto step = static_cast<std::size_t>(thread.step);
+    const StepId step = thread.at();
     if (!watch_.counts[step]) thread.carries = tag::none;
     ahead = ahead || watch_.read_ahead[step];
   }

@@ -34,8 +34,11 @@ constexpr bool newer(std::uint8_t a, std::uint8_t b) {
 }
 }  // namespace tag
 
-/// A thread, or a negative number that says why there is none.
+/// How a state keeps a thread; a negative number says why there is none.
 using ThreadNumber = std::int16_t;
+constexpr ThreadNumber number_of(ThreadId thread) {
+  return static_cast<ThreadNumber>(thread.value);
+}
 
 enum class Status : std::uint8_t { off, ready, running, waiting, sending, joining };
 
@@ -48,6 +51,9 @@ struct ThreadState {
   std::uint8_t carries = tag::none;
   std::uint64_t latched = 0;         // conditions that an RPC latched, by bit
   std::uint64_t latched_values = 0;  // TRUE ones of them
+
+  StepId at() const { return StepId::of(step); }
+  void go_to(StepId next) { step = static_cast<std::int16_t>(next.value); }
 
   static constexpr std::int8_t no_choice = -1;
   static constexpr std::int8_t gives_up = -2;
@@ -109,7 +115,7 @@ struct DeviceState {
 enum class Pending : std::uint8_t { observed, lost, over, outside };
 
 struct State {
-  std::vector<ThreadState> threads;
+  Table<ThreadId, ThreadState> threads;
   Table<ProcessorId, ThreadNumber> running;  // -1: idle
   std::vector<ThreadNumber> queue;           // ready threads, by processor, priority, place in the queue
   Table<ChannelId, SlotState> slots;

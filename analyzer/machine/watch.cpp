@@ -15,23 +15,24 @@ bool mentions(const pan::Guard& guard, ConditionId condition) {
 
 /// Whether `known` holds of any step that may come after `step`, in its thread or in the blocks that it
 /// starts.
-bool any_after(const Problem& problem, const Step& step, const std::vector<bool>& known) {
-  for (int next : step.next) {
-    if (known[static_cast<std::size_t>(next)]) return true;
+bool any_after(const Problem& problem, const Step& step, const Table<StepId, bool>& known) {
+  for (StepId next : step.next) {
+    if (known[next]) return true;
   }
-  for (int thread : step.threads) {
-    if (known[static_cast<std::size_t>(problem.threads[static_cast<std::size_t>(thread)].entry)]) return true;
+  for (ThreadId thread : step.threads) {
+    if (known[problem.threads[thread].entry]) return true;
   }
   return false;
 }
 
 /// Steps from which one of `at` may come. Most steps stand behind those that lead to them: what is found goes
 /// from the last to the first, here and below.
-std::vector<bool> before(const Problem& problem, const std::vector<bool>& at) {
-  std::vector<bool> found = at;
+Table<StepId, bool> before(const Problem& problem, const Table<StepId, bool>& at) {
+  Table<StepId, bool> found = at;
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t s = problem.steps.size(); s-- > 0;) {
+    for (std::size_t i = problem.steps.size(); i-- > 0;) {
+      const StepId s(i);
       if (found[s] || !any_after(problem, problem.steps[s], found)) continue;
       found[s] = changed = true;
     }
@@ -40,9 +41,9 @@ std::vector<bool> before(const Problem& problem, const std::vector<bool>& at) {
 }
 
 /// Steps that complete the skill with `code`.
-std::vector<bool> completions(const Problem& problem, int code) {
-  std::vector<bool> at(problem.steps.size());
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+Table<StepId, bool> completions(const Problem& problem, int code) {
+  Table<StepId, bool> at(problem.steps.size());
+  for (const StepId s : problem.steps.ids()) {
     const Step& step = problem.steps[s];
     at[s] = step.kind == Step::Kind::complete && step.code == code;
     const bool may_fail = step.kind == Step::Kind::test && step.next.size() == step.guards.size();
@@ -55,7 +56,8 @@ std::vector<bool> completions(const Problem& problem, int code) {
 void follow_reads(const Problem& problem, Watch& watch) {
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t s = problem.steps.size(); s-- > 0;) {
+    for (std::size_t i = problem.steps.size(); i-- > 0;) {
+      const StepId s(i);
       const Step& step = problem.steps[s];
       const bool reads_always = step.kind == Step::Kind::read && step.condition == watch.condition;
       const bool used = watch.at[s] || any_after(problem, step, watch.counts);
@@ -81,12 +83,12 @@ class Samples {
   void follow() {
     for (bool changed = true; changed;) {
       changed = false;
-      for (std::size_t s = problem_.steps.size(); s-- > 0;) changed = visit(s) || changed;
+      for (std::size_t s = problem_.steps.size(); s-- > 0;) changed = visit(StepId(s)) || changed;
     }
   }
 
  private:
-  bool visit(std::size_t s) {
+  bool visit(StepId s) {
     const Step& step = problem_.steps[s];
     const bool after = any_after(problem_, step, watch_.counts);
     const bool used = watch_.at[s] || after;

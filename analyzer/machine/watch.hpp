@@ -26,20 +26,20 @@ struct Watch {
   ProcessorId processor;           // busy
   bool least = false;              // interval: the least is asked for
   Nanoseconds limit = 0;
-  std::vector<bool> at;  // by step
-  Phase phase;           // by step; not limited: the whole run
+  Table<StepId, bool> at;
+  Phase phase;  // not limited: the whole run
 
   /// While something is measured the value grows; a value that is never measured is unbounded.
   bool grows() const {
     return kind == Kind::response || kind == Kind::busy || reaction || (kind == Kind::interval && !least);
   }
 
-  // By step. `counts`: a value that the thread has read can still count. `read_ahead`: a read that can count
+  // `counts`: a value that the thread has read can still count. `read_ahead`: a read that can count
   // may follow. `live`: a statement of `at` may follow. Values that cannot count any more are forgotten,
   // which keeps the exploration small.
-  std::vector<bool> counts;
-  std::vector<bool> read_ahead;
-  std::vector<bool> live;
+  Table<StepId, bool> counts;
+  Table<StepId, bool> read_ahead;
+  Table<StepId, bool> live;
   Table<ChannelId, bool> message_counts;  // sample
   std::uint64_t condition_counts = 0;     // sample: by bit
   Table<KeptId, bool> kept_counts;        // sample: by what modules keep

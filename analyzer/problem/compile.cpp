@@ -38,9 +38,9 @@ class Compiler {
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       const pan::Module& module = network_.modules[m];
       if (module.body.empty() || module.executed_by.valid()) continue;
-      const int index = new_thread(module.name, ModuleId(m), -1, -1);
+      const ThreadId index = new_thread(module.name, ModuleId(m), {}, {});
       Place place{m, index, index, {}, nullptr};
-      const int entry = step_at(place, NodeId(std::size_t{0}));
+      const StepId entry = step_at(place, NodeId(std::size_t{0}));
       thread(index).entry = entry;
       fill_all();
     }
@@ -51,10 +51,10 @@ class Compiler {
   /// ends).
   struct Place {
     std::size_t module;
-    int thread;
-    int runner;                  // the thread that runs the module's body: of a block, an outer one
-    std::map<NodeId, int> done;  // step of each node that has one
-    std::function<int()> after;
+    ThreadId thread;
+    ThreadId runner;                // the thread that runs the module's body: of a block, an outer one
+    std::map<NodeId, StepId> done;  // step of each node that has one
+    std::function<StepId()> after;
     int depth = 0;
     CallId call{};  // of a body that is executed
   };
@@ -63,7 +63,7 @@ class Compiler {
   struct Open {
     Place* place;
     NodeId node{};
-    int step;
+    StepId step;
     bool stands_in;
   };
 
@@ -73,7 +73,7 @@ class Compiler {
       const Open next = open_.back();
       open_.pop_back();
       if (next.stands_in) {
-        const int first = step_at(*next.place, next.node);
+        const StepId first = step_at(*next.place, next.node);
         forwards_[next.step] = first;
         continue;
       }
@@ -86,9 +86,9 @@ class Compiler {
   }
 
   /// Past all stand-ins that follow one another.
-  void lead_on(int entry) {
-    std::vector<int> way;
-    int at = entry;
+  void lead_on(StepId entry) {
+    std::vector<StepId> way;
+    StepId at = entry;
     while (forwards_.contains(at) && !led_.contains(at)) {
       led_.insert(at);
       way.push_back(at);
@@ -99,11 +99,11 @@ class Compiler {
                           "give the loop, or the module, a wait or an activity");
     }
     const auto known = forwards_.find(at);
-    const int first = known == forwards_.end() ? at : known->second;
-    for (int each : way) forwards_[each] = first;
+    const StepId first = known == forwards_.end() ? at : known->second;
+    for (const StepId each : way) forwards_[each] = first;
   }
 
-  Thread& thread(int index) { return problem_.threads[static_cast<std::size_t>(index)]; }
+  Thread& thread(ThreadId index) { return problem_.threads[index]; }
   /// What the module of `place` keeps of the messages. Those without a value are not kept.
   std::vector<KeptId> kept(const Place& place, const std::vector<MessageId>& messages) {
     std::vector<KeptId> all;
@@ -117,27 +117,23 @@ class Compiler {
     return all;
   }
 
-  Step& step(int index) { return problem_.steps[static_cast<std::size_t>(index)]; }
+  Step& step(StepId index) { return problem_.steps[index]; }
 
-  int new_thread(const std::string& name, ModuleId module, int parent, int runner) {
+  ThreadId new_thread(const std::string& name, ModuleId module, ThreadId parent, ThreadId runner) {
     Thread made;
     made.name = name;
     made.module = module;
     made.parent = parent;
     environment_.place(made, runner);
-    problem_.threads.push_back(std::move(made));
-    return static_cast<int>(problem_.threads.size()) - 1;
+    return problem_.threads.push_back(std::move(made));
   }
 
   const Graph& body(const Place& place) const { return network_.modules[place.module].body; }
 
-  int end_step() {
-    problem_.steps.push_back({});
-    return static_cast<int>(problem_.steps.size()) - 1;
-  }
+  StepId end_step() { return problem_.steps.push_back({}); }
 
   /// The first step from `node` on that is one: everything without time is passed over.
-  int step_at(Place& place, NodeId node) {
+  StepId step_at(Place& place, NodeId node) {
     const Graph& graph = body(place);
     for (std::size_t passed = 0; passed <= graph.nodes.size(); ++passed) {
       const Node& at = graph[node];
@@ -158,7 +154,7 @@ class Compiler {
     return end_step();
   }
 
-  int inlined(Place& place, const Node& node, const Execute& execute) {
+  StepId inlined(Place& place, const Node& node, const Execute& execute) {
     if (place.depth > 32) {
       diagnostics_.report(Code::PAL0730, node.where, "modules execute one another more than 32 deep",
                           "execute fewer modules within one another");
@@ -168,7 +164,7 @@ class Compiler {
     // Each place of an Execute has its own copy, kept alive as long as its steps may still be asked for.
     const auto known = place.done.find(index_of(place, node));
     if (known != place.done.end()) return known->second;
-    const int entry = end_step();
+    const StepId entry = end_step();
     place.done.emplace(index_of(place, node), entry);
     auto inner = std::make_unique<Place>();
     inner->module = execute.module.index();
@@ -188,10 +184,10 @@ class Compiler {
     return NodeId(static_cast<std::size_t>(&node - body(place).nodes.data()));
   }
 
-  int compiled(Place& place, NodeId id) {
+  StepId compiled(Place& place, NodeId id) {
     const auto known = place.done.find(id);
     if (known != place.done.end()) return known->second;
-    const int index = end_step();
+    const StepId index = end_step();
     place.done.emplace(id, index);
     // Modules that execute one another twice each multiply; what is too large is refused, however it goes on.
     if (problem_.steps.size() > most_steps) return index;
@@ -265,13 +261,13 @@ class Compiler {
   }
 
   /// The thread of a block: its own for each thread that begins it, however often that executes the module.
-  int block(Place& place, NodeId first, std::size_t number) {
+  ThreadId block(Place& place, NodeId first, std::size_t number) {
     const auto key = std::tuple(place.thread, place.module, number);
     if (const auto known = blocks_.find(key); known != blocks_.end()) return known->second;
     const Thread& runner = thread(place.runner);
     const std::string name =
-        pan::block_name(runner.name, runner.parent >= 0, network_.modules[place.module].threads[number]);
-    const int made = new_thread(name, runner.module, place.thread, place.runner);
+        pan::block_name(runner.name, runner.parent.valid(), network_.modules[place.module].threads[number]);
+    const ThreadId made = new_thread(name, runner.module, place.thread, place.runner);
     blocks_.emplace(key, made);
     auto inside = std::make_unique<Place>();
     inside->module = place.module;
@@ -280,7 +276,7 @@ class Compiler {
     inside->depth = place.depth;
     Place& kept = *inside;
     places_.push_back(std::move(inside));
-    const int entry = step_at(kept, first);
+    const StepId entry = step_at(kept, first);
     thread(made).entry = entry;
     return made;
   }
@@ -319,12 +315,12 @@ class Compiler {
   /// Links that lead to the stand-in of an Execute lead on to its first step.
   void link() {
     for (const auto& [entry, first] : forwards_) lead_on(entry);
-    const auto target = [this](int index) {
+    const auto target = [this](StepId index) {
       const auto forward = forwards_.find(index);
       return forward == forwards_.end() ? index : forward->second;
     };
     for (Step& each : problem_.steps) {
-      for (int& next : each.next) next = target(next);
+      for (StepId& next : each.next) next = target(next);
     }
     for (Thread& each : problem_.threads) each.entry = target(each.entry);
   }
@@ -337,30 +333,30 @@ class Compiler {
   Problem& problem_;
   std::vector<std::unique_ptr<Place>> places_;
   std::vector<Open> open_;
-  std::map<int, int> forwards_;         // by stand-in: the step that it stands for
-  std::map<int, SourceSpan> executes_;  // by stand-in
-  std::set<int> led_;
-  std::map<std::tuple<int, std::size_t, std::size_t>, int> blocks_;  // by parent, module and number
+  std::map<StepId, StepId> forwards_;      // by stand-in: the step that it stands for
+  std::map<StepId, SourceSpan> executes_;  // by stand-in
+  std::set<StepId> led_;
+  std::map<std::tuple<ThreadId, std::size_t, std::size_t>, ThreadId> blocks_;  // by parent, module and number
   std::map<std::pair<std::size_t, std::int32_t>, StatementId> statements_;
   std::map<std::pair<ModuleId, MessageId>, KeptId> kept_;
 };
 
 /// Which threads can reach their end. Blocks stand behind their parents, so the last are known first.
 void find_ends(Problem& problem) {
-  for (std::size_t t = problem.threads.size(); t-- > 0;) {
-    std::vector<bool> seen(problem.steps.size());
-    std::vector<int> open{problem.threads[t].entry};
+  for (std::size_t i = problem.threads.size(); i-- > 0;) {
+    const ThreadId t(i);
+    Table<StepId, bool> seen(problem.steps.size());
+    std::vector<StepId> open{problem.threads[t].entry};
     bool can_end = false;
     while (!open.empty()) {
-      const auto at = static_cast<std::size_t>(open.back());
+      const StepId at = open.back();
       open.pop_back();
       if (seen[at]) continue;
       seen[at] = true;
       const Step& step = problem.steps[at];
       if (step.kind == Step::Kind::end) can_end = true;
       bool passes = step.kind != Step::Kind::fork;
-      for (int block : step.threads)
-        passes = passes || problem.threads[static_cast<std::size_t>(block)].can_end;
+      for (const ThreadId block : step.threads) passes = passes || problem.threads[block].can_end;
       if (passes) open.insert(open.end(), step.next.begin(), step.next.end());
     }
     problem.threads[t].can_end = can_end;

@@ -12,7 +12,7 @@ class TimesAndPlaces {
   virtual Range activity(const pan::Activity& activity) = 0;
   virtual const pan::Costs& costs() const = 0;
   /// Places `thread` (its name is set); `runner`: of a block, the thread that runs its module's body; or -1.
-  virtual void place(Thread& thread, int runner) = 0;
+  virtual void place(Thread& thread, ThreadId runner) = 0;
 };
 
 /// A problem has fewer steps. Compilation ends soon after.

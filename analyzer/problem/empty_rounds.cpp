@@ -7,36 +7,37 @@
 namespace pal::analyzer {
 namespace {
 
-const Step& step_at(const Problem& problem, int step) {
-  return problem.steps[static_cast<std::size_t>(step)];
+const Step& step_at(const Problem& problem, StepId step) {
+  return problem.steps[step];
 }
 
-/// By step: a CONCURRENT in which some block can end, and those that can end have nothing to do. Blocks come
+/// The CONCURRENTs in which some block can end, and those that can end have nothing to do. Blocks come
 /// after their parents, so the innermost are known first.
-std::vector<bool> over_at_once(const Problem& problem) {
-  std::vector<bool> over(problem.steps.size());
-  std::vector<bool> empty(problem.threads.size());  // by thread: it ends as soon as it begins
-  std::vector<std::vector<int>> forks(problem.threads.size());
-  for (std::size_t s = 0; s < over.size(); ++s) {
+Table<StepId, bool> over_at_once(const Problem& problem) {
+  Table<StepId, bool> over(problem.steps.size());
+  Table<ThreadId, bool> empty(problem.threads.size());  // it ends as soon as it begins
+  Table<ThreadId, std::vector<StepId>> forks(problem.threads.size());
+  for (const StepId s : over.ids()) {
     const Step& step = problem.steps[s];
     if (step.kind != Step::Kind::fork || step.threads.empty()) continue;
-    const int parent = problem.threads[static_cast<std::size_t>(step.threads.front())].parent;
-    forks[static_cast<std::size_t>(parent)].push_back(static_cast<int>(s));
+    const ThreadId parent = problem.threads[step.threads.front()].parent;
+    forks[parent].push_back(s);
   }
-  for (std::size_t t = problem.threads.size(); t-- > 0;) {
-    for (int fork : forks[t]) {
+  for (std::size_t i = problem.threads.size(); i-- > 0;) {
+    const ThreadId t(i);
+    for (StepId fork : forks[t]) {
       bool any = false;
       bool all = true;
-      for (int block : step_at(problem, fork).threads) {
-        if (!problem.threads[static_cast<std::size_t>(block)].can_end) continue;
+      for (ThreadId block : step_at(problem, fork).threads) {
+        if (!problem.threads[block].can_end) continue;
         any = true;
-        all = all && empty[static_cast<std::size_t>(block)];
+        all = all && empty[block];
       }
-      over[static_cast<std::size_t>(fork)] = any && all;
+      over[fork] = any && all;
     }
     if (!problem.threads[t].can_end) continue;  // else no circle leads away from its end
-    int at = problem.threads[t].entry;
-    while (over[static_cast<std::size_t>(at)]) at = step_at(problem, at).next.front();
+    StepId at = problem.threads[t].entry;
+    while (over[at]) at = step_at(problem, at).next.front();
     empty[t] = step_at(problem, at).kind == Step::Kind::end;
   }
   return over;
@@ -45,15 +46,15 @@ std::vector<bool> over_at_once(const Problem& problem) {
 }  // namespace
 
 void report_empty_rounds(const Problem& problem, Diagnostics& diagnostics) {
-  const std::vector<bool> over = over_at_once(problem);
-  std::vector<std::size_t> seen(over.size());  // by step: from which it was followed first, and one more
-  for (std::size_t s = 0; s < over.size(); ++s) {
-    auto at = s;
-    while (over[at] && seen[at] == 0) {
-      seen[at] = s + 1;
-      at = static_cast<std::size_t>(problem.steps[at].next.front());
+  const Table<StepId, bool> over = over_at_once(problem);
+  Table<StepId, StepId> seen(over.size());  // from which it was followed first
+  for (const StepId s : over.ids()) {
+    StepId at = s;
+    while (over[at] && !seen[at].valid()) {
+      seen[at] = s;
+      at = problem.steps[at].next.front();
     }
-    if (!over[at] || seen[at] != s + 1) continue;
+    if (!over[at] || seen[at] != s) continue;
     const StatementId statement = problem.steps[at].statement;
     diagnostics.report(Code::PAL0729, problem.statements[statement].where,
                        "nothing ever happens in the loop around these blocks",

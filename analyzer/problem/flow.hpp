@@ -15,16 +15,16 @@ enum class Course { goes_on, ends, found };
 /// Follows all ways from the steps `open`, these included, through each step once; returns whether the search
 /// succeeded. `at` says what becomes of the way at the step with an index.
 template <class At>
-bool follow(const Problem& problem, std::vector<int> open, const At& at) {
-  std::set<int> seen;
+bool follow(const Problem& problem, std::vector<StepId> open, const At& at) {
+  std::set<StepId> seen;
   while (!open.empty()) {
-    const int step = open.back();
+    const StepId step = open.back();
     open.pop_back();
     if (!seen.insert(step).second) continue;
     const Course way = at(step);
     if (way == Course::found) return true;
     if (way == Course::ends) continue;
-    const std::vector<int>& next = problem.steps[static_cast<std::size_t>(step)].next;
+    const std::vector<StepId>& next = problem.steps[step].next;
     open.insert(open.end(), next.begin(), next.end());
   }
   return false;
@@ -34,14 +34,14 @@ bool follow(const Problem& problem, std::vector<int> open, const At& at) {
 /// before their predecessors. In a cycle one of the steps comes first. Not recursive, because a module may
 /// have thousands of statements in a row.
 template <class LeadsOn, class Visit>
-void backwards(const Problem& problem, int first, const LeadsOn& leads_on, const Visit& visit) {
-  std::set<int> seen{first};
-  std::vector<std::pair<int, std::size_t>> open{{first, 0}};
+void backwards(const Problem& problem, StepId first, const LeadsOn& leads_on, const Visit& visit) {
+  std::set<StepId> seen{first};
+  std::vector<std::pair<StepId, std::size_t>> open{{first, 0}};
   while (!open.empty()) {
-    const int step = open.back().first;
-    const std::vector<int>& next = problem.steps[static_cast<std::size_t>(step)].next;
+    const StepId step = open.back().first;
+    const std::vector<StepId>& next = problem.steps[step].next;
     if (leads_on(step) && open.back().second < next.size()) {
-      const int to = next[open.back().second++];
+      const StepId to = next[open.back().second++];
       if (seen.insert(to).second) open.emplace_back(to, 0);
       continue;
     }
@@ -51,9 +51,9 @@ void backwards(const Problem& problem, int first, const LeadsOn& leads_on, const
 }
 
 /// The steps of a thread, without those of its blocks.
-inline std::set<int> steps_of(const Problem& problem, const Thread& thread) {
-  std::set<int> steps;
-  follow(problem, {thread.entry}, [&steps](int at) {
+inline std::set<StepId> steps_of(const Problem& problem, const Thread& thread) {
+  std::set<StepId> steps;
+  follow(problem, {thread.entry}, [&steps](StepId at) {
     steps.insert(at);
     return Course::goes_on;
   });
@@ -61,9 +61,9 @@ inline std::set<int> steps_of(const Problem& problem, const Thread& thread) {
 }
 
 /// Whether a thread may come from a step back to it.
-inline bool comes_back(const Problem& problem, int step) {
-  return follow(problem, problem.steps[static_cast<std::size_t>(step)].next,
-                [step](int at) { return at == step ? Course::found : Course::goes_on; });
+inline bool comes_back(const Problem& problem, StepId step) {
+  return follow(problem, problem.steps[step].next,
+                [step](StepId at) { return at == step ? Course::found : Course::goes_on; });
 }
 
 }  // namespace pal::analyzer

@@ -97,10 +97,10 @@ Range ProblemBuilder::activity(const Activity& activity) {
   return {};
 }
 
-void ProblemBuilder::place(Thread& thread, int runner) {
+void ProblemBuilder::place(Thread& thread, ThreadId runner) {
   const Placement* placement = place_of(environment_, thread.name);
-  if (placement == nullptr && runner >= 0) {
-    const Thread& where = problem_.threads[static_cast<std::size_t>(runner)];
+  if (placement == nullptr && runner.valid()) {
+    const Thread& where = problem_.threads[runner];
     thread.processor = where.processor;
     thread.priority = where.priority;
     return;
@@ -269,8 +269,8 @@ void ProblemBuilder::latencies() {
 Table<ChannelId, std::set<ProcessorId>> ProblemBuilder::takers() const {
   Table<ChannelId, std::set<ProcessorId>> found(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
-    for (const int s : steps_of(problem_, thread)) {
-      const Step& step = problem_.steps[static_cast<std::size_t>(s)];
+    for (const StepId s : steps_of(problem_, thread)) {
+      const Step& step = problem_.steps[s];
       if (step.kind != Step::Kind::wait) continue;
       for (ChannelId c : step.channels) found[c].insert(thread.processor);
     }

@@ -56,13 +56,13 @@ struct Step {
   std::optional<bool> value;       // set
   int code = 0;                    // complete
   std::vector<pan::Guard> guards;  // test: without a guard that holds, next[guards.size()], if there is one
-  std::vector<int> threads;        // fork: the blocks
+  std::vector<ThreadId> threads;   // fork: the blocks
   /// Steps that follow:
   /// - wait: one for each channel, then ELSE;
   /// - test: one for each guard, then where none holds (absent: the skill ends with its error completion);
   /// - fork: after END CONCURRENT;
   /// - complete, end: none.
-  std::vector<int> next;
+  std::vector<StepId> next;
 };
 
 struct Thread {
@@ -70,9 +70,9 @@ struct Thread {
   pan::ModuleId module{};  // whose channels it uses
   ProcessorId processor{};
   int priority = 0;
-  int parent = -1;        // of a block: the thread of its CONCURRENT
+  ThreadId parent{};      // of a block: the thread of its CONCURRENT
   bool can_end = true;    // its flow can reach its end
-  int entry = -1;         // first step
+  StepId entry{};         // first step
   bool left_out = false;  // only in slices: it never begins
 };
 
@@ -123,11 +123,11 @@ struct Kept {
   pan::MessageId message{};
 };
 
-/// The part of a run that counts (docs/reference/timing.md), by step. Without steps it is the whole run.
+/// The part of a run that counts (docs/reference/timing.md). Without steps it is the whole run.
 struct Phase {
-  std::vector<bool> after;   // from when one of these is first done
-  std::vector<bool> during;  // while a thread is at one of these
-  std::string text;          // "after TXM( motion to MC1 ) in SM1"
+  Table<StepId, bool> after;   // from when one of these is first done
+  Table<StepId, bool> during;  // while a thread is at one of these
+  std::string text;            // "after TXM( motion to MC1 ) in SM1"
 
   bool limits() const { return !after.empty() || !during.empty(); }
 };
@@ -141,7 +141,7 @@ struct Requirement {
   std::vector<ChannelId> samples;  // age, reaction: of a device: its channels
   std::vector<ChannelId> events;   // response: channels, of one message from one party
   DeviceId device{};               // loss, and of samples: the device; response: the device, if one sends
-  std::vector<bool> at;            // age, response, reaction, interval: by step
+  Table<StepId, bool> at;          // age, response, reaction, interval
   Phase phase;
   std::vector<ProcessorId> processors;  // load, busy
   int in = 1;                           // loss: at most `limit` of this many in a row
@@ -157,15 +157,15 @@ struct Requirement {
 /// The threads that set a condition.
 struct Setters {
   ProcessorId processor;      // on which all of them run; none: there is no such one
-  std::vector<bool> threads;  // by number
+  Table<ThreadId, bool> threads;
 };
 
 struct Problem {
   std::string skill;
   std::string environment;
   Table<ProcessorId, pan::Processor> processors;
-  std::vector<Thread> threads;  // a block stands behind its parent
-  std::vector<Step> steps;
+  Table<ThreadId, Thread> threads;  // a block stands behind its parent
+  Table<StepId, Step> steps;
   Table<ChannelId, Channel> channels;
   Table<DeviceId, Device> devices;
   Table<ConditionId, std::string> conditions;

@@ -24,7 +24,7 @@ class ProblemBuilder final : public TimesAndPlaces {
 
   const pan::Costs& costs() const override { return environment_.costs; }
   Range activity(const pan::Activity& activity) override;
-  void place(Thread& thread, int runner) override;
+  void place(Thread& thread, ThreadId runner) override;
 
  private:
   // Names, places and times (problem.cpp).
@@ -59,8 +59,8 @@ class ProblemBuilder final : public TimesAndPlaces {
                      Device& made);
 
   // What is required (problem_requirements.cpp).
-  std::vector<bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement);
-  std::vector<bool> steps_in(const std::vector<pan::StatementRef>& loops) const;
+  Table<StepId, bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement);
+  Table<StepId, bool> steps_in(const std::vector<pan::StatementRef>& loops) const;
   void requirements();
   void require(Requirement made);
   void demanded_answer(DeviceId device);

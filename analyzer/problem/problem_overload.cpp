@@ -30,20 +30,20 @@ Table<ChannelId, bool> event_channels(const Problem& problem) {
 /// Dijkstra, A note on two problems in connexion with graphs, 1959.
 std::optional<Nanoseconds> least_round(const Problem& problem, const Table<ChannelId, bool>& events,
                                        const Step& wait, std::size_t branch) {
-  using Reached = std::pair<Nanoseconds, int>;
-  std::vector<bool> done(problem.steps.size());
+  using Reached = std::pair<Nanoseconds, StepId>;
+  Table<StepId, bool> done(problem.steps.size());
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
   open.push({wait.cost.worst, wait.next[branch]});
   while (!open.empty()) {
     const auto [work, at] = open.top();
     open.pop();
-    const Step& step = problem.steps[static_cast<std::size_t>(at)];
+    const Step& step = problem.steps[at];
     const bool waits = step.kind == Step::Kind::wait;
     const bool again = waits && std::any_of(step.channels.begin(), step.channels.end(),
                                             [&events](ChannelId c) { return events[c]; });
     if (again) return work;
-    if (done[static_cast<std::size_t>(at)]) continue;
-    done[static_cast<std::size_t>(at)] = true;
+    if (done[at]) continue;
+    done[at] = true;
     for (std::size_t n = 0; n < step.next.size(); ++n) {
       const bool gives_up = waits && n >= step.channels.size();
       open.push({work + (gives_up ? step.give_up_cost.worst : step.cost.worst), step.next[n]});
@@ -70,8 +70,8 @@ void ProblemBuilder::overload() {
   const Table<ChannelId, bool> events = event_channels(problem_);
   Table<ChannelId, Taker> takers(problem_.channels.size());
   for (const Thread& thread : problem_.threads) {
-    for (const int s : steps_of(problem_, thread)) {
-      const Step& step = problem_.steps[static_cast<std::size_t>(s)];
+    for (const StepId s : steps_of(problem_, thread)) {
+      const Step& step = problem_.steps[s];
       for (std::size_t i = 0; step.kind == Step::Kind::wait && i < step.channels.size(); ++i) {
         const ChannelId channel = step.channels[i];
         if (!events[channel]) continue;

@@ -8,12 +8,12 @@ namespace pal::analyzer {
 
 using namespace pan;
 
-std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
-                                           const pan::Requirement& requirement) {
-  std::vector<bool> steps(problem_.steps.size());
+Table<StepId, bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
+                                             const pan::Requirement& requirement) {
+  Table<StepId, bool> steps(problem_.steps.size());
   bool any = false;
   for (const StatementRef& ref : at) {
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+    for (const StepId s : problem_.steps.ids()) {
       const StatementId statement = problem_.steps[s].statement;
       if (!statement.valid()) continue;
       const Statement& known = problem_.statements[statement];
@@ -30,15 +30,15 @@ std::vector<bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
 }
 
 /// The steps of loops, and of what is executed in them.
-std::vector<bool> ProblemBuilder::steps_in(const std::vector<StatementRef>& loops) const {
+Table<StepId, bool> ProblemBuilder::steps_in(const std::vector<StatementRef>& loops) const {
   const auto within = [&](ModuleId module, NodeId node) {
     return std::any_of(loops.begin(), loops.end(), [&](const StatementRef& loop) {
       const Node& repeat = network_.modules[loop.module.index()].body[loop.node];
       return module == loop.module && node > loop.node && node <= repeat.mate;
     });
   };
-  std::vector<bool> steps(problem_.steps.size());
-  for (std::size_t s = 0; s < steps.size(); ++s) {
+  Table<StepId, bool> steps(problem_.steps.size());
+  for (const StepId s : steps.ids()) {
     const Step& step = problem_.steps[s];
     if (!step.statement.valid()) continue;
     const Statement& known = problem_.statements[step.statement];
@@ -190,7 +190,7 @@ void ProblemBuilder::demanded_answer(DeviceId d) {
   made.where = where;
   made.at.assign(problem_.steps.size(), false);
   bool any = false;
-  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+  for (const StepId s : problem_.steps.ids()) {
     const Step& step = problem_.steps[s];
     if (step.kind != Step::Kind::send) continue;
     const Channel& channel = problem_.channels[step.channels.front()];

@@ -10,17 +10,18 @@ std::string tables_differ(const Problem& problem, const trace::Trace& run) {
   if (run.skill != problem.skill) return "the run is one of skill " + run.skill;
   if (run.environment != problem.environment) return "the run is one in environment " + run.environment;
   if (run.actors.size() != problem.threads.size() + problem.devices.size()) return "other threads or devices";
-  for (std::size_t t = 0; t < run.actors.size(); ++t) {
-    const bool device = t >= problem.threads.size();
+  for (std::size_t a = 0; a < run.actors.size(); ++a) {
+    const trace::Actor& said = run.actors[a];
+    const ThreadId t(a);
+    const bool device = !problem.threads.contains(t);
     const std::string& name =
-        device ? problem.devices[DeviceId(t - problem.threads.size())].name : problem.threads[t].name;
-    if (run.actors[t].name != name || run.actors[t].device != device)
-      return "another actor " + run.actors[t].name;
+        device ? problem.devices[DeviceId(a - problem.threads.size())].name : problem.threads[t].name;
+    if (said.name != name || said.device != device) return "another actor " + said.name;
     if (device) continue;
     const Thread& thread = problem.threads[t];
     const std::string& processor = problem.processors[thread.processor].name;
-    if (run.actors[t].processor != processor || run.actors[t].priority != thread.priority ||
-        run.actors[t].parent != thread.parent)
+    if (said.processor != processor || said.priority != thread.priority ||
+        ThreadId::of(said.parent) != thread.parent)
       return name + " has another place, priority or parent";
   }
   if (run.statements.size() != problem.statements.size()) return "other statements";

@@ -14,8 +14,8 @@ Referee::Referee(const Problem& problem, const Requirement* requirement, const s
       threads_(problem.threads.size()),
       slots_(problem.channels.size()),
       devices_(problem.devices.size()),
-      holders_(problem.processors.size(), -1),
-      preempted_(problem.processors.size(), -1),
+      holders_(problem.processors.size()),
+      preempted_(problem.processors.size()),
       conditions_(problem.conditions.size()),
       monitor_(problem, requirement, busy_from) {
   events_of_.resize(problem.threads.size() + problem.devices.size());
@@ -32,10 +32,10 @@ bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool(
     devices_[d].first_hi = frames->period.count();
     if (frames->phase) devices_[d].first_lo = devices_[d].first_hi = frames->phase->count();
   }
-  for (std::size_t t = 0; t < threads_.size(); ++t) {
-    if (problem_.threads[t].parent >= 0) continue;
+  for (const ThreadId t : threads_.ids()) {
+    if (problem_.threads[t].parent.valid()) continue;
     ++with_;
-    reach(static_cast<int>(t), problem_.threads[t].entry);
+    reach(t, problem_.threads[t].entry);
   }
   beginning_ = false;
   for (at_ = 0; at_ < events_.size(); ++at_) {
@@ -57,8 +57,9 @@ bool Referee::follow(std::optional<Nanoseconds> until, const std::function<bool(
 }
 
 void Referee::handle(const Event& event) {
+  const auto actor = ThreadId::of(event.actor);
   const int threads = static_cast<int>(threads_.size());
-  if (midway_ >= 0 && event.actor != midway_) check_between(event);
+  if (midway_.valid() && actor != midway_) check_between(event);
   if (is_effect(event)) {
     check_settled();
     ++effects_;
@@ -73,15 +74,15 @@ void Referee::handle(const Event& event) {
     return;
   }
   const auto passed =
-      std::find(passed_.begin(), passed_.end(), std::pair(event.actor, StatementId::of(event.statement)));
+      std::find(passed_.begin(), passed_.end(), std::pair(actor, StatementId::of(event.statement)));
   if (event.kind == Kind::block && event.subject < 0 && passed != passed_.end()) {
     passed_.erase(passed);
     return;
   }
-  const Party& of = party(event.actor);
-  demand(of.mode != Mode::off, name(event.actor), " acts without being there");
-  demand(StatementId::of(event.statement) == (of.step < 0 ? StatementId{} : step_of(event.actor).statement),
-         name(event.actor), " is at another statement than the event");
+  const Party& of = party(actor);
+  demand(of.mode != Mode::off, name(actor), " acts without being there");
+  demand(StatementId::of(event.statement) == (!of.step.valid() ? StatementId{} : step_of(actor).statement),
+         name(actor), " is at another statement than the event");
   demand(!completed_ || event.kind == Kind::done, "something happens after the skill has ended");
   switch (event.kind) {
     case Kind::ready:
@@ -123,6 +124,7 @@ void Referee::handle(const Event& event) {
 
 /// Whether the event is, or begins, something that does not follow from something else at its instant.
 bool Referee::is_effect(const Event& event) const {
+  const auto thread = ThreadId::of(event.actor);
   const int threads = static_cast<int>(threads_.size());
   if (event.actor >= threads) {
     const Device& of = problem_.devices[DeviceId::of(event.actor - threads)];
@@ -132,8 +134,8 @@ bool Referee::is_effect(const Event& event) const {
   // The effect of a wait that gives up begins with what it withdraws.
   if (event.actor < 0 && event.subject >= 0 && slot(ChannelId::of(event.subject)).full)
     return !slot(ChannelId::of(event.subject)).to_be_dropped;
-  if (event.actor < 0 || event.actor == midway_) return false;
-  const Party& of = party(event.actor);
+  if (event.actor < 0 || thread == midway_) return false;
+  const Party& of = party(thread);
   if (of.mode != Mode::running || of.acted || !of.reads.empty()) return false;
   return event.kind == Kind::put || event.kind == Kind::take || event.kind == Kind::set ||
          event.kind == Kind::read || event.kind == Kind::done;
@@ -142,9 +144,9 @@ bool Referee::is_effect(const Event& event) const {
 /// What must be so before the next effect at the same instant. All that follows from the effects before has
 /// happened, and each thread that can run has begun.
 void Referee::check_settled() const {
-  for (std::size_t t = 0; t < threads_.size(); ++t) {
+  for (const ThreadId t : threads_.ids()) {
     const Party& of = threads_[t];
-    const int thread = static_cast<int>(t);
+    const ThreadId thread = t;
     demand(of.mode != Mode::arrived, name(thread), " neither waits nor goes on");
     check_stopped(thread);
     if (of.mode == Mode::sending)
@@ -168,14 +170,15 @@ void Referee::check_between(const Event& event) const {
   const bool message = kind == Step::Kind::wait || kind == Step::Kind::send;
   const bool acts = event.kind == Kind::put || event.kind == Kind::take || event.kind == Kind::set ||
                     event.kind == Kind::read || event.kind == Kind::complete || event.kind == Kind::done;
-  const bool effect = event.actor >= 0 && !device && acts && party(event.actor).mode == Mode::running;
+  const bool effect =
+      event.actor >= 0 && !device && acts && party(ThreadId::of(event.actor)).mode == Mode::running;
   demand(message && !effect && (!device || taken), name(midway_), " is interrupted in its effect");
 }
 
 /// What must be so before time goes on to `next`.
 void Referee::leave_instant(Nanoseconds next) const {
   demand(!completed_, "the skill's completion has no effect");
-  for (std::size_t t = 0; t < threads_.size(); ++t) check_thread(static_cast<int>(t), next);
+  for (const ThreadId t : threads_.ids()) check_thread(t, next);
   check_processors();
   for (const DeviceId d : devices_.ids()) check_device(d, next);
   for (const ChannelId c : slots_.ids()) {
@@ -187,13 +190,13 @@ void Referee::leave_instant(Nanoseconds next) const {
 }
 
 /// A cancelled thread has stopped, unless it finishes a statement, or waits for those that do.
-void Referee::check_stopped(int thread) const {
+void Referee::check_stopped(ThreadId thread) const {
   const Party& of = party(thread);
   const bool idle = of.mode == Mode::ready || of.mode == Mode::waiting || of.mode == Mode::sending;
   demand(of.mode != Mode::finished && !(of.must_stop && idle), name(thread), " is cancelled and goes on");
 }
 
-void Referee::check_thread(int thread, Nanoseconds next) const {
+void Referee::check_thread(ThreadId thread, Nanoseconds next) const {
   const Party& of = party(thread);
   demand(of.mode != Mode::arrived, name(thread), " neither waits nor goes on");
   check_stopped(thread);
@@ -216,47 +219,47 @@ void Referee::check_thread(int thread, Nanoseconds next) const {
 }
 
 void Referee::check_processors() const {
-  for (const int stopped : preempted_) demand(stopped < 0, "a thread is stopped for nothing");
-  for (const int has : holders_) {
-    if (has >= 0) demand(party(has).mode == Mode::running, name(has), " keeps its processor idle");
+  for (const ThreadId stopped : preempted_) demand(!stopped.valid(), "a thread is stopped for nothing");
+  for (const ThreadId has : holders_) {
+    if (has.valid()) demand(party(has).mode == Mode::running, name(has), " keeps its processor idle");
   }
   for (const Queued& queued : queue_) {
     const Thread& of = thread_of(queued.thread);
-    const int has = holders_[of.processor];
-    demand(has >= 0, of.name, " is ready, and its processor idle");
+    const ThreadId has = holders_[of.processor];
+    demand(has.valid(), of.name, " is ready, and its processor idle");
     const bool yields = problem_.processors[of.processor].preemptive;
     demand(!yields || of.priority <= thread_of(has).priority, of.name, " has to wait for a lesser priority");
   }
 }
 
-bool Referee::may_come(const std::vector<bool>& at) const {
+bool Referee::may_come(const Table<StepId, bool>& at) const {
   if (completed_) return false;
-  std::vector<int> open;
-  for (std::size_t t = 0; t < threads_.size(); ++t) {
+  std::vector<StepId> open;
+  for (const ThreadId t : threads_.ids()) {
     const Party& of = threads_[t];
     if (of.mode == Mode::off || of.mode == Mode::finished) continue;
-    const Step& step = step_of(static_cast<int>(t));
+    const Step& step = step_of(t);
     if (of.must_stop) {
-      if (at[static_cast<std::size_t>(of.step)]) return true;
+      if (at[of.step]) return true;
     } else if (of.mode == Mode::joining) {
       // Its blocks count for themselves.
       const bool goes_on = std::any_of(step.threads.begin(), step.threads.end(),
-                                       [this](int block) { return thread_of(block).can_end; });
+                                       [this](ThreadId block) { return thread_of(block).can_end; });
       if (goes_on) open.push_back(step.next.front());
     } else {
       open.push_back(of.step);
     }
   }
-  std::vector<bool> seen(problem_.steps.size());
+  Table<StepId, bool> seen(problem_.steps.size());
   while (!open.empty()) {
-    const auto here = static_cast<std::size_t>(open.back());
+    const StepId here = open.back();
     open.pop_back();
     if (at[here]) return true;
     if (seen[here]) continue;
     seen[here] = true;
     const Step& step = problem_.steps[here];
     open.insert(open.end(), step.next.begin(), step.next.end());
-    for (int block : step.threads) open.push_back(thread_of(block).entry);
+    for (ThreadId block : step.threads) open.push_back(thread_of(block).entry);
   }
   return false;
 }

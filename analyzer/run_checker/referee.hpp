@@ -32,7 +32,7 @@ class Referee {
   Nanoseconds now() const { return now_; }
   const RequirementMonitor& monitor() const { return monitor_; }
   /// Whether one of the steps `at` can still come, now.
-  bool may_come(const std::vector<bool>& at) const;
+  bool may_come(const Table<StepId, bool>& at) const;
 
  private:
   using Event = trace::Event;
@@ -52,7 +52,7 @@ class Referee {
 
   struct Party {
     Mode mode = Mode::off;
-    int step = -1;
+    StepId step{};
     Nanoseconds reached = 0;     // the statement
     std::size_t reached_by = 0;  // with this event
     std::size_t with = 0;  // … and together with those that have the same number, in the order of `place`
@@ -65,8 +65,8 @@ class Referee {
     bool withdrawn = false;  // … and is gone
     bool acted = false;      // the put, take, set or read of the statement has happened at this instant
     bool told = false;       // joining: that it waits for its blocks
-    std::map<int, bool> latched;
-    std::map<int, bool> reads;  // at this instant, for a test
+    std::map<ConditionId, bool> latched;
+    std::map<ConditionId, bool> reads;  // at this instant, for a test
   };
 
   /// When a message is available to one group of threads: at some instant in [lo, hi].
@@ -77,8 +77,7 @@ class Referee {
 
   /// A request on its way to its answer.
   struct Asked {
-    static constexpr int device = -1;
-    int owner = device;
+    ThreadId owner{};  // none: a device
     bool withdrawn = false;
   };
 
@@ -114,7 +113,7 @@ class Referee {
   };
 
   struct Queued {
-    int thread;
+    ThreadId thread;
     Nanoseconds at;
     std::size_t after;  // how many effects
     bool ordered;       // an event of the run says when in what follows from one effect it came
@@ -130,8 +129,8 @@ class Referee {
   bool is_effect(const Event& event) const;
   void check_settled() const;
   void leave_instant(Nanoseconds next) const;
-  void check_stopped(int thread) const;
-  void check_thread(int thread, Nanoseconds next) const;
+  void check_stopped(ThreadId thread) const;
+  void check_thread(ThreadId thread, Nanoseconds next) const;
   void check_processors() const;
 
   // Processors (referee_processors.cpp) and statements (referee_statements.cpp).
@@ -143,23 +142,23 @@ class Referee {
   void was_ready(const Event& event);
   void cancelled(const Event& event);
   void condition(const Event& event);
-  void reach(int thread, int step);
-  void hold(int thread);
-  void begin_blocks(int thread);
+  void reach(ThreadId thread, StepId step);
+  void hold(ThreadId thread);
+  void begin_blocks(ThreadId thread);
   bool admits() const;
-  void block_over(int parent);
-  void resolve(int thread);
-  void again(int thread);
-  void release(int thread);
-  void enqueue(int thread, bool front, bool ordered, std::size_t with);
-  void arrive(int thread);
-  bool found_there(int thread, ChannelId channel) const;
-  bool left_to_later(ChannelId channel, int thread) const;
+  void block_over(ThreadId parent);
+  void resolve(ThreadId thread);
+  void again(ThreadId thread);
+  void release(ThreadId thread);
+  void enqueue(ThreadId thread, bool front, bool ordered, std::size_t with);
+  void arrive(ThreadId thread);
+  bool found_there(ThreadId thread, ChannelId channel) const;
+  bool left_to_later(ChannelId channel, ThreadId thread) const;
   bool comes_to_queue(const Queued& queued) const;
-  void check_turn(int thread) const;
-  void check_work(int thread) const;
-  int next_of_test(int thread) const;
-  Range cost(int thread) const;
+  void check_turn(ThreadId thread) const;
+  void check_work(ThreadId thread) const;
+  StepId next_of_test(ThreadId thread) const;
+  Range cost(ThreadId thread) const;
 
   // Messages (referee_messages.cpp).
   void fill(ChannelId channel, ProcessorId processor);
@@ -168,23 +167,23 @@ class Referee {
   void drop(const Event& event);
   void claim_withdrawn(ChannelId channel);
   void empty(ChannelId channel);
-  void asks(ChannelId request, int owner);
+  void asks(ChannelId request, ThreadId owner);
   std::optional<std::size_t> answered_next(ChannelId answer) const;
   bool wanted(ChannelId answer) const;
   void answered_in_vain(ChannelId answer);
-  void withdraw(ChannelId request, std::optional<int> owner);
+  void withdraw(ChannelId request, std::optional<ThreadId> owner);
   void gives_up(ChannelId request);
-  int who_gives_up(ChannelId request) const;
-  void hands_over(int block, int parent);
-  void abandon(int thread);
+  ThreadId who_gives_up(ChannelId request) const;
+  void hands_over(ThreadId block, ThreadId parent);
+  void abandon(ThreadId thread);
   std::size_t next_of(int actor, std::size_t after) const;
-  bool goes_on(int thread) const;
-  bool takes_next(int thread) const;
-  Arrival& arrival(ChannelId channel, int thread);
-  const Arrival& arrival(ChannelId channel, int thread) const;
-  bool surely_there(ChannelId channel, int thread) const;
-  void not_there_yet(ChannelId channel, int thread);
-  ChannelId message_of(int thread, const std::vector<ChannelId>& candidates) const;
+  bool goes_on(ThreadId thread) const;
+  bool takes_next(ThreadId thread) const;
+  Arrival& arrival(ChannelId channel, ThreadId thread);
+  const Arrival& arrival(ChannelId channel, ThreadId thread) const;
+  bool surely_there(ChannelId channel, ThreadId thread) const;
+  void not_there_yet(ChannelId channel, ThreadId thread);
+  ChannelId message_of(ThreadId thread, const std::vector<ChannelId>& candidates) const;
 
   // Devices (referee_devices.cpp).
   void open_device(DeviceId device);
@@ -200,23 +199,21 @@ class Referee {
   void check_asked(ChannelId message) const;
   void check_device(DeviceId device, Nanoseconds next) const;
 
-  Party& party(int thread) { return threads_[static_cast<std::size_t>(thread)]; }
-  const Party& party(int thread) const { return threads_[static_cast<std::size_t>(thread)]; }
-  const Thread& thread_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)]; }
-  const Step& step_of(int thread) const {
-    return problem_.steps[static_cast<std::size_t>(party(thread).step)];
-  }
+  Party& party(ThreadId thread) { return threads_[thread]; }
+  const Party& party(ThreadId thread) const { return threads_[thread]; }
+  const Thread& thread_of(ThreadId thread) const { return problem_.threads[thread]; }
+  const Step& step_of(ThreadId thread) const { return problem_.steps[party(thread).step]; }
   Slot& slot(ChannelId channel) { return slots_[channel]; }
   const Slot& slot(ChannelId channel) const { return slots_[channel]; }
   const Channel& channel_of(ChannelId channel) const { return problem_.channels[channel]; }
-  int& holder(int thread) { return holders_[thread_of(thread).processor]; }
+  ThreadId& holder(ThreadId thread) { return holders_[thread_of(thread).processor]; }
   [[noreturn]] void broken(const std::string& what) const { throw Broken(what); }
   /// The text of the rule is put together only when it is broken.
   template <class... Parts>
   void demand(bool kept, const Parts&... parts) const {
     if (!kept) broken((std::string() + ... + parts));
   }
-  const std::string& name(int thread) const { return thread_of(thread).name; }
+  const std::string& name(ThreadId thread) const { return thread_of(thread).name; }
 
   const Problem& problem_;
   const std::vector<Event>& events_;
@@ -229,18 +226,17 @@ class Referee {
   bool beginning_ = true;
   bool withdrawing_ = false;     // threads that go on otherwise may come before or after those that go on now
   Nanoseconds dropped_at_ = -1;  // when a message was withdrawn last
-  int midway_ = -1;              // the thread whose effect has begun and is not done; -1: none
+  ThreadId midway_{};            // the thread whose effect has begun and is not done
   bool completed_ = false;
   bool ended_ = false;
-  std::vector<Party> threads_;
+  Table<ThreadId, Party> threads_;
   Table<ChannelId, Slot> slots_;
   Table<DeviceId, Outside> devices_;
-  Table<ProcessorId, int> holders_;  // by processor: the thread that has it; -1: none
-  Table<ProcessorId, int>
-      preempted_;  // by processor: the thread that has just lost it to one still to start; -1: none
+  Table<ProcessorId, ThreadId> holders_;    // the thread that has it
+  Table<ProcessorId, ThreadId> preempted_;  // the thread that has just lost it to one still to start
   std::vector<Queued> queue_;
-  std::vector<bool> conditions_;
-  std::vector<std::pair<int, StatementId>>
+  Table<ConditionId, bool> conditions_;
+  std::vector<std::pair<ThreadId, StatementId>>
       passed_;  // at this instant: threads and statements of CONCURRENTs that were over at once
 
   RequirementMonitor monitor_;

@@ -114,7 +114,7 @@ void Referee::occurrence(DeviceId device, ChannelId channel, bool overrun) {
   }
   if (!overrun) {
     fill(channel, ProcessorId{});
-    asks(channel, Asked::device);
+    asks(channel, {});
   }
   monitor_.event(device, channel, overrun);
 }

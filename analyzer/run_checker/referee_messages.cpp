@@ -5,17 +5,17 @@
 
 namespace pal::analyzer::rules {
 
-Referee::Arrival& Referee::arrival(ChannelId channel, int thread) {
+Referee::Arrival& Referee::arrival(ChannelId channel, ThreadId thread) {
   Slot& of = slot(channel);
   return of.arrival[of.from == thread_of(thread).processor ? 0 : 1];
 }
 
-const Referee::Arrival& Referee::arrival(ChannelId channel, int thread) const {
+const Referee::Arrival& Referee::arrival(ChannelId channel, ThreadId thread) const {
   const Slot& of = slot(channel);
   return of.arrival[of.from == thread_of(thread).processor ? 0 : 1];
 }
 
-bool Referee::surely_there(ChannelId channel, int thread) const {
+bool Referee::surely_there(ChannelId channel, ThreadId thread) const {
   const Slot& of = slot(channel);
   if (!of.full || of.claimed) return false;
   return of.immediate[of.from == thread_of(thread).processor ? 0 : 1] || arrival(channel, thread).hi < now_;
@@ -23,7 +23,7 @@ bool Referee::surely_there(ChannelId channel, int thread) const {
 
 /// Whether a thread that has come to a wait left the message that it found there to one that came together
 /// with it, and later.
-bool Referee::left_to_later(ChannelId channel, int thread) const {
+bool Referee::left_to_later(ChannelId channel, ThreadId thread) const {
   const Slot& of = slot(channel);
   const Party& earlier = party(thread);
   if (!of.claimed || earlier.mode != Mode::arrived || of.put_by >= earlier.reached_by) return false;
@@ -36,11 +36,11 @@ bool Referee::left_to_later(ChannelId channel, int thread) const {
 }
 
 /// A thread goes on as if the channel had nothing for it: what is there must still be on its way.
-void Referee::not_there_yet(ChannelId channel, int thread) {
+void Referee::not_there_yet(ChannelId channel, ThreadId thread) {
   // Unless it is there for another thread, which goes on with it at this instant.
-  for (std::size_t t = 0; t < threads_.size() && surely_there(channel, thread); ++t) {
-    const int other = static_cast<int>(t);
-    const bool waits = threads_[t].mode == Mode::arrived || threads_[t].mode == Mode::waiting;
+  for (const ThreadId other : threads_.ids()) {
+    if (!surely_there(channel, thread)) break;
+    const bool waits = threads_[other].mode == Mode::arrived || threads_[other].mode == Mode::waiting;
     if (!waits || other == thread || !goes_on(other)) continue;
     const std::vector<ChannelId>& channels = step_of(other).channels;
     if (std::find(channels.begin(), channels.end(), channel) != channels.end()) resolve(other);
@@ -54,7 +54,7 @@ void Referee::not_there_yet(ChannelId channel, int thread) {
 /// Which of several messages the thread has chosen. It is the one that the thread takes in the end. Or it was
 /// withdrawn, so the thread comes to its wait again; of several such messages it is the first. If the run
 /// does not say, it is the first of all.
-ChannelId Referee::message_of(int thread, const std::vector<ChannelId>& candidates) const {
+ChannelId Referee::message_of(ThreadId thread, const std::vector<ChannelId>& candidates) const {
   auto withdrawn = candidates.end();
   bool started = false;
   bool stopped = false;
@@ -62,7 +62,7 @@ ChannelId Referee::message_of(int thread, const std::vector<ChannelId>& candidat
     const Event& event = events_[e];
     const auto which = std::find(candidates.begin(), candidates.end(), ChannelId::of(event.subject));
     if (event.kind == Kind::drop && event.actor < 0) withdrawn = std::min(withdrawn, which);
-    if (event.actor != thread) continue;
+    if (ThreadId::of(event.actor) != thread) continue;
     if (event.kind == Kind::take)
       return which != candidates.end() ? ChannelId::of(event.subject) : candidates.front();
     if (event.kind == Kind::cancel) break;
@@ -93,7 +93,7 @@ void Referee::fill(ChannelId channel, ProcessorId processor) {
 }
 
 void Referee::put(const Event& event) {
-  const int thread = event.actor;
+  const ThreadId thread = ThreadId::of(event.actor);
   Party& of = party(thread);
   demand(!slot(ChannelId::of(event.subject)).full, "a message is put into a slot that is full");
   demand(wanted(ChannelId::of(event.subject)), "a message is put that no party waits for");
@@ -110,14 +110,15 @@ void Referee::put(const Event& event) {
 }
 
 void Referee::take(const Event& event) {
-  Party& of = party(event.actor);
-  check_work(event.actor);
-  demand(step_of(event.actor).kind == Step::Kind::wait && !of.gives_up && !of.acted && !of.withdrawn &&
+  const auto thread = ThreadId::of(event.actor);
+  Party& of = party(thread);
+  check_work(thread);
+  demand(step_of(thread).kind == Step::Kind::wait && !of.gives_up && !of.acted && !of.withdrawn &&
              of.claim == ChannelId::of(event.subject) && slot(ChannelId::of(event.subject)).full,
-         name(event.actor), " takes a message that is not its own");
-  monitor_.takes(event.actor, ChannelId::of(event.subject));
+         name(thread), " takes a message that is not its own");
+  monitor_.takes(thread, ChannelId::of(event.subject));
   of.acted = true;
-  midway_ = event.actor;
+  midway_ = thread;
   empty(ChannelId::of(event.subject));
 }
 
@@ -134,17 +135,18 @@ void Referee::empty(ChannelId channel) {
 
 /// With an actor: the thread's message is not wanted. Without: the message in the slot is withdrawn.
 void Referee::drop(const Event& event) {
+  const auto actor = ThreadId::of(event.actor);
   const ChannelId channel = ChannelId::of(event.subject);
   if (event.actor >= 0) {
     demand(!wanted(channel), "a message is discarded that a party waits for");
     answered_in_vain(channel);
-    Party& of = party(event.actor);
-    const Step& step = step_of(event.actor);
-    demand(step.kind == Step::Kind::send && step.channels.front() == channel && !of.acted, name(event.actor),
+    Party& of = party(actor);
+    const Step& step = step_of(actor);
+    demand(step.kind == Step::Kind::send && step.channels.front() == channel && !of.acted, name(actor),
            " discards what it does not send");
-    if (of.mode != Mode::sending) check_work(event.actor);
+    if (of.mode != Mode::sending) check_work(actor);
     of.acted = true;
-    monitor_.uses(event.actor, of.step);
+    monitor_.uses(actor, of.step);
     return;
   }
   demand(channel.valid() && slot(channel).full, "nothing is there to withdraw");
@@ -181,20 +183,20 @@ void Referee::drop(const Event& event) {
 void Referee::claim_withdrawn(ChannelId channel) {
   const bool put_for_a_thread = !slot(channel).there_again;
   const auto each_waiting = [&](const auto& visit) {
-    for (std::size_t t = 0; t < threads_.size() && !slot(channel).claimed; ++t) {
-      const int thread = static_cast<int>(t);
-      if (threads_[t].mode != Mode::waiting) continue;
+    for (const ThreadId thread : threads_.ids()) {
+      if (slot(channel).claimed) break;
+      if (threads_[thread].mode != Mode::waiting) continue;
       const std::vector<ChannelId>& channels = step_of(thread).channels;
       if (std::find(channels.begin(), channels.end(), channel) != channels.end()) visit(thread);
     }
   };
-  each_waiting([&](int thread) {
+  each_waiting([&](ThreadId thread) {
     if (goes_on(thread) && !takes_next(thread)) resolve(thread);
   });
-  each_waiting([&](int thread) {
+  each_waiting([&](ThreadId thread) {
     if (put_for_a_thread && goes_on(thread) && surely_there(channel, thread)) resolve(thread);
   });
-  each_waiting([&](int thread) {
+  each_waiting([&](ThreadId thread) {
     demand(!put_for_a_thread || !surely_there(channel, thread), name(thread),
            " waits for a message that is there");
   });
@@ -202,11 +204,11 @@ void Referee::claim_withdrawn(ChannelId channel) {
 
 /// The thread that has given up waiting for an answer to the request, and whose test is done now; of several
 /// the next that is.
-int Referee::who_gives_up(ChannelId request) const {
+ThreadId Referee::who_gives_up(ChannelId request) const {
   for (std::size_t e = at_ + 1; e < events_.size() && events_[e].time_ns == now_; ++e) {
-    const int thread = events_[e].actor;
-    const bool is_done = events_[e].kind == Kind::done && thread >= 0;
-    if (!is_done || thread >= static_cast<int>(threads_.size())) continue;
+    const ThreadId thread = ThreadId::of(events_[e].actor);
+    const bool is_done = events_[e].kind == Kind::done && thread.valid();
+    if (!is_done || thread >= ThreadId(threads_.size())) continue;
     const Party& of = party(thread);
     if (of.mode != Mode::running || !of.gives_up) continue;
     const std::vector<ChannelId>& channels = step_of(thread).channels;
@@ -225,17 +227,17 @@ std::size_t Referee::next_of(int actor, std::size_t after) const {
 }
 
 /// Whether a thread that waits stops waiting at this instant.
-bool Referee::goes_on(int thread) const {
-  const std::size_t next = next_of(thread, at_);
+bool Referee::goes_on(ThreadId thread) const {
+  const std::size_t next = next_of(thread.value, at_);
   if (next == events_.size() || events_[next].time_ns != now_) return false;
   return events_[next].kind == Kind::ready || events_[next].kind == Kind::start;
 }
 
 /// Whether a thread that stops waiting takes a message then, and does not come to its wait again.
-bool Referee::takes_next(int thread) const {
+bool Referee::takes_next(ThreadId thread) const {
   bool started = false;
   bool stopped = false;
-  for (std::size_t e = next_of(thread, at_); e < events_.size(); e = next_of(thread, e)) {
+  for (std::size_t e = next_of(thread.value, at_); e < events_.size(); e = next_of(thread.value, e)) {
     const Event& event = events_[e];
     if (event.kind == Kind::take) return true;
     const bool again = event.kind == Kind::start && started && !stopped;

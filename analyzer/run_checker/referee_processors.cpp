@@ -5,33 +5,33 @@
 
 namespace pal::analyzer::rules {
 
-void Referee::hold(int thread) {
+void Referee::hold(ThreadId thread) {
   holder(thread) = thread;
   monitor_.busy(thread_of(thread).processor);
 }
 
-void Referee::release(int thread) {
+void Referee::release(ThreadId thread) {
   if (holder(thread) == thread) {
-    holder(thread) = -1;
+    holder(thread) = ThreadId{};
     monitor_.idle(thread_of(thread).processor);
   }
   std::erase_if(queue_, [thread](const Queued& queued) { return queued.thread == thread; });
 }
 
-void Referee::enqueue(int thread, bool front, bool ordered, std::size_t with) {
+void Referee::enqueue(ThreadId thread, bool front, bool ordered, std::size_t with) {
   const Queued made{thread, now_, effects_, ordered, with, front, false, false};
   queue_.insert(front ? queue_.begin() : queue_.end(), made);
 }
 
 /// If it finds there what it waits for, or only looks, this is its place in the queue.
-void Referee::arrive(int thread) {
+void Referee::arrive(ThreadId thread) {
   if (holder(thread) == thread) return;
   enqueue(thread, false, !beginning_ && !withdrawing_, with_);
   queue_.back().arrived = true;
 }
 
 /// Whether a thread that has come to a wait found the message of the channel as it did.
-bool Referee::found_there(int thread, ChannelId channel) const {
+bool Referee::found_there(ThreadId thread, ChannelId channel) const {
   return surely_there(channel, thread) && slot(channel).put_by < party(thread).reached_by;
 }
 
@@ -46,7 +46,7 @@ bool Referee::comes_to_queue(const Queued& queued) const {
 }
 
 /// A thread that was waiting, or has come to a wait, does not wait any more: a message has come.
-void Referee::resolve(int thread) {
+void Referee::resolve(ThreadId thread) {
   Party& of = party(thread);
   if (of.mode != Mode::arrived && of.mode != Mode::waiting) return;
   const Step& at = step_of(thread);
@@ -89,7 +89,7 @@ void Referee::resolve(int thread) {
 }
 
 /// Whose message was withdrawn comes to its wait again at the effect.
-void Referee::again(int thread) {
+void Referee::again(ThreadId thread) {
   Party& of = party(thread);
   if (of.mode != Mode::running || !of.withdrawn) return;
   check_work(thread);
@@ -98,17 +98,18 @@ void Referee::again(int thread) {
 }
 
 void Referee::was_ready(const Event& event) {
-  again(event.actor);
-  resolve(event.actor);
-  demand(party(event.actor).mode == Mode::ready, name(event.actor), " is not ready");
-  demand(holder(event.actor) != event.actor, name(event.actor), " has its processor");
+  const auto actor = ThreadId::of(event.actor);
+  again(actor);
+  resolve(actor);
+  demand(party(actor).mode == Mode::ready, name(actor), " is not ready");
+  demand(holder(actor) != actor, name(actor), " has its processor");
   const auto own = std::find_if(queue_.begin(), queue_.end(),
-                                [&](const Queued& queued) { return queued.thread == event.actor; });
-  demand(own != queue_.end() && own->at == now_ && !own->told, name(event.actor), " was ready before");
+                                [&](const Queued& queued) { return queued.thread == actor; });
+  demand(own != queue_.end() && own->at == now_ && !own->told, name(actor), " was ready before");
   own->told = true;
 }
 
-void Referee::check_turn(int thread) const {
+void Referee::check_turn(ThreadId thread) const {
   const Thread& of = thread_of(thread);
   const auto own =
       std::find_if(queue_.begin(), queue_.end(), [&](const Queued& q) { return q.thread == thread; });
@@ -131,26 +132,26 @@ void Referee::check_turn(int thread) const {
 }
 
 void Referee::started(const Event& event) {
-  const int thread = event.actor;
+  const ThreadId thread = ThreadId::of(event.actor);
   again(thread);
   resolve(thread);
   Party& of = party(thread);
   demand(of.mode == Mode::ready || of.mode == Mode::stopped, name(thread), " starts what it cannot start");
   demand(of.mode == Mode::stopped || !of.must_stop, name(thread), " is cancelled and goes on");
-  int& loser = preempted_[thread_of(thread).processor];
-  demand(loser < 0 || thread_of(thread).priority > thread_of(loser).priority,
+  ThreadId& loser = preempted_[thread_of(thread).processor];
+  demand(!loser.valid() || thread_of(thread).priority > thread_of(loser).priority,
          "a thread is stopped for nothing");
-  loser = -1;
-  int& has = holder(thread);
+  loser = ThreadId{};
+  ThreadId& has = holder(thread);
   if (has != thread) {
-    if (has >= 0) {
-      const int before = has;
+    if (has.valid()) {
+      const ThreadId before = has;
       resolve(before);
       const pan::Processor& processor = problem_.processors[thread_of(thread).processor];
       demand(party(before).mode == Mode::ready, name(thread), " starts while ", name(before), " runs");
       demand(processor.preemptive && thread_of(thread).priority > thread_of(before).priority, name(thread),
              " takes the processor that ", name(before), " keeps");
-      has = -1;
+      has = ThreadId{};
       enqueue(before, true, true, 0);
     }
     check_turn(thread);
@@ -170,19 +171,20 @@ void Referee::started(const Event& event) {
 }
 
 void Referee::stopped(const Event& event) {
-  Party& of = party(event.actor);
-  demand(of.mode == Mode::running, name(event.actor), " is stopped without running");
-  demand(!of.acted && of.reads.empty(), name(event.actor), " is interrupted in its effect");
-  demand(problem_.processors[thread_of(event.actor).processor].preemptive, name(event.actor),
+  const auto thread = ThreadId::of(event.actor);
+  Party& of = party(thread);
+  demand(of.mode == Mode::running, name(thread), " is stopped without running");
+  demand(!of.acted && of.reads.empty(), name(thread), " is interrupted in its effect");
+  demand(problem_.processors[thread_of(thread).processor].preemptive, name(thread),
          " is preempted on a processor that does not");
   of.work += now_ - of.since;
   of.mode = Mode::stopped;
-  preempted_[thread_of(event.actor).processor] = event.actor;
-  holder(event.actor) = -1;
-  enqueue(event.actor, true, true, 0);
+  preempted_[thread_of(thread).processor] = thread;
+  holder(thread) = ThreadId{};
+  enqueue(thread, true, true, 0);
 }
 
-void Referee::check_work(int thread) const {
+void Referee::check_work(ThreadId thread) const {
   const Party& of = party(thread);
   demand(of.mode == Mode::running, name(thread), " has an effect without running");
   const Nanoseconds work = of.work + now_ - of.since;
@@ -190,7 +192,7 @@ void Referee::check_work(int thread) const {
   demand(work <= cost(thread).worst, name(thread), " is done after too much processor time");
 }
 
-Range Referee::cost(int thread) const {
+Range Referee::cost(ThreadId thread) const {
   return party(thread).gives_up ? step_of(thread).give_up_cost : step_of(thread).cost;
 }
 

@@ -6,7 +6,7 @@
 namespace pal::analyzer::rules {
 
 /// A request was put. One to a device that answers nothing is never open.
-void Referee::asks(ChannelId request, int owner) {
+void Referee::asks(ChannelId request, ThreadId owner) {
   const Channel& of = channel_of(request);
   if (!of.answer.valid() || (of.receiver_device.valid() && !of.served)) return;
   slot(request).asked.push_back({owner, false});
@@ -38,7 +38,7 @@ void Referee::answered_in_vain(ChannelId answer) {
 }
 
 /// What is open of a request, all of it or what belongs to one thread: the run has to drop what is in a slot.
-void Referee::withdraw(ChannelId request, std::optional<int> owner) {
+void Referee::withdraw(ChannelId request, std::optional<ThreadId> owner) {
   Slot& of = slot(request);
   for (std::size_t i = 0; i < of.asked.size(); ++i) {
     if (of.asked[i].withdrawn || (owner && of.asked[i].owner != *owner)) continue;
@@ -61,7 +61,7 @@ void Referee::gives_up(ChannelId request) {
   withdraw(request, std::nullopt);
 }
 
-void Referee::hands_over(int block, int parent) {
+void Referee::hands_over(ThreadId block, ThreadId parent) {
   for (Slot& of : slots_) {
     for (Asked& each : of.asked) {
       if (each.owner == block) each.owner = parent;
@@ -70,7 +70,7 @@ void Referee::hands_over(int block, int parent) {
 }
 
 /// What a stopped thread was to take is there for others; what it asked for is withdrawn.
-void Referee::abandon(int thread) {
+void Referee::abandon(ThreadId thread) {
   Party& of = party(thread);
   if (of.claim.valid() && !of.withdrawn && !of.acted && slot(of.claim).full && slot(of.claim).claimed) {
     slot(of.claim).claimed = false;

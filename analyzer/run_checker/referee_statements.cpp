@@ -7,10 +7,10 @@ namespace pal::analyzer::rules {
 
 namespace {
 
-bool holds(const pan::Guard& guard, const std::map<int, bool>& values) {
+bool holds(const pan::Guard& guard, const std::map<ConditionId, bool>& values) {
   switch (guard.kind) {
     case pan::Guard::Kind::equals:
-      return values.at(guard.condition.value) == guard.value;
+      return values.at(guard.condition) == guard.value;
     case pan::Guard::Kind::negation:
       return !holds(guard.terms.front(), values);
     case pan::Guard::Kind::all_of:
@@ -23,15 +23,15 @@ bool holds(const pan::Guard& guard, const std::map<int, bool>& values) {
   return false;
 }
 
-void collect(const pan::Guard& guard, std::set<int>& conditions) {
-  if (guard.kind == pan::Guard::Kind::equals) conditions.insert(guard.condition.value);
+void collect(const pan::Guard& guard, std::set<ConditionId>& conditions) {
+  if (guard.kind == pan::Guard::Kind::equals) conditions.insert(guard.condition);
   for (const pan::Guard& term : guard.terms) collect(term, conditions);
 }
 
 }  // namespace
 
 /// The thread comes to a statement: one with what led to it.
-void Referee::reach(int thread, int step) {
+void Referee::reach(ThreadId thread, StepId step) {
   Party& of = party(thread);
   of.step = step;
   of.reached = now_;
@@ -48,7 +48,7 @@ void Referee::reach(int thread, int step) {
     release(thread);
     of = {};
     monitor_.ends(thread);
-    if (thread_of(thread).parent >= 0) {
+    if (thread_of(thread).parent.valid()) {
       hands_over(thread, thread_of(thread).parent);
       block_over(thread_of(thread).parent);
     }
@@ -67,54 +67,54 @@ void Referee::reach(int thread, int step) {
   }
 }
 
-void Referee::begin_blocks(int thread) {
+void Referee::begin_blocks(ThreadId thread) {
   party(thread).mode = Mode::joining;
-  const std::vector<int> blocks = step_of(thread).threads;
-  for (int block : blocks) {
+  const std::vector<ThreadId> blocks = step_of(thread).threads;
+  for (ThreadId block : blocks) {
     party(block) = {};
     party(block).mode = Mode::arrived;
     monitor_.begins(block, thread);
   }
-  const int fork = party(thread).step;
-  for (int block : blocks) {
+  const StepId fork = party(thread).step;
+  for (ThreadId block : blocks) {
     // One that is cancelled before it begins has come to nothing.
     if (party(block).mode != Mode::off && !party(block).must_stop) reach(block, thread_of(block).entry);
   }
   // Blocks with nothing in them are over before the run says that a thread waits for them.
   const bool waits = party(thread).mode == Mode::joining && party(thread).step == fork;
-  if (!waits) passed_.emplace_back(thread, problem_.steps[static_cast<std::size_t>(fork)].statement);
+  if (!waits) passed_.emplace_back(thread, problem_.steps[fork].statement);
 }
 
 /// Whether a sender whose slot has become free has not come to its queue yet.
 bool Referee::admits() const {
-  for (std::size_t t = 0; t < threads_.size(); ++t) {
+  for (const ThreadId t : threads_.ids()) {
     const Party& of = threads_[t];
     if (of.mode != Mode::sending) continue;
-    if (of.acted || !slot(step_of(static_cast<int>(t)).channels.front()).full) return true;
+    if (of.acted || !slot(step_of(t).channels.front()).full) return true;
   }
   return false;
 }
 
 /// A block has ended or stopped: when all that can end have, the others are cancelled.
-void Referee::block_over(int parent) {
+void Referee::block_over(ThreadId parent) {
   Party& of = party(parent);
   if (of.mode != Mode::joining) return;
-  const std::vector<int> blocks = step_of(parent).threads;
+  const std::vector<ThreadId> blocks = step_of(parent).threads;
   bool can_end = false;
   bool still = false;
-  for (int block : blocks) {
+  for (ThreadId block : blocks) {
     can_end = can_end || thread_of(block).can_end;
     still = still || (thread_of(block).can_end && party(block).mode != Mode::off);
   }
   if (of.must_stop || (can_end && !still)) {
-    for (int block : blocks) {
+    for (ThreadId block : blocks) {
       Party& other = party(block);
       if (other.mode == Mode::off || other.must_stop) continue;
       other.must_stop = true;
       if (other.mode == Mode::joining) block_over(block);
     }
   }
-  for (int block : blocks) {
+  for (ThreadId block : blocks) {
     if (party(block).mode != Mode::off) return;
   }
   if (of.mode != Mode::joining) return;
@@ -128,33 +128,34 @@ void Referee::block_over(int parent) {
   }
 }
 
-int Referee::next_of_test(int thread) const {
+StepId Referee::next_of_test(ThreadId thread) const {
   const Step& step = step_of(thread);
   const Party& of = party(thread);
-  std::set<int> mentioned;
+  std::set<ConditionId> mentioned;
   for (const pan::Guard& guard : step.guards) collect(guard, mentioned);
-  std::map<int, bool> values = of.latched;
+  std::map<ConditionId, bool> values = of.latched;
   for (const auto& [condition, value] : of.reads) {
     demand(mentioned.contains(condition) && !of.latched.contains(condition), name(thread),
            " reads what its test does not need");
     values[condition] = value;
   }
-  for (int condition : mentioned) demand(values.contains(condition), name(thread), " tests without reading");
+  for (const ConditionId condition : mentioned)
+    demand(values.contains(condition), name(thread), " tests without reading");
   for (std::size_t i = 0; i < step.guards.size(); ++i) {
     if (holds(step.guards[i], values)) return step.next[i];
   }
-  return step.next.size() > step.guards.size() ? step.next.back() : -1;
+  return step.next.size() > step.guards.size() ? step.next.back() : StepId{};
 }
 
 void Referee::done(const Event& event) {
-  const int thread = event.actor;
-  if (thread == midway_) midway_ = -1;
+  const ThreadId thread = ThreadId::of(event.actor);
+  if (thread == midway_) midway_ = ThreadId{};
   Party& of = party(thread);
   const Step& step = step_of(thread);
   demand(of.mode == Mode::sending || of.mode == Mode::running, name(thread),
          " has an effect without running");
   if (of.mode == Mode::running) check_work(thread);
-  int next = -1;
+  StepId next{};
   bool completes = false;
   switch (step.kind) {
     case Step::Kind::wait:
@@ -180,7 +181,7 @@ void Referee::done(const Event& event) {
       break;
     case Step::Kind::test:
       next = next_of_test(thread);
-      completes = next < 0;
+      completes = !next.valid();
       of.latched.clear();
       break;
     case Step::Kind::activity:
@@ -200,7 +201,7 @@ void Referee::done(const Event& event) {
     demand(completes && completed_, "the skill completes where it does not, or does not where it does");
     const int code = step.kind == Step::Kind::complete ? step.code : problem_.error_code;
     const Event& before = events_[at_ - 1];
-    demand(before.kind == Kind::complete && before.actor == thread && before.value == code,
+    demand(before.kind == Kind::complete && ThreadId::of(before.actor) == thread && before.value == code,
            "the skill completes with another code");
     monitor_.completes(thread, of.step, code);
     monitor_.skill_ends();
@@ -216,7 +217,7 @@ void Referee::done(const Event& event) {
 }
 
 void Referee::blocked(const Event& event) {
-  const int thread = event.actor;
+  const ThreadId thread = ThreadId::of(event.actor);
   again(thread);
   Party& of = party(thread);
   const Step& step = step_of(thread);
@@ -247,52 +248,53 @@ void Referee::blocked(const Event& event) {
 }
 
 void Referee::gave_up(const Event& event) {
-  again(event.actor);
-  Party& of = party(event.actor);
-  const Step& step = step_of(event.actor);
-  demand(step.kind == Step::Kind::wait && step.within.has_value(), name(event.actor),
+  const auto thread = ThreadId::of(event.actor);
+  again(thread);
+  Party& of = party(thread);
+  const Step& step = step_of(thread);
+  demand(step.kind == Step::Kind::wait && step.within.has_value(), name(thread),
          " gives up what has no limit");
-  demand(of.mode == (*step.within == 0 ? Mode::arrived : Mode::waiting), name(event.actor),
+  demand(of.mode == (*step.within == 0 ? Mode::arrived : Mode::waiting), name(thread),
          " gives up without waiting");
-  demand(now_ == of.reached + *step.within, name(event.actor), " gives up at another time than its limit");
-  for (ChannelId channel : step.channels) not_there_yet(channel, event.actor);
+  demand(now_ == of.reached + *step.within, name(thread), " gives up at another time than its limit");
+  for (ChannelId channel : step.channels) not_there_yet(channel, thread);
   of.gives_up = true;
-  resolve(event.actor);
+  resolve(thread);
 }
 
 void Referee::condition(const Event& event) {
-  Party& of = party(event.actor);
-  const Step& step = step_of(event.actor);
-  check_work(event.actor);
-  const auto condition = static_cast<std::size_t>(event.subject);
+  const auto thread = ThreadId::of(event.actor);
+  Party& of = party(thread);
+  const Step& step = step_of(thread);
+  check_work(thread);
+  const auto condition = ConditionId::of(event.subject);
   const bool value = event.value != 0;
-  midway_ = event.actor;
+  midway_ = thread;
   if (event.kind == Kind::set) {
-    demand(step.kind == Step::Kind::set && step.condition.value == event.subject && !of.acted,
-           name(event.actor), " sets what it does not set here");
-    demand(!step.value || *step.value == value, name(event.actor), " sets another value");
+    demand(step.kind == Step::Kind::set && step.condition == condition && !of.acted, name(thread),
+           " sets what it does not set here");
+    demand(!step.value || *step.value == value, name(thread), " sets another value");
     conditions_[condition] = value;
     of.acted = true;
-    monitor_.uses(event.actor, of.step);
-    monitor_.sets(event.actor, ConditionId::of(event.subject));
+    monitor_.uses(thread, of.step);
+    monitor_.sets(thread, condition);
     return;
   }
-  demand(conditions_[condition] == value, name(event.actor), " reads another value than was set");
+  demand(conditions_[condition] == value, name(thread), " reads another value than was set");
   if (step.kind == Step::Kind::read) {
-    demand(step.condition.value == event.subject && !of.acted, name(event.actor),
-           " reads what it does not read here");
-    of.latched[event.subject] = value;
+    demand(step.condition == condition && !of.acted, name(thread), " reads what it does not read here");
+    of.latched[condition] = value;
     of.acted = true;
   } else {
-    demand(step.kind == Step::Kind::test, name(event.actor), " reads what it does not read here");
-    demand(!of.reads.contains(event.subject), name(event.actor), " reads a condition twice");
-    of.reads[event.subject] = value;
+    demand(step.kind == Step::Kind::test, name(thread), " reads what it does not read here");
+    demand(!of.reads.contains(condition), name(thread), " reads a condition twice");
+    of.reads[condition] = value;
   }
-  monitor_.reads(event.actor, ConditionId::of(event.subject));
+  monitor_.reads(thread, condition);
 }
 
 void Referee::cancelled(const Event& event) {
-  const int thread = event.actor;
+  const ThreadId thread = ThreadId::of(event.actor);
   Party& of = party(thread);
   demand(of.must_stop, name(thread), " is cancelled, and need not be");
   if (of.mode == Mode::running) {
@@ -312,7 +314,7 @@ void Referee::cancelled(const Event& event) {
   const bool withdraws =
       std::any_of(slots_.begin(), slots_.end(), [](const Slot& each) { return each.to_be_dropped; });
   withdrawing_ = withdraws || dropped_at_ == now_;
-  if (thread_of(thread).parent >= 0) block_over(thread_of(thread).parent);
+  if (thread_of(thread).parent.valid()) block_over(thread_of(thread).parent);
   withdrawing_ = false;
 }
 

@@ -18,13 +18,13 @@ RequirementMonitor::RequirementMonitor(const Problem& problem, const Requirement
       busy_since_(problem.processors.size()),
       paused_(problem.processors.size(), -1),
       working_(problem.processors.size()),
-      occurrence_(problem.channels.size(), none) {
+      occurrence_(problem.channels.size(), -1) {
   if (requirement != nullptr && requirement->phase.limits()) phase_ = &requirement->phase;
-  if (phase_ != nullptr) at_.assign(problem.threads.size(), none);
+  if (phase_ != nullptr) at_.assign(problem.threads.size(), {});
   if (requirement == nullptr || !requirement->condition.valid()) return;
   // Until the first set, what a condition says dates from the start.
   conditions_[requirement->condition] = birth();
-  if (phase_ == nullptr) reference_ = 0;
+  if (phase_ == nullptr) reference_ = conditions_[requirement->condition];
 }
 
 bool RequirementMonitor::of_condition(pan::ConditionId condition) const {
@@ -44,47 +44,45 @@ bool RequirementMonitor::is_event(ChannelId channel) const {
   return is(Measure::response) && requirement_->is_event(channel);
 }
 
-int RequirementMonitor::birth() {
+RequirementMonitor::BirthId RequirementMonitor::birth() {
   births_.push_back(now_);
   answered_.push_back(false);
   uncounted_.push_back(!counts());
-  return static_cast<int>(births_.size()) - 1;
+  return BirthId(births_.size() - 1);
 }
 
-void RequirementMonitor::show(Nanoseconds born, int step) {
-  const StatementId statement =
-      step < 0 ? StatementId{} : problem_.steps[static_cast<std::size_t>(step)].statement;
+void RequirementMonitor::show(Nanoseconds born, StepId step) {
+  const StatementId statement = !step.valid() ? StatementId{} : problem_.steps[step].statement;
   measured_.push_back({now_ - born, born, now_, statement});
 }
 
-void RequirementMonitor::begins(int block, int parent) {
+void RequirementMonitor::begins(ThreadId block, ThreadId parent) {
   thread(block) = thread(parent);
 }
 
-void RequirementMonitor::ends(int index) {
+void RequirementMonitor::ends(ThreadId index) {
   thread(index) = none;
   if (phase_ == nullptr) return;
-  at_[static_cast<std::size_t>(index)] = none;
+  at_[index] = {};
   follow_loops();
 }
 
-void RequirementMonitor::reaches(int index, int step) {
+void RequirementMonitor::reaches(ThreadId index, StepId step) {
   if (phase_ == nullptr) return;
-  at_[static_cast<std::size_t>(index)] = step;
+  at_[index] = step;
   follow_loops();
 }
 
-void RequirementMonitor::passes(int index, int step) {
+void RequirementMonitor::passes(ThreadId index, StepId step) {
   judge(index, step);
   const bool begins = phase_ != nullptr && !phase_->after.empty() && !in_phase_;
-  if (begins && phase_->after[static_cast<std::size_t>(step)]) phase_begins();
+  if (begins && phase_->after[step]) phase_begins();
 }
 
 void RequirementMonitor::follow_loops() {
   if (phase_->during.empty()) return;
-  const bool within = std::any_of(at_.begin(), at_.end(), [this](int step) {
-    return step != none && phase_->during[static_cast<std::size_t>(step)];
-  });
+  const bool within = std::any_of(at_.begin(), at_.end(),
+                                  [this](StepId step) { return step.valid() && phase_->during[step]; });
   if (within && !in_phase_) phase_begins();
   if (!within && in_phase_) phase_ends();
 }
@@ -104,16 +102,16 @@ void RequirementMonitor::phase_ends() {
   reference_ = none;
   last_pass_.reset();
   lost_.clear();
-  std::fill(occurrence_.begin(), occurrence_.end(), none);
+  std::fill(occurrence_.begin(), occurrence_.end(), -1);
 }
 
-void RequirementMonitor::judge(int index, int step) {
+void RequirementMonitor::judge(ThreadId index, StepId step) {
   if (requirement_ == nullptr || requirement_->at.empty()) return;
-  if (!requirement_->at[static_cast<std::size_t>(step)]) return;
+  if (!requirement_->at[step]) return;
   if (!counts() && !is(Measure::response)) return;
   switch (requirement_->measure) {
     case Measure::age:
-      if (thread(index) != none) show(births_[static_cast<std::size_t>(thread(index))], step);
+      if (thread(index) != none) show(births_[thread(index)], step);
       return;
     case Measure::response:
       return respond(index, step);
@@ -128,25 +126,26 @@ void RequirementMonitor::judge(int index, int step) {
   }
 }
 
-void RequirementMonitor::respond(int index, int step) {
-  const int event = thread(index);
-  if (event == none || answered_[static_cast<std::size_t>(event)]) return;
-  answered_[static_cast<std::size_t>(event)] = true;
-  if (uncounted_[static_cast<std::size_t>(event)]) return;
-  for (std::size_t earlier = 0; earlier < static_cast<std::size_t>(event); ++earlier) {
+void RequirementMonitor::respond(ThreadId index, StepId step) {
+  const BirthId event = thread(index);
+  if (event == none || answered_[event]) return;
+  answered_[event] = true;
+  if (uncounted_[event]) return;
+  for (const BirthId earlier : answered_.ids()) {
+    if (earlier == event) break;
     if (!answered_[earlier] && !uncounted_[earlier]) failed_ = true;
   }
-  show(births_[static_cast<std::size_t>(event)], step);
+  show(births_[event], step);
 }
 
 /// What changes just after the last value that was reflected is reflected by a later one.
-void RequirementMonitor::react(int index, int step) {
+void RequirementMonitor::react(ThreadId index, StepId step) {
   if (reference_ == none || thread(index) <= reference_) return;
-  show(births_[static_cast<std::size_t>(reference_)], step);
+  show(births_[reference_], step);
   reference_ = thread(index);
 }
 
-void RequirementMonitor::completes(int, int step, int code) {
+void RequirementMonitor::completes(ThreadId, StepId step, int code) {
   if (is(Measure::duration) && requirement_->code == code && counts()) show(begun_, step);
 }
 
@@ -155,13 +154,13 @@ void RequirementMonitor::skill_ends() {
   ended_ = true;
 }
 
-void RequirementMonitor::sets(int index, pan::ConditionId condition) {
+void RequirementMonitor::sets(ThreadId index, pan::ConditionId condition) {
   if (of_condition(condition)) conditions_[condition] = birth();
   if (of_samples()) conditions_[condition] = thread(index);
 }
 
-void RequirementMonitor::reads(int index, pan::ConditionId condition) {
-  const int known = conditions_[condition];
+void RequirementMonitor::reads(ThreadId index, pan::ConditionId condition) {
+  const BirthId known = conditions_[condition];
   if (of_condition(condition)) thread(index) = known;
   if (of_samples()) thread(index) = std::max(thread(index), known);
 }
@@ -181,21 +180,20 @@ void RequirementMonitor::idle(ProcessorId processor) {
   if (std::find(watched.begin(), watched.end(), processor) == watched.end()) return;
   if (!working_[processor]) return;
   working_[processor] = false;
-  for (const Nanoseconds born : busy_since_[processor]) show(born, -1);
+  for (const Nanoseconds born : busy_since_[processor]) show(born, StepId{});
   paused_[processor] = now_;
 }
 
-void RequirementMonitor::puts(int index, ChannelId to) {
-  const int carried = is(Measure::response) || of_samples() ? thread(index) : none;
-  const bool answered =
-      is(Measure::response) && carried != none && answered_[static_cast<std::size_t>(carried)];
+void RequirementMonitor::puts(ThreadId index, ChannelId to) {
+  const BirthId carried = is(Measure::response) || of_samples() ? thread(index) : none;
+  const bool answered = is(Measure::response) && carried != none && answered_[carried];
   channel(to) = is_event(to) ? birth() : answered ? none : carried;
 }
 
-void RequirementMonitor::takes(int index, ChannelId from) {
-  const int carried = channel(from);
+void RequirementMonitor::takes(ThreadId index, ChannelId from) {
+  const BirthId carried = channel(from);
   if (is(Measure::response)) {
-    if (carried != none && !answered_[static_cast<std::size_t>(carried)]) thread(index) = carried;
+    if (carried != none && !answered_[carried]) thread(index) = carried;
   } else if (of_samples()) {
     thread(index) = std::max(thread(index), carried);
     const KeptId kept = problem_.channels[from].kept;
@@ -203,29 +201,27 @@ void RequirementMonitor::takes(int index, ChannelId from) {
   }
 }
 
-void RequirementMonitor::uses(int index, int step) {
+void RequirementMonitor::uses(ThreadId index, StepId step) {
   if (!of_samples()) return;
-  for (const KeptId kept : problem_.steps[static_cast<std::size_t>(step)].uses)
-    thread(index) = std::max(thread(index), kept_[kept]);
+  for (const KeptId kept : problem_.steps[step].uses) thread(index) = std::max(thread(index), kept_[kept]);
 }
 
-void RequirementMonitor::writes(int index, int step) {
+void RequirementMonitor::writes(ThreadId index, StepId step) {
   if (!of_samples()) return;
-  for (const KeptId kept : problem_.steps[static_cast<std::size_t>(step)].writes) kept_[kept] = thread(index);
+  for (const KeptId kept : problem_.steps[step].writes) kept_[kept] = thread(index);
 }
 
 void RequirementMonitor::empties(ChannelId of) {
   channel(of) = none;
-  occurrence_[of] = none;
+  occurrence_[of] = -1;
 }
 
 void RequirementMonitor::serves(ChannelId request, bool first) {
-  int& carried = serving_[request];
+  BirthId& carried = serving_[request];
   carried = is(Measure::response) ? channel(request) : none;
   const ChannelId answer = problem_.channels[request].answer;
   if (!is_sample(answer)) return;
-  carried =
-      first || births_.empty() || births_.back() != now_ ? birth() : static_cast<int>(births_.size()) - 1;
+  carried = first || births_.empty() || births_.back() != now_ ? birth() : BirthId(births_.size() - 1);
   sampled_ = true;
   if (reference_ == none && counts()) reference_ = carried;
 }
@@ -244,7 +240,7 @@ void RequirementMonitor::event(DeviceId device, ChannelId of, bool lost) {
   channel(of) = responds || is_sample(of) ? birth() : none;
   sampled_ = sampled_ || is_sample(of);
   if (is_sample(of) && reference_ == none && counts()) reference_ = channel(of);
-  occurrence_[of] = counts() ? static_cast<int>(lost_.size()) : none;
+  occurrence_[of] = counts() ? static_cast<int>(lost_.size()) : -1;
   occurrence(device, false);
 }
 
@@ -255,7 +251,7 @@ void RequirementMonitor::answers(ChannelId of, bool lost) {
   }
   const ChannelId request = problem_.channels[of].answers;
   channel(of) = is_event(of) ? birth() : due_[request];
-  occurrence_[of] = counts() ? static_cast<int>(lost_.size()) : none;
+  occurrence_[of] = counts() ? static_cast<int>(lost_.size()) : -1;
 }
 
 void RequirementMonitor::served(DeviceId device, bool lost) {
@@ -276,10 +272,10 @@ void RequirementMonitor::occurrence(DeviceId device, bool lost) {
 
 /// A message that was put is taken out of its slot unused. One that awaited a response does so no more.
 void RequirementMonitor::withdrawn(ChannelId of) {
-  if (is_event(of) && channel(of) != none) answered_[static_cast<std::size_t>(channel(of))] = true;
+  if (is_event(of) && channel(of) != none) answered_[channel(of)] = true;
   const int index = occurrence_[of];
   if (!is(Measure::loss) || requirement_->device != problem_.channels[of].sender_device) return;
-  if (index == none ||
+  if (index < 0 ||
       lost_.size() - static_cast<std::size_t>(index) > 2 * static_cast<std::size_t>(requirement_->in) - 1)
     return;
   lost_[static_cast<std::size_t>(index)] = true;
@@ -303,13 +299,13 @@ std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
   if (requirement_ == nullptr || ended_) return std::nullopt;
   switch (requirement_->measure) {
     case Measure::response:
-      for (std::size_t event = 0; event < births_.size(); ++event) {
+      for (const BirthId event : births_.ids()) {
         if (!answered_[event] && !uncounted_[event]) return births_[event];
       }
       return std::nullopt;
     case Measure::reaction:
       if (reference_ == none) return std::nullopt;
-      return births_[static_cast<std::size_t>(reference_)];
+      return births_[reference_];
     case Measure::interval:
       return requirement_->at_least ? std::nullopt : last_pass_;
     case Measure::busy:

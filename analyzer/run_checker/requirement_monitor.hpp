@@ -19,24 +19,24 @@ class RequirementMonitor {
   void at(Nanoseconds now) { now_ = now; }
 
   // Threads.
-  void begins(int block, int parent);
-  void ends(int thread);
-  void reaches(int thread, int step);
-  void passes(int thread, int step);
-  void completes(int thread, int step, int code);
-  void sets(int thread, pan::ConditionId condition);
-  void reads(int thread, pan::ConditionId condition);
+  void begins(ThreadId block, ThreadId parent);
+  void ends(ThreadId thread);
+  void reaches(ThreadId thread, StepId step);
+  void passes(ThreadId thread, StepId step);
+  void completes(ThreadId thread, StepId step, int code);
+  void sets(ThreadId thread, pan::ConditionId condition);
+  void reads(ThreadId thread, pan::ConditionId condition);
   void busy(ProcessorId processor);
   void idle(ProcessorId processor);
 
   /// What the module keeps: a statement uses it, at its effect and before all else; an activity has written
   /// it.
-  void uses(int thread, int step);
-  void writes(int thread, int step);
+  void uses(ThreadId thread, StepId step);
+  void writes(ThreadId thread, StepId step);
 
   // Messages. What the thread carries goes with one that it puts.
-  void puts(int thread, ChannelId channel);
-  void takes(int thread, ChannelId channel);
+  void puts(ThreadId thread, ChannelId channel);
+  void takes(ThreadId thread, ChannelId channel);
   void empties(ChannelId channel);
   void withdrawn(ChannelId channel);
 
@@ -57,24 +57,26 @@ class RequirementMonitor {
 
  private:
   using Measure = Requirement::Measure;
-  static constexpr int none = -1;
+  /// In births_.
+  using BirthId = Id<struct BirthTag>;
+  static constexpr BirthId none{};
 
   bool is(Measure measure) const { return requirement_ != nullptr && requirement_->measure == measure; }
   bool of_condition(pan::ConditionId condition) const;
   bool of_samples() const;
   bool is_sample(ChannelId channel) const;
   bool is_event(ChannelId channel) const;
-  int birth();
-  void judge(int thread, int step);
+  BirthId birth();
+  void judge(ThreadId thread, StepId step);
   bool counts() const { return !phase_ || in_phase_; }
   void follow_loops();
   void phase_begins();
   void phase_ends();
-  int& thread(int index) { return threads_[static_cast<std::size_t>(index)]; }
-  int& channel(ChannelId channel) { return channels_[channel]; }
-  void show(Nanoseconds born, int step);
-  void respond(int thread, int step);
-  void react(int thread, int step);
+  BirthId& thread(ThreadId thread) { return threads_[thread]; }
+  BirthId& channel(ChannelId channel) { return channels_[channel]; }
+  void show(Nanoseconds born, StepId step);
+  void respond(ThreadId thread, StepId step);
+  void react(ThreadId thread, StepId step);
   void occurrence(DeviceId device, bool lost);
   void show_losses();
 
@@ -84,19 +86,19 @@ class RequirementMonitor {
   Nanoseconds now_ = 0;
   const Phase* phase_ = nullptr;  // what is measured, if it is not the whole run
   bool in_phase_ = false;
-  std::vector<int> at_;  // of a phase: the step that each thread is at
-  std::vector<Nanoseconds> births_;
-  std::vector<bool> answered_;               // events
-  std::vector<bool> uncounted_;              // events outside of the phase, or left unanswered by it
-  std::vector<int> threads_;                 // the birth that each carries
-  Table<ChannelId, int> channels_;           // and each message
-  Table<ChannelId, int> serving_;            // and the answer to each request that is being served
-  Table<ChannelId, int> due_;                // … to each that has been
-  Table<pan::ConditionId, int> conditions_;  // and each condition
-  Table<KeptId, int> kept_;                  // and each value that a module keeps
-  int reference_ = none;                     // reactions: the latest birth that a statement has reflected
-  bool sampled_ = false;                     // reactions: there was a sample
-  Nanoseconds begun_ = 0;                    // durations: when they began
+  Table<ThreadId, StepId> at_;  // of a phase: the step that each thread is at
+  Table<BirthId, Nanoseconds> births_;
+  Table<BirthId, bool> answered_;                // events
+  Table<BirthId, bool> uncounted_;               // events outside of the phase, or left unanswered by it
+  Table<ThreadId, BirthId> threads_;             // the birth that each carries
+  Table<ChannelId, BirthId> channels_;           // and each message
+  Table<ChannelId, BirthId> serving_;            // and the answer to each request that is being served
+  Table<ChannelId, BirthId> due_;                // … to each that has been
+  Table<pan::ConditionId, BirthId> conditions_;  // and each condition
+  Table<KeptId, BirthId> kept_;                  // and each value that a module keeps
+  BirthId reference_{};                          // reactions: the latest birth that a statement has reflected
+  bool sampled_ = false;                         // reactions: there was a sample
+  Nanoseconds begun_ = 0;                        // durations: when they began
   std::optional<Nanoseconds> last_pass_;
   Table<ProcessorId, std::vector<Nanoseconds>> busy_since_;  // several, with pauses of no length between
   Table<ProcessorId, Nanoseconds> paused_;                   // when it had nothing to do last; -1: never

@@ -61,7 +61,7 @@ void ConcreteRun::apply(int fired) {
     const Nanoseconds born = origin == Outcome::born_now ? now_ : births_[static_cast<std::size_t>(origin)];
     measured_.push_back({now_ - born, born, now_, outcome_.measured_steps[i]});
   }
-  if (outcome_.lost >= 0) measured_.push_back({outcome_.lost, now_, now_, -1});
+  if (outcome_.lost >= 0) measured_.push_back({outcome_.lost, now_, now_, {}});
   std::vector<Nanoseconds> births;
   for (int origin : outcome_.origin) {
     births.push_back(origin == Outcome::born_now ? now_ : births_[static_cast<std::size_t>(origin)]);
@@ -91,7 +91,7 @@ trace::Trace empty_trace(const Problem& problem) {
   trace.origin = "predicted";
   for (const Thread& thread : problem.threads) {
     const std::string& processor = problem.processors[thread.processor].name;
-    trace.actors.push_back({thread.name, false, processor, thread.priority, thread.parent});
+    trace.actors.push_back({thread.name, false, processor, thread.priority, thread.parent.value});
   }
   for (const Device& device : problem.devices) trace.actors.push_back({device.name, true, "", 0});
   for (const Statement& statement : problem.statements) {

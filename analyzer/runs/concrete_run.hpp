@@ -13,7 +13,7 @@ struct Measurement {
   Nanoseconds value = 0;
   Nanoseconds born = 0;
   Nanoseconds at = 0;
-  int step = -1;
+  StepId step{};
 };
 
 /// One event of a run.

@@ -179,12 +179,13 @@ void PathSchedule::still_open(const Life& life, std::size_t until) {
 /// An action ends: the ones that it preempted are owed its time, which is fixed for that purpose.
 void PathSchedule::pay(ProcessorId processor, int timer, Range& range) {
   if (pin_ == Pin::open) return;
-  for (std::size_t t = 0; t < machine_.problem().threads.size(); ++t) {
-    if (static_cast<int>(t) == timer || !lives_[t].active || !lives_[t].frozen) continue;
+  for (const ThreadId t : machine_.problem().threads.ids()) {
+    Life& life = lives_[t.index()];
+    if (machine_.thread_timer(t) == timer || !life.active || !life.frozen) continue;
     if (machine_.problem().threads[t].processor != processor) continue;
     pinned_ = pinned_ || range.best != range.worst;
     if (range.best != range.worst) range.best = range.worst = pin_ == Pin::worst ? range.worst : range.best;
-    lives_[t].owed += range.best;
+    life.owed += range.best;
   }
 }
 

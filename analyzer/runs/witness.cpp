@@ -92,7 +92,7 @@ std::optional<Witness> replay(const Machine& machine, const std::vector<Scripted
   for (std::size_t o = 0; o < concrete_run.births().size() && !any; ++o) {
     if (!grows(concrete_run.state(), machine.watch(), static_cast<int>(o))) continue;
     const Nanoseconds born = concrete_run.births()[o];
-    witness.measured = {concrete_run.now() - born, born, concrete_run.now(), -1};
+    witness.measured = {concrete_run.now() - born, born, concrete_run.now(), {}};
     witness.grows = true;
     break;
   }

@@ -12,10 +12,6 @@ namespace {
 
 using Measure = Requirement::Measure;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// How far what a thread waits for is kept, too.
 enum class Hold {
   none,    // the thread is left out
@@ -38,8 +34,8 @@ class Finder {
     seed();
     for (changed_ = true; changed_;) {
       changed_ = false;
-      for (std::size_t t = 0; t < hold_.size(); ++t) {
-        if (hold_[t] != Hold::none) around(static_cast<int>(t));
+      for (const ThreadId t : hold_.ids()) {
+        if (hold_[t] != Hold::none) around(t);
       }
       share_processors();
       for (const DeviceId d : devices_.ids()) {
@@ -54,9 +50,9 @@ class Finder {
   }
 
  private:
-  void keep(int thread, Hold hold) {
-    if (hold_[at(thread)] >= hold) return;
-    hold_[at(thread)] = hold;
+  void keep(ThreadId thread, Hold hold) {
+    if (hold_[thread] >= hold) return;
+    hold_[thread] = hold;
     changed_ = true;
   }
   void keep_device(DeviceId device) {
@@ -65,8 +61,8 @@ class Finder {
     changed_ = true;
   }
   void keep_if(Hold hold, const std::function<bool(const ThreadTalk&)>& meant) {
-    for (std::size_t t = 0; t < talk_.size(); ++t) {
-      if (meant(talk_[t])) keep(static_cast<int>(t), hold);
+    for (const ThreadId t : talk_.ids()) {
+      if (meant(talk_[t])) keep(t, hold);
     }
   }
   /// Both ends of a channel, and all others that use it.
@@ -91,7 +87,7 @@ class Finder {
   void seed() {
     keep_if(Hold::strong, [this](const ThreadTalk& talk) {
       return std::any_of(talk.steps.begin(), talk.steps.end(),
-                         [this](int step) { return watch_.at[at(step)] || is_of_phase(step); });
+                         [this](StepId step) { return watch_.at[step] || is_of_phase(step); });
     });
     if (requirement_.device.valid()) keep_device(requirement_.device);
     if (watch_.kind == Watch::Kind::loss) keep_channels_of(requirement_.device);
@@ -101,36 +97,35 @@ class Finder {
       keep_if(Hold::strong, [this](const ThreadTalk& talk) { return talk.sets.contains(watch_.condition); });
     }
     if (watch_.kind == Watch::Kind::busy) {
-      for (std::size_t t = 0; t < hold_.size(); ++t) {
-        if (problem_.threads[t].processor == watch_.processor) keep(static_cast<int>(t), Hold::strong);
+      for (const ThreadId t : hold_.ids()) {
+        if (problem_.threads[t].processor == watch_.processor) keep(t, Hold::strong);
       }
     }
     if (watch_.kind == Watch::Kind::response || watch_.kind == Watch::Kind::sample) carriers();
   }
 
   /// Whether it begins or ends the part of a run that is measured.
-  bool is_of_phase(int step) const {
+  bool is_of_phase(StepId step) const {
     const Phase& phase = watch_.phase;
-    return (!phase.after.empty() && phase.after[at(step)]) ||
-           (!phase.during.empty() && phase.during[at(step)]);
+    return (!phase.after.empty() && phase.after[step]) || (!phase.during.empty() && phase.during[step]);
   }
 
   /// Channels and conditions by which the measured value may come to a statement of the requirement. They lie
   /// between where it may be known and where it may still count.
   void carriers() {
-    std::vector<bool> knows(talk_.size());
-    std::vector<bool> counts(talk_.size());
+    Table<ThreadId, bool> knows(talk_.size());
+    Table<ThreadId, bool> counts(talk_.size());
     const bool samples = watch_.kind == Watch::Kind::sample;
     if (samples) find_echoes();
     const std::vector<ChannelId>& sources = samples ? requirement_.samples : requirement_.events;
-    for (std::size_t t = 0; t < talk_.size(); ++t) {
+    for (const ThreadId t : talk_.ids()) {
       for (const ChannelId channel : sources) knows[t] = knows[t] || talk_[t].waits.contains(channel);
-      for (const int step : talk_[t].steps) counts[t] = counts[t] || watch_.at[at(step)];
+      for (const StepId step : talk_[t].steps) counts[t] = counts[t] || watch_.at[step];
     }
     for (bool grown = true; grown;) {
       grown = false;
-      for (std::size_t a = 0; a < talk_.size(); ++a) {
-        for (std::size_t b = 0; b < talk_.size(); ++b) {
+      for (const ThreadId a : talk_.ids()) {
+        for (const ThreadId b : talk_.ids()) {
           if (!tells_new(a, b, samples)) continue;
           grown = grown || (knows[a] && !knows[b]) || (counts[b] && !counts[a]);
           knows[b] = knows[b] || knows[a];
@@ -138,10 +133,10 @@ class Finder {
         }
       }
     }
-    for (std::size_t a = 0; a < talk_.size(); ++a) {
+    for (const ThreadId a : talk_.ids()) {
       if (!knows[a]) continue;
-      for (std::size_t b = 0; b < talk_.size(); ++b) {
-        if (counts[b] && tells_new(a, b, samples)) keep_way(talk_[a], static_cast<int>(b));
+      for (const ThreadId b : talk_.ids()) {
+        if (counts[b] && tells_new(a, b, samples)) keep_way(talk_[a], b);
       }
     }
   }
@@ -149,35 +144,35 @@ class Finder {
   /// For each thread with blocks, the threads that only know what it has known before. They get no sample,
   /// and messages only from one another and from it.
   void find_echoes() {
-    for (std::size_t p = 0; p < talk_.size(); ++p) {
+    for (const ThreadId p : talk_.ids()) {
       if (talk_[p].blocks.empty()) continue;
-      std::vector<bool> echo(talk_.size(), true);
+      Table<ThreadId, bool> echo(talk_.size(), true);
       echo[p] = false;
       for (bool changed = true; changed;) {
         changed = false;
-        for (std::size_t t = 0; t < talk_.size(); ++t) {
-          if (!echo[t] || is_echo(static_cast<int>(t), static_cast<int>(p), echo)) continue;
+        for (const ThreadId t : talk_.ids()) {
+          if (!echo[t] || is_echo(t, p, echo)) continue;
           echo[t] = false;
           changed = true;
         }
       }
-      echoes_.emplace_back(static_cast<int>(p), std::move(echo));
+      echoes_.emplace_back(p, std::move(echo));
     }
   }
 
-  bool is_echo(int thread, int of, const std::vector<bool>& echo) const {
+  bool is_echo(ThreadId thread, ThreadId of, const Table<ThreadId, bool>& echo) const {
     for (const ChannelId channel : requirement_.samples) {
-      if (talk_[at(thread)].waits.contains(channel)) return false;
+      if (talk_[thread].waits.contains(channel)) return false;
     }
-    for (std::size_t a = 0; a < talk_.size(); ++a) {
-      const bool known = echo[a] || static_cast<int>(a) == of;
+    for (const ThreadId a : talk_.ids()) {
+      const bool known = echo[a] || a == of;
       if (!known && tells(talk_[a], thread, true)) return false;
     }
     return true;
   }
 
-  bool is_within(int thread, int parent) const {
-    for (; thread >= 0; thread = problem_.threads[at(thread)].parent) {
+  bool is_within(ThreadId thread, ThreadId parent) const {
+    for (; thread.valid(); thread = problem_.threads[thread].parent) {
       if (thread == parent) return true;
     }
     return false;
@@ -185,11 +180,10 @@ class Finder {
 
   /// Whether `b` may learn from `a` what it does not know yet. What a thread knows its blocks know as they
   /// begin, and it goes on knowing it.
-  bool tells_new(std::size_t a, std::size_t b, bool samples) const {
-    if (!tells(talk_[a], static_cast<int>(b), samples)) return false;
-    return std::none_of(echoes_.begin(), echoes_.end(), [&](const auto& of) {
-      return of.second[a] && is_within(static_cast<int>(b), of.first);
-    });
+  bool tells_new(ThreadId a, ThreadId b, bool samples) const {
+    if (!tells(talk_[a], ThreadId(b), samples)) return false;
+    return std::none_of(echoes_.begin(), echoes_.end(),
+                        [&](const auto& of) { return of.second[a] && is_within(ThreadId(b), of.first); });
   }
 
   /// The channel over which the answer to `channel` comes, if a device gives it; else `channel`.
@@ -198,8 +192,8 @@ class Finder {
     return of.served ? of.answer : channel;
   }
 
-  bool tells(const ThreadTalk& from, int thread, bool samples) const {
-    const ThreadTalk& to = talk_[at(thread)];
+  bool tells(const ThreadTalk& from, ThreadId thread, bool samples) const {
+    const ThreadTalk& to = talk_[thread];
     if (from.blocks.contains(thread)) return true;
     for (const ChannelId channel : from.sends) {
       if (to.waits.contains(arrival(channel))) return true;
@@ -216,19 +210,19 @@ class Finder {
   /// Whether the reader of a condition, or of a message that its module keeps, knows all that can be learned
   /// from it. `written`: what threads set, or keep.
   template <class What>
-  bool is_known(std::set<What> ThreadTalk::*written, What what, int reader) const {
+  bool is_known(std::set<What> ThreadTalk::*written, What what, ThreadId reader) const {
     return std::any_of(echoes_.begin(), echoes_.end(), [&](const auto& of) {
       if (!is_within(reader, of.first)) return false;
-      for (std::size_t t = 0; t < talk_.size(); ++t) {
-        const bool old = of.second[t] || static_cast<int>(t) == of.first;
+      for (const ThreadId t : talk_.ids()) {
+        const bool old = of.second[t] || t == of.first;
         if (!old && (talk_[t].*written).contains(what)) return false;
       }
       return true;
     });
   }
 
-  void keep_way(const ThreadTalk& from, int thread) {
-    const ThreadTalk& to = talk_[at(thread)];
+  void keep_way(const ThreadTalk& from, ThreadId thread) {
+    const ThreadTalk& to = talk_[thread];
     keep(thread, Hold::strong);
     for (const ChannelId channel : from.sends) {
       if (!to.waits.contains(arrival(channel))) continue;
@@ -251,12 +245,12 @@ class Finder {
 
   // What has an influence on that.
 
-  void around(int thread) {
-    const ThreadTalk& talk = talk_[at(thread)];
-    if (problem_.threads[at(thread)].parent >= 0) keep(problem_.threads[at(thread)].parent, Hold::strong);
+  void around(ThreadId thread) {
+    const ThreadTalk& talk = talk_[thread];
+    if (problem_.threads[thread].parent.valid()) keep(problem_.threads[thread].parent, Hold::strong);
     if (reach_ == Reach::least) return;
-    if (hold_[at(thread)] == Hold::loose && !is_paced(talk)) keep(thread, Hold::strong);
-    const bool strong = hold_[at(thread)] == Hold::strong;
+    if (hold_[thread] == Hold::loose && !is_paced(talk)) keep(thread, Hold::strong);
+    const bool strong = hold_[thread] == Hold::strong;
     for (const ChannelId channel : talk.waits_again) {
       if (strong || !waits_long(thread, channel)) keep_device(problem_.channels[channel].sender_device);
     }
@@ -268,16 +262,16 @@ class Finder {
       keep_if(Hold::strong, [channel](const ThreadTalk& of) { return of.waits.contains(channel); });
       if (problem_.channels[channel].served) keep_device(problem_.channels[channel].receiver_device);
     }
-    for (const int block : talk.blocks_again) {
-      if (problem_.threads[at(block)].can_end) keep(block, Hold::strong);
+    for (const ThreadId block : talk.blocks_again) {
+      if (problem_.threads[block].can_end) keep(block, Hold::strong);
     }
   }
 
   /// Whether a thread that asks the device over and over again does so seldom without it, too.
-  bool waits_long(int thread, ChannelId channel) const {
-    const std::vector<int>& steps = talk_[at(thread)].steps;
-    return std::any_of(steps.begin(), steps.end(), [&](int s) {
-      const Step& step = problem_.steps[at(s)];
+  bool waits_long(ThreadId thread, ChannelId channel) const {
+    const std::vector<StepId>& steps = talk_[thread].steps;
+    return std::any_of(steps.begin(), steps.end(), [&](StepId s) {
+      const Step& step = problem_.steps[s];
       return step.kind == Step::Kind::wait && step.channels.front() == channel &&
              least_wait(problem_, talk_, thread, s) > 0;
     });
@@ -294,15 +288,15 @@ class Finder {
   void share_processors() {
     for (const ProcessorId p : problem_.processors.ids()) {
       int least = INT32_MAX;
-      for (std::size_t t = 0; t < hold_.size(); ++t) {
+      for (const ThreadId t : hold_.ids()) {
         const Thread& thread = problem_.threads[t];
         if (hold_[t] != Hold::none && thread.processor == p) least = std::min(least, thread.priority);
       }
       if (least == INT32_MAX) continue;
-      for (std::size_t t = 0; t < hold_.size(); ++t) {
+      for (const ThreadId t : hold_.ids()) {
         const Thread& thread = problem_.threads[t];
         const bool before = !problem_.processors[p].preemptive || thread.priority >= least;
-        if (thread.processor == p && before) keep(static_cast<int>(t), Hold::loose);
+        if (thread.processor == p && before) keep(t, Hold::loose);
       }
     }
   }
@@ -311,7 +305,7 @@ class Finder {
   Table<DeviceId, bool> pacers() const {
     Table<DeviceId, bool> found = devices_;
     if (requirement_.device.valid()) found[requirement_.device] = false;
-    for (std::size_t t = 0; t < talk_.size(); ++t) {
+    for (const ThreadId t : talk_.ids()) {
       if (hold_[t] != Hold::strong) continue;
       for (const ChannelId channel : talk_[t].waits) {
         const DeviceId device = problem_.channels[channel].sender_device;
@@ -335,10 +329,10 @@ class Finder {
   const Requirement& requirement_;
   Reach reach_;
   Watch watch_;
-  std::vector<ThreadTalk> talk_;
-  std::vector<Hold> hold_;
+  Table<ThreadId, ThreadTalk> talk_;
+  Table<ThreadId, Hold> hold_;
   Table<DeviceId, bool> devices_;
-  std::vector<std::pair<int, std::vector<bool>>> echoes_;
+  std::vector<std::pair<ThreadId, Table<ThreadId, bool>>> echoes_;
   bool changed_ = false;
 };
 
@@ -351,7 +345,7 @@ bool Cone::whole() const {
 
 Cone cone_of(const Problem& problem, const Requirement& requirement, ProcessorId processor, Reach reach) {
   if (requirement.measure == Measure::load)
-    return {std::vector<bool>(problem.threads.size(), true),
+    return {Table<ThreadId, bool>(problem.threads.size(), true),
             Table<DeviceId, bool>(problem.devices.size(), true),
             Table<DeviceId, bool>(problem.devices.size(), false)};
   return Finder(problem, requirement, processor, reach).find();

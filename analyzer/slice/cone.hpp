@@ -9,7 +9,7 @@ namespace pal::analyzer {
 
 /// The parts of a problem that are kept; the rest may do anything (slice.hpp).
 struct Cone {
-  std::vector<bool> threads;
+  Table<ThreadId, bool> threads;
   Table<DeviceId, bool> devices;
   /// Devices that matter only because their events make others take time: how seldom they come does not
   /// matter.

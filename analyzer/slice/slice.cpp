@@ -7,10 +7,6 @@
 namespace pal::analyzer {
 namespace {
 
-std::size_t index_of(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 class Slicer {
  public:
   Slicer(const Problem& problem, const Cone& cone, Relaxation relaxation)
@@ -24,10 +20,10 @@ class Slicer {
       made_.devices[d].seldom = relaxation_.periods && cone_.pacers[d];
     }
     free_conditions();
-    for (std::size_t t = 0; t < made_.threads.size(); ++t) {
+    for (const ThreadId t : made_.threads.ids()) {
       if (cone_.threads[t]) {
-        hold_waits(static_cast<int>(t));
-        note_beginning(static_cast<int>(t));
+        hold_waits(t);
+        note_beginning(t);
       } else {
         leave_out(made_.threads[t]);
       }
@@ -38,7 +34,7 @@ class Slicer {
  private:
   /// Whether all parties at both ends are kept.
   bool is_kept(ChannelId channel) const {
-    for (std::size_t t = 0; t < talk_.size(); ++t) {
+    for (const ThreadId t : talk_.ids()) {
       const bool uses = talk_[t].sends.contains(channel) || talk_[t].waits.contains(channel);
       if (uses && !cone_.threads[t]) return false;
     }
@@ -62,10 +58,10 @@ class Slicer {
 
   /// Whether a thread may give up waiting for the answer to a request, or be stopped before it has it.
   bool may_be_withdrawn(ChannelId request) const {
-    for (std::size_t t = 0; t < talk_.size(); ++t) {
-      if (talk_[t].sends.contains(request) && whole_.threads[t].parent >= 0) return true;
-      for (const int s : talk_[t].steps) {
-        const Step& step = whole_.steps[index_of(s)];
+    for (const ThreadId t : talk_.ids()) {
+      if (talk_[t].sends.contains(request) && whole_.threads[t].parent.valid()) return true;
+      for (const StepId s : talk_[t].steps) {
+        const Step& step = whole_.steps[s];
         if (step.kind != Step::Kind::wait || !step.within) continue;
         const auto answer =
             std::find(step.channels.begin(), step.channels.end(), whole_.channels[request].answer);
@@ -85,9 +81,9 @@ class Slicer {
   void free_conditions() {
     std::uint64_t left_out = 0;
     std::uint64_t told = 0;  // a set says which value
-    for (std::size_t t = 0; t < talk_.size(); ++t) {
-      for (const int s : talk_[t].steps) {
-        const Step& step = whole_.steps[index_of(s)];
+    for (const ThreadId t : talk_.ids()) {
+      for (const StepId s : talk_[t].steps) {
+        const Step& step = whole_.steps[s];
         if (step.kind != Step::Kind::set) continue;
         const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(step.condition.index());
         if (!cone_.threads[t]) left_out |= bit;
@@ -103,7 +99,7 @@ class Slicer {
       Setters setters;
       setters.threads.assign(talk_.size(), false);
       bool together = true;
-      for (std::size_t t = 0; t < talk_.size(); ++t) {
+      for (const ThreadId t : talk_.ids()) {
         if (!talk_[t].sets.contains(c)) continue;
         const ProcessorId processor = whole_.threads[t].processor;
         setters.threads[t] = true;
@@ -116,27 +112,27 @@ class Slicer {
   }
 
   /// A device that is left out answers no sooner than it can.
-  void hold_waits(int thread) {
-    for (const int s : talk_[index_of(thread)].steps) {
-      const Step& step = whole_.steps[index_of(s)];
+  void hold_waits(ThreadId thread) {
+    for (const StepId s : talk_[thread].steps) {
+      const Step& step = whole_.steps[s];
       if (step.kind != Step::Kind::wait || step.channels.size() != 1) continue;
       if (made_.channels[step.channels.front()].loose)
-        made_.steps[index_of(s)].arrival.best = least_wait(whole_, talk_, thread, s);
+        made_.steps[s].arrival.best = least_wait(whole_, talk_, thread, s);
     }
   }
 
-  void note_beginning(int thread) {
-    if (whole_.threads[index_of(thread)].parent >= 0) return;
-    for (const int s : talk_[index_of(thread)].beginning) made_.steps[index_of(s)].before_blocks = true;
+  void note_beginning(ThreadId thread) {
+    if (whole_.threads[thread].parent.valid()) return;
+    for (const StepId s : talk_[thread].beginning) made_.steps[s].before_blocks = true;
   }
 
   void leave_out(Thread& thread) {
     thread.left_out = true;
-    if (thread.parent < 0) return;
+    if (!thread.parent.valid()) return;
     // Only its end can be seen, and how long it goes on when it is cancelled.
-    const int waits = static_cast<int>(made_.steps.size());
-    const int works = waits + 1;
-    const int ends = waits + 2;
+    const StepId waits(made_.steps.size());
+    const StepId works(waits.index() + 1);
+    const StepId ends(waits.index() + 2);
     Step wait;
     wait.kind = Step::Kind::wait;
     wait.next = {works};
@@ -158,7 +154,7 @@ class Slicer {
   const Problem& whole_;
   const Cone& cone_;
   Relaxation relaxation_;
-  std::vector<ThreadTalk> talk_;
+  Table<ThreadId, ThreadTalk> talk_;
   Problem made_;
 };
 

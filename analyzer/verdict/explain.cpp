@@ -26,7 +26,7 @@ std::string list(const std::vector<Reason>& reasons) {
 
 /// "TXM( motion to MC1 ) (line 57)"
 std::string statement_at(const Problem& problem, const Measurement& measured) {
-  const StatementId index = problem.steps[static_cast<std::size_t>(measured.step)].statement;
+  const StatementId index = problem.steps[measured.step].statement;
   const Statement& statement = problem.statements[index];
   return statement.text + (statement.line == 0 ? "" : " at line " + std::to_string(statement.line));
 }
@@ -71,7 +71,7 @@ std::string event_name(const Problem& problem, const Requirement& requirement) {
 
 /// The statements of a requirement: "TXM( motion to MC1 )".
 std::string statements_of(const Problem& problem, const Requirement& requirement) {
-  for (std::size_t s = 0; s < requirement.at.size(); ++s) {
+  for (const StepId s : requirement.at.ids()) {
     const StatementId index = problem.steps[s].statement;
     if (requirement.at[s] && index.valid()) return problem.statements[index].text;
   }

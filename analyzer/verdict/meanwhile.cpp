@@ -12,8 +12,8 @@ std::vector<Reason> Narrator::meanwhile(const trace::Slice& wait, Nanoseconds fr
   if (from >= to || (!goes_on && wait.ending != trace::Ending::over)) return {};
   std::vector<Reason> pieces;
   if (wait.channel < 0) {
-    const int block = goes_on ? -1 : last_block(wait.actor, from, to);
-    if (block >= 0) tell(block, from, to, pieces, depth);
+    const ThreadId block = goes_on ? ThreadId{} : last_block(ThreadId::of(wait.actor), from, to);
+    if (block.valid()) tell(block, from, to, pieces, depth);
     return pieces;
   }
   const std::optional<int> other = goes_on ? to_send(wait) : waited_for(wait);
@@ -24,7 +24,7 @@ std::vector<Reason> Narrator::meanwhile(const trace::Slice& wait, Nanoseconds fr
   if (from < sent && is_device(*other)) {
     serves(*other, from, sent, pieces);
   } else if (from < sent) {
-    tell(*other, from, sent, pieces, depth);
+    tell(ThreadId::of(*other), from, sent, pieces, depth);
   }
   if (sent == to || (pieces.empty() && from < sent)) return pieces;
   const auto channel = static_cast<std::size_t>(put ? run_.events[*put].subject : wait.channel);
@@ -83,17 +83,17 @@ std::vector<std::size_t>::const_iterator Narrator::first_at(const std::vector<st
 }
 
 /// Of the blocks of a thread the one that works to the end of [from, to].
-int Narrator::last_block(int thread, Nanoseconds from, Nanoseconds to) const {
-  for (std::size_t block = 0; block < problem_.threads.size(); ++block) {
+ThreadId Narrator::last_block(ThreadId thread, Nanoseconds from, Nanoseconds to) const {
+  for (const ThreadId block : problem_.threads.ids()) {
     if (problem_.threads[block].parent != thread) continue;
-    const std::vector<trace::Slice>& own = of_actor_[block];
+    const std::vector<trace::Slice>& own = of_actor_[block.index()];
     const auto next = std::partition_point(own.begin(), own.end(),
                                            [to](const trace::Slice& slice) { return slice.to_ns < to; });
     if (next != own.end() && next->from_ns < to && next->to_ns == to && next->to_ns > from &&
         next->ending == trace::Ending::effect)
-      return static_cast<int>(block);
+      return block;
   }
-  return -1;
+  return ThreadId{};
 }
 
 /// What a device did in [from, to]: nothing to tell of one that does not work.

@@ -14,7 +14,7 @@ Table<ProcessorId, std::vector<trace::Slice>> running_on(const Problem& problem,
   Table<ProcessorId, std::vector<trace::Slice>> by_processor(problem.processors.size());
   for (const trace::Slice& slice : slices) {
     if (slice.state != trace::State::running || slice.to_ns == slice.from_ns) continue;
-    const ProcessorId processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+    const ProcessorId processor = problem.threads[ThreadId::of(slice.actor)].processor;
     by_processor[processor].push_back(slice);
   }
   return by_processor;
@@ -80,8 +80,8 @@ std::string Narrator::doing(const trace::Slice& slice) const {
   return {};
 }
 
-bool Narrator::is_at_work(int thread, Nanoseconds instant) const {
-  const std::vector<trace::Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
+bool Narrator::is_at_work(ThreadId thread, Nanoseconds instant) const {
+  const std::vector<trace::Slice>& own = of_actor_[thread.index()];
   return std::any_of(own.begin(), own.end(), [instant](const trace::Slice& slice) {
     return slice.from_ns <= instant && slice.to_ns >= instant;
   });
@@ -90,7 +90,7 @@ bool Narrator::is_at_work(int thread, Nanoseconds instant) const {
 /// The threads that kept another from its processor in [from, to], piece by piece.
 void Narrator::interference(const trace::Slice& kept, Nanoseconds from, Nanoseconds to,
                             std::vector<Reason>& out) const {
-  const ProcessorId processor = problem_.threads[static_cast<std::size_t>(kept.actor)].processor;
+  const ProcessorId processor = problem_.threads[ThreadId::of(kept.actor)].processor;
   const std::vector<trace::Slice>& here = running_[processor];
   auto at = std::partition_point(here.begin(), here.end(),
                                  [from](const trace::Slice& slice) { return slice.to_ns <= from; });
@@ -108,9 +108,10 @@ void Narrator::interference(const trace::Slice& kept, Nanoseconds from, Nanoseco
 
 /// What a thread did in [from, to], without gaps. Into waits it is told what happened meanwhile, to that
 /// depth.
-void Narrator::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
+void Narrator::tell(ThreadId thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out,
+                    int depth) const {
   Nanoseconds at = from;
-  const std::vector<trace::Slice>& own = of_actor_[static_cast<std::size_t>(thread)];
+  const std::vector<trace::Slice>& own = of_actor_[thread.index()];
   auto next = std::partition_point(own.begin(), own.end(),
                                    [from](const trace::Slice& slice) { return slice.to_ns <= from; });
   for (; next != own.end() && next->from_ns < to; ++next) {
@@ -122,7 +123,7 @@ void Narrator::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Re
     if (slice.state == trace::State::ready) {
       interference(slice, begin, end, out);
     } else {
-      out.push_back(reason(begin, end, thread, doing(slice), slice.statement));
+      out.push_back(reason(begin, end, thread.value, doing(slice), slice.statement));
       if (slice.state == trace::State::waiting && depth > 0)
         out.back().inside = meanwhile(slice, begin, end, depth - 1);
     }
@@ -133,27 +134,28 @@ void Narrator::tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Re
 
 /// What kept a thread in [from, to], in which it has no slices. It waited for its blocks. Or it is itself a
 /// block that has not begun; then it is what its parent did.
-void Narrator::rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const {
-  const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
+void Narrator::rest(ThreadId thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out,
+                    int depth) const {
+  const ThreadId parent = problem_.threads[thread].parent;
   if (blocks_at_work(thread, from, to)) {
-    out.push_back(reason(from, to, thread, "waits for its blocks", -1));
-    const int block = last_block(thread, from, to);
-    if (block >= 0 && depth > 0) tell(block, from, to, out.back().inside, depth - 1);
-  } else if (parent >= 0) {
+    out.push_back(reason(from, to, thread.value, "waits for its blocks", -1));
+    const ThreadId block = last_block(thread, from, to);
+    if (block.valid() && depth > 0) tell(block, from, to, out.back().inside, depth - 1);
+  } else if (parent.valid()) {
     tell(parent, from, to, out, depth);
   } else {
-    out.push_back(reason(from, to, thread, "has not begun", -1));
+    out.push_back(reason(from, to, thread.value, "has not begun", -1));
   }
 }
 
-bool Narrator::blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const {
-  for (std::size_t block = 0; block < problem_.threads.size(); ++block) {
+bool Narrator::blocks_at_work(ThreadId thread, Nanoseconds from, Nanoseconds to) const {
+  for (const ThreadId block : problem_.threads.ids()) {
     if (problem_.threads[block].parent != thread) continue;
-    const std::vector<trace::Slice>& own = of_actor_[block];
+    const std::vector<trace::Slice>& own = of_actor_[block.index()];
     const auto next = std::partition_point(own.begin(), own.end(),
                                            [from](const trace::Slice& slice) { return slice.to_ns <= from; });
     const bool works = next != own.end() && next->from_ns < to;
-    if (works || blocks_at_work(static_cast<int>(block), from, to)) return true;
+    if (works || blocks_at_work(block, from, to)) return true;
   }
   return false;
 }

@@ -25,7 +25,7 @@ class Narrator {
 
   /// What a thread did in [from, to], without gaps, added to `out`. For waits it includes what happened
   /// meanwhile, to that depth.
-  void tell(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out,
+  void tell(ThreadId thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out,
             int depth = most_depth) const;
 
   /// One piece; `actor` and the statement `of`: -1 for none.
@@ -34,7 +34,7 @@ class Narrator {
   std::string doing(const trace::Slice& slice) const;
 
   /// Whether a thread has begun and not ended.
-  bool is_at_work(int thread, Nanoseconds instant) const;
+  bool is_at_work(ThreadId thread, Nanoseconds instant) const;
 
   const trace::Statement& statement(int index) const {
     return run_.statements[static_cast<std::size_t>(index)];
@@ -46,8 +46,8 @@ class Narrator {
   // narrator.cpp
   void interference(const trace::Slice& kept, Nanoseconds from, Nanoseconds to,
                     std::vector<Reason>& out) const;
-  void rest(int thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const;
-  bool blocks_at_work(int thread, Nanoseconds from, Nanoseconds to) const;
+  void rest(ThreadId thread, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out, int depth) const;
+  bool blocks_at_work(ThreadId thread, Nanoseconds from, Nanoseconds to) const;
 
   // meanwhile.cpp
   std::vector<Reason> meanwhile(const trace::Slice& wait, Nanoseconds from, Nanoseconds to, int depth) const;
@@ -58,7 +58,7 @@ class Narrator {
   std::optional<int> sender_at(const trace::Slice& wait) const;
   std::vector<std::size_t>::const_iterator first_at(const std::vector<std::size_t>& events,
                                                     Nanoseconds instant) const;
-  int last_block(int thread, Nanoseconds from, Nanoseconds to) const;
+  ThreadId last_block(ThreadId thread, Nanoseconds from, Nanoseconds to) const;
   void serves(int device, Nanoseconds from, Nanoseconds to, std::vector<Reason>& out) const;
   std::string works_on(int device, const trace::Slice& slice) const;
 

@@ -19,17 +19,17 @@ Origins::Origins(const Problem& problem, const Requirement& requirement, const t
       conditions_(problem.conditions.size()),
       sets_(problem.conditions.size()) {
   if (requirement.condition.valid()) conditions_[requirement.condition].number = 0;
-  for (std::size_t t = 0; t < problem.threads.size() && !requirement.samples.empty(); ++t) {
-    for (const int s : steps_of(problem, problem.threads[t]))
-      steps_[{static_cast<int>(t), problem.steps[static_cast<std::size_t>(s)].statement}] = s;
+  for (const ThreadId t : problem.threads.ids()) {
+    if (requirement.samples.empty()) break;
+    for (const StepId s : steps_of(problem, problem.threads[t])) steps_[{t, problem.steps[s].statement}] = s;
   }
   for (std::size_t e = 0; e < run.events.size(); ++e) follow(e);
 }
 
 /// The step of a thread's event, if samples are followed.
 const Step* Origins::step_of(const trace::Event& event) const {
-  const auto found = steps_.find({event.actor, StatementId::of(event.statement)});
-  return found == steps_.end() ? nullptr : &problem_.steps[static_cast<std::size_t>(found->second)];
+  const auto found = steps_.find({ThreadId::of(event.actor), StatementId::of(event.statement)});
+  return found == steps_.end() ? nullptr : &problem_.steps[found->second];
 }
 
 /// The statement gives its thread the samples of the messages that it uses.
@@ -39,8 +39,8 @@ void Origins::use(std::size_t index) {
   if (step == nullptr) return;
   for (const KeptId k : step->uses) {
     const Known& kept = kept_[k];
-    if (kept.what.number < 0 || kept.what.number <= known(event.actor).number) continue;
-    gain(event.actor, index, kept.what);
+    if (kept.what.number < 0 || kept.what.number <= known(ThreadId::of(event.actor)).number) continue;
+    gain(ThreadId::of(event.actor), index, kept.what);
     kept_since_[index] = kept.event;
   }
 }
@@ -56,31 +56,31 @@ Origin Origins::birth(std::size_t event) {
   return births_.back();
 }
 
-const Origin& Origins::known(int thread) const {
+const Origin& Origins::known(ThreadId thread) const {
   static const Origin nothing;
-  const std::vector<Gained>& all = threads_[static_cast<std::size_t>(thread)];
+  const std::vector<Gained>& all = threads_[thread];
   return all.empty() ? nothing : all.back().what;
 }
 
-void Origins::gain(int thread, std::size_t event, const Origin& what) {
+void Origins::gain(ThreadId thread, std::size_t event, const Origin& what) {
   const bool of_samples = !requirement_.samples.empty();
   if (what.number < 0 || (of_samples && what.number <= known(thread).number)) return;
-  threads_[static_cast<std::size_t>(thread)].push_back({event, what});
+  threads_[thread].push_back({event, what});
 }
 
 void Origins::follow(std::size_t index) {
   const trace::Event& event = run_.events[index];
-  const int threads = static_cast<int>(problem_.threads.size());
-  const bool device = event.actor >= threads;
+  const auto thread = ThreadId::of(event.actor);
+  const bool device = thread.valid() && !problem_.threads.contains(thread);
   const std::pair<int, int> message{event.subject, event.value};
   switch (event.kind) {
     case Kind::block: {
       // The blocks of a CONCURRENT begin with what their parent has.
-      const bool forks = event.subject < 0 && event.actor >= 0 && !device;
-      for (int block = 0; forks && block < threads; ++block) {
-        if (problem_.threads[static_cast<std::size_t>(block)].parent != event.actor) continue;
-        threads_[static_cast<std::size_t>(block)].push_back({index, known(event.actor)});
-        reads_[static_cast<std::size_t>(block)] = reads_[static_cast<std::size_t>(event.actor)];
+      const bool forks = event.subject < 0 && thread.valid() && !device;
+      for (const ThreadId block : problem_.threads.ids()) {
+        if (!forks || problem_.threads[block].parent != thread) continue;
+        threads_[block].push_back({index, known(thread)});
+        reads_[block] = reads_[thread];
       }
       return;
     }
@@ -88,7 +88,7 @@ void Origins::follow(std::size_t index) {
       const Step* step = step_of(event);
       if (step == nullptr || step->kind != Step::Kind::activity) return;
       use(index);
-      for (const KeptId k : step->writes) kept_[k] = {known(event.actor), index};
+      for (const KeptId k : step->writes) kept_[k] = {known(thread), index};
       return;
     }
     case Kind::put: {
@@ -100,7 +100,7 @@ void Origins::follow(std::size_t index) {
       const Origin asked_by = served ? answered(request) : Origin{};
       const bool born_now =
           is_source(ChannelId::of(event.subject)) && !(served && requirement_.events.empty());
-      messages_[message] = born_now ? birth(index) : device ? asked_by : known(event.actor);
+      messages_[message] = born_now ? birth(index) : device ? asked_by : known(thread);
       return;
     }
     case Kind::overrun:
@@ -115,8 +115,8 @@ void Origins::follow(std::size_t index) {
       if (!device) {
         if (puts_.contains(message)) put_of_[index] = puts_[message];
         // What a thread has read of a condition stays with it: a message tells only why it went on no sooner.
-        const bool reads = requirement_.condition.valid() && reads_[static_cast<std::size_t>(event.actor)];
-        if (!reads || carried.number == known(event.actor).number) gain(event.actor, index, carried);
+        const bool reads = requirement_.condition.valid() && reads_[thread];
+        if (!reads || carried.number == known(thread).number) gain(thread, index, carried);
         const KeptId kept = problem_.channels[ChannelId::of(event.subject)].kept;
         if (kept.valid()) kept_[kept] = {carried, index};
         return;
@@ -133,15 +133,15 @@ void Origins::follow(std::size_t index) {
       sets_[condition] = index;
       use(index);
       if (condition == requirement_.condition) conditions_[condition] = birth(index);
-      if (!requirement_.samples.empty()) conditions_[condition] = known(event.actor);
+      if (!requirement_.samples.empty()) conditions_[condition] = known(thread);
       return;
     }
     case Kind::read: {
       const auto condition = ConditionId::of(event.subject);
       set_of_[index] = sets_[condition];
       const bool watched = condition == requirement_.condition || !requirement_.samples.empty();
-      if (watched) gain(event.actor, index, conditions_[condition]);
-      if (condition == requirement_.condition) reads_[static_cast<std::size_t>(event.actor)] = true;
+      if (watched) gain(thread, index, conditions_[condition]);
+      if (condition == requirement_.condition) reads_[thread] = true;
       return;
     }
     default:
@@ -157,8 +157,8 @@ Origin Origins::answered(ChannelId request) {
   return oldest;
 }
 
-std::optional<Gained> Origins::gained(int thread, std::size_t before) const {
-  const std::vector<Gained>& all = threads_[static_cast<std::size_t>(thread)];
+std::optional<Gained> Origins::gained(ThreadId thread, std::size_t before) const {
+  const std::vector<Gained>& all = threads_[thread];
   const auto after = std::partition_point(all.begin(), all.end(),
                                           [before](const Gained& each) { return each.event <= before; });
   if (after == all.begin() || std::prev(after)->what.number < 0) return std::nullopt;

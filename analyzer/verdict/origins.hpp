@@ -33,7 +33,7 @@ class Origins {
   Origins(const Problem& problem, const Requirement& requirement, const trace::Trace& run);
 
   /// What `thread` had last got before the event with index `before`; nothing, if it had nothing.
-  std::optional<Gained> gained(int thread, std::size_t before) const;
+  std::optional<Gained> gained(ThreadId thread, std::size_t before) const;
   /// The put of the message that event `take` takes.
   std::optional<std::size_t> put_of(std::size_t take) const;
   /// The event that left the message, whose value the statement with event `use` got its sample from;
@@ -53,25 +53,25 @@ class Origins {
   void follow(std::size_t index);
   const Step* step_of(const trace::Event& event) const;
   void use(std::size_t index);
-  void gain(int thread, std::size_t event, const Origin& what);
+  void gain(ThreadId thread, std::size_t event, const Origin& what);
   Origin birth(std::size_t event);
   /// What the answer carries that its device gives now: it belongs to the oldest request that the device has
   /// taken.
   Origin answered(ChannelId request);
   bool is_source(ChannelId channel) const;
-  const Origin& known(int thread) const;
+  const Origin& known(ThreadId thread) const;
 
   const Problem& problem_;
   const Requirement& requirement_;
   const trace::Trace& run_;
-  std::vector<std::vector<Gained>> threads_;
-  std::vector<bool> reads_;                         // by thread: it has read the requirement's condition
+  Table<ThreadId, std::vector<Gained>> threads_;
+  Table<ThreadId, bool> reads_;                     // by thread: it has read the requirement's condition
   std::map<std::pair<int, int>, Origin> messages_;  // by channel and serial number
   std::map<std::pair<int, int>, std::size_t> puts_;
   // By channel: what the answers to the requests will carry that were taken and not answered yet.
   Table<ChannelId, std::deque<Origin>> requests_;
   Table<KeptId, Known> kept_;  // by what modules keep, and the event that left it there
-  std::map<std::pair<int, StatementId>, int> steps_;  // by thread and statement
+  std::map<std::pair<ThreadId, StatementId>, StepId> steps_;  // by thread and statement
   std::map<std::size_t, std::size_t> kept_since_;
   Table<ConditionId, Origin> conditions_;
   Table<ConditionId, std::optional<std::size_t>> sets_;  // the last

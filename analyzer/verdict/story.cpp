@@ -14,13 +14,14 @@ using trace::Kind;
 
 /// The thread whose step it is: a statement of an executed module is one step for each thread that executes
 /// it.
-int thread_of(const Problem& problem, int step) {
+ThreadId thread_of(const Problem& problem, StepId step) {
   const auto has = [&](const Thread& thread) {
     return follow(problem, {thread.entry},
-                  [step](int at) { return at == step ? Course::found : Course::goes_on; });
+                  [step](StepId at) { return at == step ? Course::found : Course::goes_on; });
   };
   const auto thread = std::find_if(problem.threads.begin(), problem.threads.end(), has);
-  return thread == problem.threads.end() ? -1 : static_cast<int>(thread - problem.threads.begin());
+  if (thread == problem.threads.end()) return {};
+  return ThreadId(static_cast<std::size_t>(thread - problem.threads.begin()));
 }
 
 struct Story {
@@ -32,12 +33,12 @@ struct Story {
 
   /// The event at which the measured statement had its effect; the number of events if there is none.
   std::size_t used_at(const Measurement& measured) const {
-    const StatementId of = problem.steps[static_cast<std::size_t>(measured.step)].statement;
-    const int thread = thread_of(problem, measured.step);
+    const StatementId of = problem.steps[measured.step].statement;
+    const ThreadId thread = thread_of(problem, measured.step);
     for (std::size_t e = trace.events.size(); e-- > 0;) {
       const trace::Event& event = trace.events[e];
       if (event.kind == Kind::done && event.statement == of.value && event.time_ns == measured.at &&
-          event.actor == thread)
+          ThreadId::of(event.actor) == thread)
         return e;
     }
     return trace.events.size();
@@ -45,19 +46,19 @@ struct Story {
 
   /// What a thread knew at an event of the run.
   struct Known {
-    int thread;
+    ThreadId thread;
     std::size_t event;
   };
 
   /// The way of what `thread` knew last before event `until`, from its birth to that event, message by
   /// message and condition by condition.
-  void known_since(int thread, std::size_t until, std::vector<Reason>& out) const {
+  void known_since(ThreadId thread, std::size_t until, std::vector<Reason>& out) const {
     std::vector<std::vector<Reason>> way;  // the last piece first
     for (std::optional<Known> at = Known{thread, until}; at;) {
       const std::optional<Gained> gained = origins.gained(at->thread, at->event);
       if (!gained) break;
       const Nanoseconds to = trace.events[at->event].time_ns;
-      const int here = at->thread;
+      const ThreadId here = at->thread;
       way.emplace_back();
       Nanoseconds from = trace.events[gained->event].time_ns;
       at = source(*gained, from, way.back());
@@ -71,14 +72,14 @@ struct Story {
   /// when it was on the way; what it did then comes to `out`.
   std::optional<Known> source(const Gained& gained, Nanoseconds& from, std::vector<Reason>& out) const {
     const trace::Event& event = trace.events[gained.event];
-    if (event.kind == Kind::block) return Known{event.actor, gained.event};
+    if (event.kind == Kind::block) return Known{ThreadId::of(event.actor), gained.event};
     if (event.kind == Kind::read) return since_set(gained.event, gained.what, out);
     if (const auto left = origins.kept_since(gained.event)) return since_left(gained, *left, out);
     const auto put = origins.put_of(gained.event);
     if (!put) return std::nullopt;
     const trace::Event& putting = trace.events[*put];
     from = putting.time_ns;
-    if (!narrator.is_device(putting.actor)) return Known{putting.actor, *put};
+    if (!narrator.is_device(putting.actor)) return Known{ThreadId::of(putting.actor), *put};
     if (gained.what.born < from) {
       const std::string message = trace.channels[static_cast<std::size_t>(putting.subject)].message;
       out.push_back(narrator.reason(gained.what.born, from, putting.actor,
@@ -91,11 +92,11 @@ struct Story {
   std::optional<Known> since_left(const Gained& gained, std::size_t left, std::vector<Reason>& out) const {
     const trace::Event& leaving = trace.events[left];
     const trace::Event& using_it = trace.events[gained.event];
-    std::optional<Known> before = Known{leaving.actor, left};
+    std::optional<Known> before = Known{ThreadId::of(leaving.actor), left};
     if (leaving.kind == Kind::take) {
       Nanoseconds from = leaving.time_ns;
       before = source({left, gained.what}, from, out);
-      if (from < leaving.time_ns) narrator.tell(leaving.actor, from, leaving.time_ns, out);
+      if (from < leaving.time_ns) narrator.tell(ThreadId::of(leaving.actor), from, leaving.time_ns, out);
     }
     if (leaving.time_ns < using_it.time_ns) {
       out.push_back(narrator.reason(leaving.time_ns, using_it.time_ns, leaving.actor,
@@ -103,7 +104,7 @@ struct Story {
                                         "; it ages until " + narrator.statement(using_it.statement).text +
                                         " uses it",
                                     leaving.statement));
-      narrator.tell(leaving.actor, leaving.time_ns, using_it.time_ns, out.back().inside);
+      narrator.tell(ThreadId::of(leaving.actor), leaving.time_ns, using_it.time_ns, out.back().inside);
     }
     return before;
   }
@@ -129,35 +130,36 @@ struct Story {
                                         narrator.statement(reading.statement).text + " reads it",
                                     setting.statement));
     if (from < reading.time_ns)
-      narrator.tell(next_to_set(ConditionId::of(reading.subject), setting.actor, reading.time_ns), from,
-                    reading.time_ns, out.back().inside);
+      narrator.tell(
+          next_to_set(ConditionId::of(reading.subject), ThreadId::of(setting.actor), reading.time_ns), from,
+          reading.time_ns, out.back().inside);
     if (requirement.samples.empty()) return std::nullopt;
-    return Known{setting.actor, *set};
+    return Known{ThreadId::of(setting.actor), *set};
   }
 
   /// The party that is to set a condition again: the thread that set it, or a block of it that sets it from
   /// then on.
-  int next_to_set(ConditionId condition, int setter, Nanoseconds instant) const {
-    for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+  ThreadId next_to_set(ConditionId condition, ThreadId setter, Nanoseconds instant) const {
+    for (const StepId s : problem.steps.ids()) {
       const Step& step = problem.steps[s];
       if (step.kind != Step::Kind::set || step.condition != condition) continue;
-      const int thread = thread_of(problem, static_cast<int>(s));
-      if (thread >= 0 && problem.threads[static_cast<std::size_t>(thread)].parent == setter &&
-          narrator.is_at_work(thread, instant))
+      const ThreadId thread = thread_of(problem, s);
+      if (thread.valid() && problem.threads[thread].parent == setter && narrator.is_at_work(thread, instant))
         return thread;
     }
     return setter;
   }
 
   /// From what just missed the change to what reflects it, then its way.
-  void reaction(int thread, std::size_t use, const Measurement& measured, std::vector<Reason>& out) const {
+  void reaction(ThreadId thread, std::size_t use, const Measurement& measured,
+                std::vector<Reason>& out) const {
     const std::optional<Gained> gained = origins.gained(thread, use);
     if (!gained) return;
     const Origin& reflected = gained->what;
     if (reflected.born > measured.born) {
       const trace::Event& event = trace.events[reflected.event];
       if (event.kind == Kind::set) {
-        narrator.tell(event.actor, measured.born, reflected.born, out);
+        narrator.tell(ThreadId::of(event.actor), measured.born, reflected.born, out);
       } else {
         out.push_back(narrator.reason(
             measured.born, reflected.born, event.actor,
@@ -174,7 +176,7 @@ struct Story {
       Nanoseconds at = measured.born;
       for (const trace::Slice& slice : narrator.slices()) {
         const bool here = slice.state == trace::State::running &&
-                          problem.threads[static_cast<std::size_t>(slice.actor)].processor == processor;
+                          problem.threads[ThreadId::of(slice.actor)].processor == processor;
         if (!here || slice.from_ns != at || slice.to_ns == at || slice.to_ns > measured.at) continue;
         pieces.push_back(
             narrator.reason(at, slice.to_ns, slice.actor, narrator.doing(slice), slice.statement));
@@ -188,7 +190,7 @@ struct Story {
 
   /// The way back from a thread at an instant to the event: through the message that last came from another
   /// thread.
-  void response(int thread, std::size_t event, const Measurement& measured, std::vector<Reason>& out,
+  void response(ThreadId thread, std::size_t event, const Measurement& measured, std::vector<Reason>& out,
                 int depth) const {
     const Nanoseconds to = trace.events[event].time_ns;
     std::size_t last = trace.events.size();
@@ -196,7 +198,7 @@ struct Story {
     for (std::size_t e = event + 1; e-- > 0;) {
       const trace::Event& taking = trace.events[e];
       if (taking.time_ns < measured.born) break;
-      if (taking.kind != Kind::take || taking.actor != thread) continue;
+      if (taking.kind != Kind::take || ThreadId::of(taking.actor) != thread) continue;
       std::size_t from = trace.events.size();
       for (std::size_t p = e; p-- > 0;) {
         const trace::Event& putting = trace.events[p];
@@ -222,7 +224,7 @@ struct Story {
       narrator.tell(thread, measured.born, to, out);
       return;
     }
-    response(trace.events[put].actor, put, measured, out, depth - 1);
+    response(ThreadId::of(trace.events[put].actor), put, measured, out, depth - 1);
     narrator.tell(thread, trace.events[put].time_ns, to, out);
   }
 };
@@ -235,10 +237,10 @@ std::vector<Reason> reasons(const Problem& problem, const Requirement& requireme
   const Story story{problem, requirement, witness.trace};
   const Measurement& measured = witness.measured;
   if (requirement.measure == Requirement::Measure::busy) story.busy(measured, out);
-  if (measured.step < 0) return out;
+  if (!measured.step.valid()) return out;
   const std::size_t use = story.used_at(measured);
   if (use == witness.trace.events.size()) return out;
-  const int thread = witness.trace.events[use].actor;
+  const ThreadId thread = ThreadId::of(witness.trace.events[use].actor);
   switch (requirement.measure) {
     case Requirement::Measure::age:
       story.known_since(thread, use, out);

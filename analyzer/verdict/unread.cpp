@@ -14,13 +14,12 @@ bool reads(const Step& step, ConditionId condition) {
 
 bool is_unread(const Problem& problem, const Requirement& requirement) {
   if (requirement.measure != Requirement::Measure::age || !requirement.condition.valid()) return false;
-  std::vector<bool> read(problem.threads.size());  // by thread: it, or one whose block it is, reads
-  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
+  Table<ThreadId, bool> read(problem.threads.size());  // by thread: it, or one whose block it is, reads
+  for (const ThreadId t : problem.threads.ids()) {
     const Thread& thread = problem.threads[t];
-    read[t] = thread.parent >= 0 && read[static_cast<std::size_t>(thread.parent)];
+    read[t] = thread.parent.valid() && read[thread.parent];
     bool comes = false;
-    for (const int step : steps_of(problem, thread)) {
-      const auto s = static_cast<std::size_t>(step);
+    for (const StepId s : steps_of(problem, thread)) {
       read[t] = read[t] || reads(problem.steps[s], requirement.condition);
       comes = comes || requirement.at[s];
     }

@@ -34,12 +34,12 @@ bool has_cap(const Requirement& requirement) {
 }
 
 /// Whether the flow of `thread` leads to one of the steps `at`.
-bool comes_to(const Problem& problem, const Thread& thread, const std::vector<bool>& at) {
+bool comes_to(const Problem& problem, const Thread& thread, const Table<StepId, bool>& at) {
   if (at.empty()) return false;
-  std::vector<bool> seen(problem.steps.size());
-  std::vector<int> open{thread.entry};
+  Table<StepId, bool> seen(problem.steps.size());
+  std::vector<StepId> open{thread.entry};
   while (!open.empty()) {
-    const auto here = static_cast<std::size_t>(open.back());
+    const StepId here = open.back();
     open.pop_back();
     if (seen[here]) continue;
     if (at[here]) return true;

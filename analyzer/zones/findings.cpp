@@ -73,9 +73,14 @@ void ZoneGraph::observe_growth(const Arrival& arrival, Findings& findings) const
     const Nanoseconds value =
         arrival.made.zone.at(0, 1 + arrival.move->timers.size() + static_cast<std::size_t>(o));
     if (value <= watch.limit || !grows(state, watch, o)) continue;
-    findings.growing = Peak{
-        value, arrival.made.parent, arrival.move->timer, arrival.move->choices, o, -1, arrival.made.relaxed,
-        true};
+    findings.growing = Peak{value,
+                            arrival.made.parent,
+                            arrival.move->timer,
+                            arrival.move->choices,
+                            o,
+                            StepId{},
+                            arrival.made.relaxed,
+                            true};
     return;
   }
 }

@@ -19,7 +19,7 @@ bool time_to_stop(std::size_t moves, StopToken& stop) {
 /// What those can have left that got back a time that is not fixed.
 void find_left(const Machine& machine, const State& state, Move& move) {
   const auto priority = [&](int timer) {
-    return machine.problem().threads[static_cast<std::size_t>(timer)].priority;
+    return machine.problem().threads[machine.thread_of(timer)].priority;
   };
   for (std::size_t k = 0; k < move.timers.size(); ++k) {
     if (!move.timers[k].repaid) continue;
@@ -50,7 +50,7 @@ void follow_timers(const Machine& machine, const Place& from, Move& move) {
     // An action that ends gives back its time to those that were preempted on its processor: they have as
     // much left as before.
     kept.repaid = kept.frozen && processor.valid() &&
-                  machine.problem().threads[static_cast<std::size_t>(kept.timer)].processor == processor;
+                  machine.problem().threads[machine.thread_of(kept.timer)].processor == processor;
     move.timers.push_back(kept);
   }
   for (const TimerChange& change : move.outcome.changes) {

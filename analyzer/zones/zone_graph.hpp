@@ -44,7 +44,7 @@ struct Peak {
   int timer = -1;
   std::vector<std::uint8_t> choices;
   int measured = 0;  // observer in the parent's state, or Outcome::born_now
-  int step = -1;
+  StepId step{};
   bool relaxed = false;
   /// Nothing is measured yet: `measured` is the observer, after the firing, from which a value grows.
   bool grows = false;

@@ -90,7 +90,8 @@ void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, 
   for (const Event& put : events_of(shown.run, actor_of(problem, device), Kind::put)) {
     if (put.time_ns <= loss.from_ns) before = put.time_ns;
   }
-  analyzer::Narrator(problem, shown.run).tell(late->actor, before, late->time_ns, shown.reasons);
+  analyzer::Narrator(problem, shown.run)
+      .tell(analyzer::ThreadId::of(late->actor), before, late->time_ns, shown.reasons);
 }
 
 /// Of a message that found its slot full: how much later the one before it was taken. Also what the receiver
@@ -108,7 +109,8 @@ void explain_overrun(const analyzer::Problem& problem, const Event& overrun, Los
     if (event.kind == Kind::put && event.subject == overrun.subject && event.time_ns <= overrun.time_ns)
       before = event.time_ns;
   }
-  analyzer::Narrator(problem, shown.run).tell(take->actor, before, take->time_ns, shown.reasons);
+  analyzer::Narrator(problem, shown.run)
+      .tell(analyzer::ThreadId::of(take->actor), before, take->time_ns, shown.reasons);
 }
 
 /// The first loss that is not before an instant at which one was counted: the end of its work, or its

@@ -13,7 +13,7 @@ using Measure = analyzer::Requirement::Measure;
 /// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
 std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   std::set<std::string> texts;
-  for (std::size_t step = 0; step < requirement.at.size(); ++step) {
+  for (const analyzer::StepId step : requirement.at.ids()) {
     if (!requirement.at[step] || !problem.steps[step].statement.valid()) continue;
     const auto& statement = problem.statements[problem.steps[step].statement];
     texts.insert(statement.text + " in " + statement.module);

@@ -142,7 +142,7 @@ std::optional<std::size_t> most_interesting(const Proof& proof) {
 std::vector<trace::StatementName> statements_of(const Proof& proof, std::size_t index) {
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
   std::vector<trace::StatementName> result;
-  for (std::size_t step = 0; step < requirement.at.size(); ++step) {
+  for (const analyzer::StepId step : requirement.at.ids()) {
     if (!requirement.at[step] || !proof.problem.steps[step].statement.valid()) continue;
     const auto& statement = proof.problem.statements[proof.problem.steps[step].statement];
     result.push_back({statement.module, statement.text, statement.line});

@@ -26,6 +26,22 @@ std::string edit_lines(const ProgramChange& change) {
   return out;
 }
 
+/// "SM1.priority = 3" as "give SM1 priority 3".
+std::string change_words(const std::string& change) {
+  const auto behind = [&](const std::string& middle, const std::string& begin, const std::string& joint) {
+    const std::size_t at = change.find(middle);
+    if (at == std::string::npos) return std::string();
+    return begin + change.substr(0, at) + joint + change.substr(at + middle.size());
+  };
+  if (change.starts_with("PROCESSOR ")) return "add processor " + change.substr(10);
+  for (const std::string& words :
+       {behind(".priority = ", "give ", " priority "), behind(".processor = ", "place ", " on "),
+        behind(".period = ", "make the period of ", " ")}) {
+    if (!words.empty()) return words;
+  }
+  return "change a figure";
+}
+
 std::string change_lines(const WhatIfAnswer& answer, const analyzer::Candidate& candidate, bool first) {
   std::string out = first ? "" : "       and ";
   if (candidate.program.valid()) {
@@ -33,12 +49,16 @@ std::string change_lines(const WhatIfAnswer& answer, const analyzer::Candidate& 
     return out + fmt::format("in {}, {}:{}: {}\n", change.module, change.file, change.line, change.title) +
            edit_lines(change);
   }
-  for (const std::string& each : candidate.changes)
-    out += (&each == &candidate.changes.front() ? "" : " ") + ("--set '" + each + "'");
-  return out + "\n";
+  std::string options;
+  for (const std::string& each : candidate.changes) {
+    out += (&each == &candidate.changes.front() ? "" : " and ") + change_words(each);
+    options += " --set '" + each + "'";
+  }
+  return out + ":" + options + "\n";
 }
 
 std::string state_text(const analyzer::Verdict& verdict) {
+  if (verdict.state == State::never) return "it says nothing";
   return std::string(analyzer::name(verdict.state)) + " " + bound_text(verdict);
 }
 
@@ -53,10 +73,13 @@ std::string verdict_lines(const analyzer::Remedies& remedies, const analyzer::Re
       ++others;
       continue;
     }
-    out += fmt::format("       '{}', {} allowed: {}, was {}\n", after.requirement,
-                       whole_text(after.measure, after.limit), state_text(after), state_text(before));
+    out += fmt::format("       '{}', {} {}: before {}, after {}\n", after.requirement,
+                       whole_text(after.measure, after.limit), after.at_least ? "required" : "allowed",
+                       state_text(before), state_text(after));
   }
-  if (others > 0) out += "       " + plural(others, "other requirement") + " as before: holds\n";
+  if (others > 0)
+    out +=
+        "       " + plural(others, "other requirement") + (others == 1 ? " holds" : " hold") + " as before\n";
   return out;
 }
 
@@ -77,8 +100,11 @@ std::string remedies_text(const WhatIfAnswer& answer) {
   const std::string ended = remedies.complete ? "" : "; the time ended before all were";
   if (remedies.found.empty()) {
     std::string out = "  No change was found that makes all requirements hold (" +
-                      plural(remedies.tried, "change") + " tried" + ended + ").\n";
-    if (remedies.nearest) out += remedy_lines(answer, *remedies.nearest, "nearest: ");
+                      plural(remedies.tried, "attempt") + ended + ").\n";
+    if (remedies.nearest) {
+      out += "  The nearest single change:\n";
+      out += remedy_lines(answer, *remedies.nearest, "     ");
+    }
     return out;
   }
   const std::size_t size = remedies.found.front().made.size();

@@ -52,6 +52,18 @@ const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict
   return longest;
 }
 
+/// The wait that most of the time goes to between a set and a read by one thread; null: it is something else.
+const analyzer::Reason* wait_between_set_and_read(const analyzer::Verdict& verdict) {
+  if (verdict.reasons.empty()) return nullptr;
+  const analyzer::Reason& set = verdict.reasons.front();
+  const auto longest =
+      std::max_element(set.inside.begin(), set.inside.end(),
+                       [](const auto& a, const auto& b) { return a.to - a.from < b.to - b.from; });
+  const bool waits = longest != set.inside.end() && longest->actor == set.actor &&
+                     set.actor == verdict.reasons.back().actor && longest->what.starts_with("waits at WTM");
+  return waits ? &*longest : nullptr;
+}
+
 /// What may decide a requirement that is undecided.
 std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
   if (proof.analysis.zeno_run) return "give something in the loop a time";
@@ -89,9 +101,14 @@ std::string hint_of(const Proof& proof, std::size_t index) {
   }
   if (!proof.problem.requirements[index].samples.empty())
     return "ask for the sample later, or more often, or shorten what lies between it and its use";
-  const analyzer::Reason* wait = longest_wait_after_read(verdict);
-  if (wait == nullptr) return "shorten what lies between the set and its use";
-  return "read the condition after " + wait->what.substr(std::string("waits at ").size()) + ", not before it";
+  const auto place = [](const analyzer::Reason& wait) {
+    return wait.what.substr(std::string("waits at ").size());
+  };
+  if (const analyzer::Reason* wait = longest_wait_after_read(verdict))
+    return "read the condition after " + place(*wait) + ", not before it";
+  if (const analyzer::Reason* wait = wait_between_set_and_read(verdict))
+    return "set the condition after " + place(*wait) + ", not before it";
+  return "shorten what lies between the set and its use";
 }
 
 /// What is required says nothing about any run.

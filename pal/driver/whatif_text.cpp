@@ -57,8 +57,19 @@ std::vector<std::string> names_of(const std::vector<Slack>& slacks) {
   return names;
 }
 
+/// Whether one requirement that does not hold as things are leaves no figure any slack.
+bool is_hopeless(const WhatIfAnswer& answer) {
+  const Slack& first = answer.slacks.front();
+  return std::all_of(answer.slacks.begin(), answer.slacks.end(), [&](const Slack& slack) {
+    return !slack.holds && slack.fails && slack.requirement.valid() && slack.requirement == first.requirement;
+  });
+}
+
 std::string slack_table(const WhatIfAnswer& answer) {
   if (answer.slacks.empty()) return "";
+  if (is_hopeless(answer))
+    return "  '" + named(answer, answer.slacks.front().requirement) +
+           "' does not hold as things are, so no worst time may grow.\n";
   const SlackTable table(names_of(answer.slacks));
   std::string out = table.heading();
   for (const Slack& slack : answer.slacks) out += table.row(answer, slack);

@@ -96,7 +96,7 @@ const antlr4::Token* first_of_line(const Around& around) {
   return around[back];
 }
 
-/// Told at the word that began the loop, so that its DO and its END tell the same once more.
+/// Told at the word that began the loop, also where its DO is in the way.
 Foreign no_loop(const Around& around, std::ptrdiff_t steps) {
   const auto* at = around[steps];
   for (std::ptrdiff_t back = steps; around[back] != nullptr; --back) {

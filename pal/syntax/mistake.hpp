@@ -10,7 +10,6 @@
 
 #include "PalParser.h"
 #include "pal/support/diagnostic.hpp"
-#include "pal/syntax/error_recovery.hpp"
 #include "pal/syntax/tokens.hpp"
 
 namespace pal::syntax {
@@ -18,8 +17,9 @@ namespace pal::syntax {
 struct Mistake {
   std::size_t at = 0;              // the token that cannot stand where it does
   std::size_t unit_begin = 0;      // the first token of the unit that it is in
+  bool between = false;            // two units
   std::set<std::size_t> expected;  // what could stand there
-  Diagnostic finding;              // how ErrorRecovery tells it
+  Diagnostic finding;              // how the parser tells it
   bool foreign = false;            // … by what PAL has instead: no change tells it better
 };
 

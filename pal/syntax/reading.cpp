@@ -1,9 +1,13 @@
 #include "pal/syntax/reading.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 
-#include "pal/syntax/error_recovery.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/syntax/first_mistake.hpp"
 #include "pal/syntax/repair.hpp"
 
 namespace pal::syntax {
@@ -24,33 +28,86 @@ Parser::FileContext* parse_quickly(Parser& parser) {
   }
 }
 
-// Mending tries many changes at each mistake. A file with more mistakes, or of more tokens, would take too
-// long.
-constexpr std::size_t most_mended = 4;
-constexpr std::size_t most_tokens = 50'000;
+// Mending tries many changes at each mistake, and reads the text again. A file with more mistakes, or of more
+// tokens, would take too long.
+constexpr std::size_t most_reports = 8;
+constexpr std::size_t most_mended_tokens = 50'000;
 
-/// Reports and mends one mistake after the other, as long as they can be mended. How many there were.
-std::size_t mend(Tokens& tokens, Diagnostics& diagnostics) {
-  if (tokens.all().size() > most_tokens) return 0;
+bool is_one_of(const std::set<std::size_t>& types, const antlr4::Token* token) {
+  return types.contains(token->getType());
+}
+
+/// Leaves out the line on which the mistake is told. Where that is the first line of a unit, the unit before
+/// has no end, and is left out. What a line ends or begins is kept, with another test. Nothing at the end of
+/// the file.
+std::optional<Change> without_line(const Mistake& mistake, const Tokens& tokens) {
+  static const std::set<std::size_t> short_units{Parser::USES, Parser::MESSAGE, Parser::CONDITION,
+                                                 Parser::DEVICE};
+  static const std::set<std::size_t> long_units{Parser::HEADER, Parser::SKILL, Parser::ENVIRONMENT};
+  const auto& all = tokens.all();
+  const auto begins_unit = [&](std::size_t token) {
+    return is_one_of(short_units, all[token]) || is_one_of(long_units, all[token]);
+  };
+  const std::size_t end = all.size() - 1;
+  std::size_t first = mistake.at;
+  while (first > 0 && tokens.span(all[first]).begin > mistake.finding.where.begin) --first;
+  while (first > 0 && !tokens.first_on_line(all[first])) --first;
+  if (first >= end) return std::nullopt;
+  if (mistake.unit_begin < first && is_one_of(short_units, all[mistake.unit_begin]) && begins_unit(first))
+    return Change{mistake.unit_begin, first - mistake.unit_begin, {}};
+  const auto goes_on_at = [&](std::size_t token) {
+    return tokens.first_on_line(all[token]) && (!mistake.between || begins_unit(token));
+  };
+  std::size_t next = first + 1;
+  while (next < end && !goes_on_at(next)) ++next;
+  if (all[first]->getType() == Parser::UNTIL && mistake.at < next)
+    return Change{first, next - first, {Parser::UNTIL, Parser::LEFT, Parser::FOREVER, Parser::RIGHT}};
+  const auto is_colon = [](const antlr4::Token* token) { return token->getType() == Parser::COLON; };
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto colon = std::find_if(begin, all.begin() + static_cast<std::ptrdiff_t>(next), is_colon);
+  const auto test = static_cast<std::size_t>(colon - begin);
+  if (all[first]->getType() == Parser::LEFT && is_colon(*colon) && mistake.at <= first + test)
+    return Change{first, test, {Parser::LEFT, Parser::NAME, Parser::RIGHT}};
+  return Change{first, next - first, {}};
+}
+
+void report(Diagnostic told, Diagnostics& diagnostics) {
+  auto& finding = diagnostics.report(told.code, told.where, std::move(told.message), std::move(told.hint));
+  finding.notes = std::move(told.notes);
+  finding.fix = std::move(told.fix);
+}
+
+/// Reports one mistake after the other. Each is mended before the next is looked for, or else its line is
+/// left out.
+void report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
+  const bool is_long = tokens.all().size() > most_mended_tokens;
   for (std::size_t reported = 0;; ++reported) {
-    if (reported == most_mended) return reported;
     const auto mistake = first_mistake(tokens);
-    if (!mistake) return reported;
-    const auto change = repair_of(*mistake, tokens);
-    if (!change) return reported;
-    auto told = told_by(*change, *mistake, tokens);
-    auto& finding = diagnostics.report(told.code, told.where, std::move(told.message), std::move(told.hint));
-    finding.notes = std::move(told.notes);
-    finding.fix = std::move(told.fix);
+    if (!mistake) return;
+    if (reported == most_reports) {
+      diagnostics.report(Code::PAL0104, mistake->finding.where,
+                         "too many syntax errors; the rest of this file is not read",
+                         "correct the first of them, and make sure that this file is PAL");
+      return;
+    }
+    auto change = is_long ? std::nullopt : repair_of(*mistake, tokens);
+    report(change ? told_by(*change, *mistake, tokens) : mistake->finding, diagnostics);
+    if (!change) change = without_line(*mistake, tokens);
+    if (!change || is_long) return;
     tokens.apply(*change);
   }
 }
 
-Parser::FileContext* parse_carefully(Parser& parser, const Tokens& tokens, std::size_t reported,
-                                     Diagnostics& diagnostics) {
+/// What stands before the first unit with a mistake that is left.
+Parser::FileContext* parse_carefully(Parser& parser, const Tokens& tokens) {
   parser.getInterpreter<Simulator>()->setPredictionMode(antlr4::atn::PredictionMode::LL);
-  parser.setErrorHandler(std::make_shared<ErrorRecovery>(tokens, diagnostics, reported));
-  return parser.file();
+  const auto strategy = std::make_shared<FirstMistake>(tokens);
+  parser.setErrorHandler(strategy);
+  try {
+    return parser.file();
+  } catch (const antlr4::ParseCancellationException&) {
+    return strategy->file;
+  }
 }
 
 }  // namespace
@@ -63,11 +120,11 @@ Reading::Reading(FileId file, std::string_view text, Diagnostics& diagnostics)
   parser_->removeErrorListeners();  // the strategies report for themselves
   root_ = parse_quickly(*parser_);
   if (root_ == nullptr) {
-    const auto reported = mend(tokens_, diagnostics);
+    report_mistakes(tokens_, diagnostics);
     tokens_.stream().seek(0);
     parser_.emplace(&tokens_.stream());
     parser_->removeErrorListeners();
-    root_ = parse_carefully(*parser_, tokens_, reported, diagnostics);
+    root_ = parse_carefully(*parser_, tokens_);
   }
   complete_ = !tokens_.has_errors() && diagnostics.errors() == errors_before;
 }

@@ -95,6 +95,9 @@ std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
   }
   // Between units any name could be made one by a word before it: rather it is too many.
   if (mistake.expected.contains(Parser::USES) && !last) result.push_back({at, 1, {}});
+  // A missing name: most words of PAL may be names, and are not what is missing there.
+  if (mistake.expected.contains(Parser::NAME) && mistake.expected.contains(Parser::USES))
+    result.push_back({at, 0, {Parser::NAME}});
   // A missing end, word or sign.
   for (const Types& end : ends()) {
     if (mistake.expected.contains(end.front())) result.push_back({at, 0, end});
@@ -145,6 +148,16 @@ std::size_t progress(const Change& change, const Mistake& mistake, std::size_t m
   return in_text < mistake.at + shift ? 0 : in_text - shift - mistake.at;
 }
 
+/// Whether both put in one word at the same place, each one that is expected there, and not the same. TO is
+/// no less certain for FROM: that is behind requests alone.
+bool is_other_word(const Change& one, const Change& other, const Mistake& mistake) {
+  const auto inserts_expected = [&](const Change& change) {
+    return change.removed == 0 && change.added.size() == 1 && mistake.expected.contains(change.added.front());
+  };
+  return one.at == other.at && inserts_expected(one) && inserts_expected(other) && one.added != other.added &&
+         other.added.front() != Parser::TO;
+}
+
 }  // namespace
 
 std::optional<Change> repair_of(const Mistake& mistake, Tokens& tokens) {
@@ -159,10 +172,16 @@ std::optional<Change> repair_of(const Mistake& mistake, Tokens& tokens) {
     best.push_back(std::move(change));
   }
   if (best.empty()) return std::nullopt;
-  if (best.size() == 1 || furthest < sight) return best.front();
   std::vector<std::size_t> gains;
-  for (const Change& change : best) gains.push_back(progress(change, mistake, far_sight, tokens));
-  return best[static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin())];
+  for (const Change& change : best)
+    gains.push_back(best.size() == 1 || furthest < sight ? furthest
+                                                         : progress(change, mistake, far_sight, tokens));
+  const auto greatest = std::max_element(gains.begin(), gains.end());
+  Change& chosen = best[static_cast<std::size_t>(greatest - gains.begin())];
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    if (gains[i] == *greatest && is_other_word(best[i], chosen, mistake)) chosen.one_of_several = true;
+  }
+  return chosen;
 }
 
 namespace {
@@ -203,7 +222,7 @@ bool is_unit_of_time(const Change& change, const Tokens& tokens) {
 
 Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& tokens) {
   Diagnostic finding = mistake.finding;
-  if (mistake.foreign) return finding;
+  if (mistake.foreign || change.one_of_several) return finding;
   const auto* at = tokens.all()[change.at];
   const bool is_known = std::none_of(change.added.begin(), change.added.end(), stands_for_many);
   if (change.removed == 0) {

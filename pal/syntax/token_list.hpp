@@ -17,6 +17,7 @@ struct Change {
   std::size_t at = 0;
   std::size_t removed = 0;
   std::vector<std::size_t> added;
+  bool one_of_several = false;  // another word would do as well
 };
 
 /// A token that stands for no text: an added one, or one that the parser made up itself.

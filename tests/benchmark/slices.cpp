@@ -47,7 +47,7 @@ int main(int count, char** arguments) {
   for (const Requirement& requirement : problem.requirements) {
     const Cone cone = cone_of(problem, requirement);
     std::cout << requirement.name << ":";
-    for (std::size_t t = 0; t < cone.threads.size(); ++t)
+    for (const ThreadId t : cone.threads.ids())
       if (cone.threads[t]) std::cout << " " << problem.threads[t].name;
     std::cout << " |";
     for (const DeviceId d : cone.devices.ids())

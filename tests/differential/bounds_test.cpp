@@ -239,11 +239,12 @@ TEST_CASE("a busy window among many tasks is given up on request") {
     for (Nanoseconds t = 0; t < 40; ++t) many.tasks.push_back({ProcessorId{0}, 1, 1, t, 0});
     windows.add(many);
   }
-  CHECK(windows.finish(0, 0, 1, 0) == 80);
+  CHECK(windows.finish(compositional::TransactionId{0}, compositional::TaskId{0}, 1, 0) == 80);
   over = true;
-  CHECK(windows.finish(0, 0, 1, 0) == compositional::never);
+  CHECK(windows.finish(compositional::TransactionId{0}, compositional::TaskId{0}, 1, 0) ==
+        compositional::never);
   windows.go_on();
-  CHECK(windows.finish(0, 0, 1, 0) == 80);
+  CHECK(windows.finish(compositional::TransactionId{0}, compositional::TaskId{0}, 1, 0) == 80);
 }
 
 TEST_CASE("the compositional analysis asks whether to end at each request") {

@@ -65,7 +65,7 @@ std::string told(const trace::Trace& run) {
 std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& problem,
                                        const Requirement& requirement) {
   std::vector<trace::StatementName> at;
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+  for (const StepId s : problem.steps.ids()) {
     if (!requirement.at[s] || !problem.steps[s].statement.valid()) continue;
     const Statement& of = problem.statements[problem.steps[s].statement];
     at.push_back({of.module, of.text, of.line});

@@ -16,6 +16,7 @@
 #include "pal/driver/selection.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/line_difference.hpp"
 #include "pal/support/render.hpp"
 #include "pal/syntax/print.hpp"
 
@@ -114,23 +115,6 @@ std::string read(const std::filesystem::path& path) {
   return text.str();
 }
 
-void show_difference(const std::string& expected, const std::string& found) {
-  std::istringstream left(expected);
-  std::istringstream right(found);
-  std::string a;
-  std::string b;
-  for (int line = 1;; ++line) {
-    const bool more_left = static_cast<bool>(std::getline(left, a));
-    const bool more_right = static_cast<bool>(std::getline(right, b));
-    if (!more_left && !more_right) return;
-    if (more_left && more_right && a == b) continue;
-    std::cout << "first difference in line " << line << "\n  expected: " << (more_left ? a : "(the end)")
-              << "\n  found:    " << (more_right ? b : "(the end)") << "\n\nall that was found:\n"
-              << found;
-    return;
-  }
-}
-
 int compare(const std::string& stage, const std::string& file) {
   const auto outcome = run(stage, file);
   const bool named_fail = file.starts_with("fail_");
@@ -148,7 +132,7 @@ int compare(const std::string& stage, const std::string& file) {
   }
   const auto expected = read(expectation);
   if (std::filesystem::exists(expectation) && expected == outcome.text) return 0;
-  show_difference(expected, outcome.text);
+  std::cout << pal::line_difference("expected", expected, "found", outcome.text);
   return 1;
 }
 

@@ -189,7 +189,7 @@ TEST_CASE("no simulated run exceeds a proved load in the long run") {
       Table<ProcessorId, Nanoseconds> busy(problem.processors.size());
       for (const trace::Slice& slice : trace::slices(made.trace)) {
         if (slice.state != trace::State::running) continue;
-        const ProcessorId processor = problem.threads[static_cast<std::size_t>(slice.actor)].processor;
+        const ProcessorId processor = problem.threads[ThreadId::of(slice.actor)].processor;
         busy[processor] += slice.to_ns - slice.from_ns;
       }
       for (const ProcessorId p : busy.ids()) {
@@ -220,8 +220,9 @@ TEST_CASE("no unending run exceeds a bound by shares") {
     INFO("seed " << seed << "\n" << text);
     Problem problem = *skill->problem;
     // Nanoseconds that no two times share.
-    for (std::size_t s = 0; s < problem.steps.size() && seed % 2 == 0; ++s)
-      problem.steps[s].cost.worst += static_cast<Nanoseconds>(1 + s * 7'919 % 100'003);
+    for (const StepId s : problem.steps.ids())
+      problem.steps[s].cost.worst +=
+          seed % 2 == 0 ? static_cast<Nanoseconds>(1 + s.index() * 7'919 % 100'003) : 0;
     const Watch nothing;
     const Machine machine(problem, nothing);
     ZoneGraph graph(machine, 0, true);

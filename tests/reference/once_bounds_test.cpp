@@ -207,7 +207,8 @@ TEST_CASE("what is over may have held up work that recurs") {
 
 TEST_CASE("what is asked once counts from the request, not from the start of the skill") {
   // 9 ms for the image and 4 ms for the work. The second request comes at 5 at the earliest, and the second
-  // answer at 26 at the latest; but no run has both.
+  // answer at 26 at the latest; but no run has both. A response is bounded by both all the same. It has a
+  // bound because each request follows the answer before, although answers may be 5 ms apart.
   expect_bounds(R"(
 DEVICE camera
 MESSAGE image : n : INTEGER
@@ -249,7 +250,8 @@ SKILL twice
   SKILL METHOD SM1
   COMPLETION 0 NORMAL
   COMPLETION 1 ERROR
-  REQUIREMENT fresh : AGE OF image FROM camera AT evaluate AT MOST 1 s
+  REQUIREMENT fresh  : AGE OF image FROM camera AT evaluate AT MOST 1 s
+  REQUIREMENT served : RESPONSE FROM request pose OF SM1 TO TXM( pose to SM1 ) AT MOST 1 s
 END SKILL
 ENVIRONMENT cell
   PROCESSOR P0
@@ -262,5 +264,5 @@ ENVIRONMENT cell
   TIME evaluate : 0 ms
 END ENVIRONMENT
 )",
-                {{13, 13}});
+                {{13, 13}, {21, 13}});
 }

@@ -26,7 +26,7 @@ std::unique_ptr<test::Skill> seam_on(const std::string& workcell, const std::str
 std::vector<std::string> left_out(const Problem& problem) {
   const Cone cone = cone_of(problem, problem.requirements.front());
   std::vector<std::string> names;
-  for (std::size_t t = 0; t < cone.threads.size(); ++t) {
+  for (const ThreadId t : cone.threads.ids()) {
     if (!cone.threads[t]) names.push_back(problem.threads[t].name);
   }
   for (const DeviceId d : cone.devices.ids()) {

@@ -191,7 +191,7 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
     requirement.events = {made.devices.back().event};
     requirement.device = device_index;
     requirement.limit = 1'000'000'000'000;
-    int last_work = -1;
+    StepId last_work{};
     for (std::size_t s = 0; s < chain.stages.size(); ++s) {
       const ChainSystem::Stage& stage = chain.stages[s];
       const std::string name = "M" + number + "-" + std::to_string(s + 1);
@@ -206,19 +206,20 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
       }
       in.receiver_processors = {stage.processor};
       const analyzer::ChannelId channel = made.channels.push_back(std::move(in));
-      const int first = static_cast<int>(made.steps.size());
+      const analyzer::StepId first(made.steps.size());
+      const analyzer::StepId second(first.index() + 1);
       Step wait;
       wait.kind = Step::Kind::wait;
       wait.statement = statement(name, "WTM( x )");
       wait.channels = {channel};
-      wait.next = {first + 1};
+      wait.next = {second};
       Step work;
       work.kind = Step::Kind::activity;
       work.statement = statement(name, "work");
       work.cost = {stage.best, stage.worst};
       const bool last = s + 1 == chain.stages.size();
-      work.next = {last ? first : first + 2};
-      last_work = first + 1;
+      work.next = {last ? first : analyzer::StepId(first.index() + 2)};
+      last_work = second;
       made.steps.push_back(wait);
       made.steps.push_back(work);
       if (!last) {
@@ -238,8 +239,8 @@ inline analyzer::Problem problem_of(const ChainSystem& system) {
       thread.entry = first;
       made.threads.push_back(std::move(thread));
     }
-    requirement.at.assign(static_cast<std::size_t>(last_work) + 1, false);
-    requirement.at[static_cast<std::size_t>(last_work)] = true;
+    requirement.at.assign(last_work.index() + 1, false);
+    requirement.at[last_work] = true;
     made.requirements.push_back(std::move(requirement));
   }
   for (Requirement& requirement : made.requirements) requirement.at.resize(made.steps.size(), false);

@@ -92,9 +92,10 @@ class Retelling {
     const std::size_t n = problem_.threads.size();
     Order to(n, -1);
     for (int placed = 0; placed < static_cast<int>(n);) {
-      const std::size_t thread = chance(n);
-      const int parent = problem_.threads[thread].parent;
-      if (to[thread] < 0 && (parent < 0 || to[static_cast<std::size_t>(parent)] >= 0)) to[thread] = placed++;
+      const ThreadId thread(chance(n));
+      const ThreadId parent = problem_.threads[thread].parent;
+      if (to[thread.index()] < 0 && (!parent.valid() || to[parent.index()] >= 0))
+        to[thread.index()] = placed++;
     }
     rearrange(problem_.threads, to);
     for (Thread& thread : problem_.threads) renumber(thread.parent, to);
@@ -140,8 +141,8 @@ class Retelling {
 
   /// A thread on its own processor that computes for ever.
   void company() {
-    const int step = add({});
-    Step& made = problem_.steps.back();
+    const StepId step = add({});
+    Step& made = problem_.steps[step];
     made.kind = Step::Kind::activity;
     made.statement = StatementId{0};
     made.cost = {1'000'000, 1'000'000 * static_cast<Nanoseconds>(1 + chance(2))};
@@ -160,17 +161,17 @@ class Retelling {
     problem_.conditions.push_back("unused");
   }
 
-  int add(const Step& step) {
-    problem_.steps.push_back(step);
+  StepId add(const Step& step) {
+    const StepId made = problem_.steps.push_back(step);
     for (Requirement& requirement : problem_.requirements) {
       if (!requirement.at.empty()) requirement.at.push_back(false);
     }
-    return static_cast<int>(problem_.steps.size()) - 1;
+    return made;
   }
 
   /// The step once more, with what is measured at it.
-  int copy(std::size_t step) {
-    const int made = add(Step(problem_.steps[step]));
+  StepId copy(StepId step) {
+    const StepId made = add(Step(problem_.steps[step]));
     for (Requirement& requirement : problem_.requirements) {
       if (!requirement.at.empty()) requirement.at.back() = requirement.at[step];
     }
@@ -179,30 +180,29 @@ class Retelling {
 
   void twins() {
     for (std::size_t times = 1 + chance(3); times > 0; --times) {
-      const std::size_t step = chance(problem_.steps.size());
-      const int twin = copy(step);
-      const auto either = [&](int& to) {
-        if (to == static_cast<int>(step) && chance(2) == 0) to = twin;
+      const StepId step(chance(problem_.steps.size()));
+      const StepId twin = copy(step);
+      const auto either = [&](StepId& to) {
+        if (to == step && chance(2) == 0) to = twin;
       };
       for (Step& each : problem_.steps) {
-        for (int& next : each.next) either(next);
+        for (StepId& next : each.next) either(next);
       }
       for (Thread& each : problem_.threads) either(each.entry);
     }
   }
 
   /// The statements of threads that may be cancelled: one that has begun is finished, a second part is not.
-  std::vector<bool> cancellable() const {
-    std::vector<bool> found(problem_.steps.size());
+  Table<StepId, bool> cancellable() const {
+    Table<StepId, bool> found(problem_.steps.size());
     for (const Thread& thread : problem_.threads) {
       bool may = false;
-      for (const Thread* at = &thread; at->parent >= 0;
-           at = &problem_.threads[static_cast<std::size_t>(at->parent)])
+      for (const Thread* at = &thread; at->parent.valid(); at = &problem_.threads[at->parent])
         may = may || !at->can_end;
       if (!may) continue;
-      std::vector<int> todo{thread.entry};
+      std::vector<StepId> todo{thread.entry};
       while (!todo.empty()) {
-        const auto step = static_cast<std::size_t>(todo.back());
+        const StepId step = todo.back();
         todo.pop_back();
         if (found[step]) continue;
         found[step] = true;
@@ -213,13 +213,13 @@ class Retelling {
   }
 
   void parts() {
-    const std::vector<bool> whole = cancellable();
+    const Table<StepId, bool> whole = cancellable();
     for (std::size_t times = 1 + chance(3); times > 0; --times) {
-      const std::size_t step = chance(whole.size());
+      const StepId step(chance(whole.size()));
       const Step::Kind kind = problem_.steps[step].kind;
       if (whole[step] || kind == Step::Kind::wait || kind == Step::Kind::fork || kind == Step::Kind::end)
         continue;
-      const int second = copy(step);
+      const StepId second = copy(step);
       Step& first = problem_.steps[step];
       Step& rest = problem_.steps.back();
       for (Requirement& requirement : problem_.requirements) {

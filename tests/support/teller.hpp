@@ -22,7 +22,7 @@ class Teller {
       : problem_(problem), run_(std::move(empty)), engine_(seed), after_(problem.threads.size()) {
     run_.events.clear();
     serial_.resize(problem.channels.size());
-    for (std::size_t t = 0; t < after_.size(); ++t) lead_to(after_[t], problem.threads[t].entry);
+    for (const analyzer::ThreadId t : problem.threads.ids()) lead_to(after_[t], problem.threads[t].entry);
     entries_ = after_;
   }
 
@@ -48,15 +48,15 @@ class Teller {
   struct Kept {
     std::size_t events = 0;
     std::vector<int> serial;
-    std::vector<std::set<int>> after;
+    Table<analyzer::ThreadId, std::set<analyzer::StepId>> after;
   };
 
   std::size_t one_of(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
 
   /// Steps at which a thread can be that has come to this one.
-  void lead_to(std::set<int>& steps, int step) const {
+  void lead_to(std::set<analyzer::StepId>& steps, analyzer::StepId step) const {
     if (!steps.insert(step).second) return;
-    const Step& at = problem_.steps[static_cast<std::size_t>(step)];
+    const Step& at = problem_.steps[step];
     if (at.kind == Step::Kind::fork) lead_to(steps, at.next.front());
   }
 
@@ -120,18 +120,19 @@ class Teller {
   void note(const trace::Event& event) {
     if (event.kind == Kind::put) ++serial_[static_cast<std::size_t>(event.subject)];
     if (event.kind != Kind::done) return;
-    std::set<int> next;
-    for (int step : after_[static_cast<std::size_t>(event.actor)]) {
-      const Step& at = problem_.steps[static_cast<std::size_t>(step)];
+    std::set<analyzer::StepId> next;
+    const auto thread = analyzer::ThreadId::of(event.actor);
+    for (const analyzer::StepId step : after_[thread]) {
+      const Step& at = problem_.steps[step];
       if (at.statement.value != event.statement) continue;
-      for (int each : at.next) lead_to(next, each);
+      for (analyzer::StepId each : at.next) lead_to(next, each);
     }
     // A block may begin again.
-    if (problem_.threads[static_cast<std::size_t>(event.actor)].parent >= 0) {
-      const std::set<int>& entries = entries_[static_cast<std::size_t>(event.actor)];
+    if (problem_.threads[thread].parent.valid()) {
+      const std::set<analyzer::StepId>& entries = entries_[thread];
       next.insert(entries.begin(), entries.end());
     }
-    after_[static_cast<std::size_t>(event.actor)] = next;
+    after_[thread] = next;
   }
 
   static void mentioned(const pan::Guard& guard, std::set<pan::ConditionId>& conditions) {
@@ -142,9 +143,8 @@ class Teller {
   std::vector<trace::Event> sayable() const {
     std::vector<trace::Event> all;
     const int threads = static_cast<int>(problem_.threads.size());
-    for (int t = 0; t < threads; ++t) {
-      for (int step : after_[static_cast<std::size_t>(t)])
-        statement(all, t, problem_.steps[static_cast<std::size_t>(step)]);
+    for (const analyzer::ThreadId t : problem_.threads.ids()) {
+      for (const analyzer::StepId step : after_[t]) statement(all, t.value, problem_.steps[step]);
     }
     for (const analyzer::DeviceId d : problem_.devices.ids()) {
       const int device = threads + d.value;
@@ -201,8 +201,8 @@ class Teller {
   std::mt19937_64 engine_;
   analyzer::Nanoseconds now_ = 0;
   std::vector<int> serial_;  // by channel: the number of its newest message
-  std::vector<std::set<int>> after_;
-  std::vector<std::set<int>> entries_;
+  Table<analyzer::ThreadId, std::set<analyzer::StepId>> after_;
+  Table<analyzer::ThreadId, std::set<analyzer::StepId>> entries_;
   Kept kept_;
   int rewinds_ = 0;
 };

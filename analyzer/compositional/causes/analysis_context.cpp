@@ -11,7 +11,7 @@ using Release = Node::Release;
 
 constexpr int most_context_rounds = 50;
 
-Nanoseconds best_arrival(const Segment& segment, int wait) {
+Nanoseconds best_arrival(const Segment& segment, StepId wait) {
   for (const Segment::Arrival& each : segment.waits) {
     if (each.step == wait) return each.best;
   }
@@ -21,7 +21,7 @@ Nanoseconds best_arrival(const Segment& segment, int wait) {
   return 0;
 }
 
-Nanoseconds best_effect(const Segment& segment, int step) {
+Nanoseconds best_effect(const Segment& segment, StepId step) {
   for (const Segment::Passed& each : segment.steps) {
     if (each.step == step) return each.best;
   }
@@ -29,16 +29,17 @@ Nanoseconds best_effect(const Segment& segment, int step) {
 }
 
 /// From those that are known of its causes.
-Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::vector<Nanoseconds>& known) {
+Nanoseconds earliest_release(const AnalysisContext& context, NodeId n,
+                             const Table<NodeId, Nanoseconds>& known) {
   const Node& node = context.node(n);
-  const auto at = [&known](int other) { return known[static_cast<std::size_t>(other)]; };
+  const auto at = [&known](NodeId other) { return known[other]; };
   Nanoseconds value = 0;
   if (node.release == Release::message) value = plus(at(node.cause), earliest_after_cause(context, n));
-  const auto& previous = context.behaviours.previous[static_cast<std::size_t>(n)];
+  const auto& previous = context.behaviours.previous[n];
   const Beginning& begins = context.segment(n).beginning;
   if (!previous.empty()) {
     Nanoseconds soonest = never;
-    for (int before : previous)
+    for (NodeId before : previous)
       soonest = std::min(soonest, plus(at(before), best_arrival(context.segment(before), begins.step)));
     const bool gives_up = begins.kind == Beginning::Kind::give_up;
     value = std::max(value, plus(soonest, gives_up ? context.step_at(begins.step).within.value_or(0) : 0));
@@ -50,7 +51,7 @@ Nanoseconds earliest_release(const AnalysisContext& context, int n, const std::v
 
 }  // namespace
 
-Nanoseconds earliest_after_cause(const AnalysisContext& context, int n) {
+Nanoseconds earliest_after_cause(const AnalysisContext& context, NodeId n) {
   const Node& node = context.node(n);
   const Segment& cause = context.segment(node.cause);
   switch (node.release) {
@@ -58,7 +59,7 @@ Nanoseconds earliest_after_cause(const AnalysisContext& context, int n) {
       return 0;
     case Release::message: {
       Nanoseconds sent = never;
-      for (int send : node.sends) sent = std::min(sent, best_effect(cause, send));
+      for (StepId send : node.sends) sent = std::min(sent, best_effect(cause, send));
       return plus(sent, context.way(n).best);
     }
     case Release::limit: {
@@ -72,30 +73,30 @@ Nanoseconds earliest_after_cause(const AnalysisContext& context, int n) {
   return 0;
 }
 
-std::vector<int> AnalysisContext::endings_before_idle(int thread) const {
-  std::vector<int> found;
-  std::set<int> seen;
-  for (int t = thread; t >= 0; t = thread_at(t).parent) {
-    for (const StartEnding& of : behaviours.start_endings[static_cast<std::size_t>(t)])
+std::vector<NodeId> AnalysisContext::endings_before_idle(ThreadId thread) const {
+  std::vector<NodeId> found;
+  std::set<NodeId> seen;
+  for (ThreadId t = thread; t.valid(); t = thread_at(t).parent) {
+    for (const StartEnding& of : behaviours.start_endings[t])
       if (seen.insert(of.node).second && !in_job(of.own)) found.push_back(of.node);
   }
   return found;
 }
 
-std::vector<int> AnalysisContext::endings_before_first(int loop) const {
-  const Source& of = forest.sources[static_cast<std::size_t>(loop)];
+std::vector<NodeId> AnalysisContext::endings_before_first(SourceId loop) const {
+  const Source& of = forest.sources[loop];
   if (of.kind != Source::Kind::loop) return {};
-  std::vector<int> found = endings_before_idle(of.thread);
+  std::vector<NodeId> found = endings_before_idle(of.thread);
   for (const Source::Feed& feed : of.feeds) {
-    if (feed.node < 0 || source(feed.node).kind != Source::Kind::start) continue;
-    const std::vector<int>& endings = behaviours.endings[static_cast<std::size_t>(node(feed.node).source)];
+    if (!feed.node.valid() || source(feed.node).kind != Source::Kind::start) continue;
+    const std::vector<NodeId>& endings = behaviours.endings[node(feed.node).source];
     found.insert(found.end(), endings.begin(), endings.end());
   }
   return found;
 }
 
-bool may_give_up(const Problem& problem, int request) {
-  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
+bool may_give_up(const Problem& problem, ChannelId request) {
+  const ChannelId answer = problem.channels[request].answer;
   return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {
     return step.kind == Kind::wait && step.within &&
            std::find(step.channels.begin(), step.channels.end(), answer) != step.channels.end();
@@ -111,12 +112,12 @@ Range AnalysisContext::device_time(DeviceId device) const {
   return {0, never};
 }
 
-Range AnalysisContext::way(int n) const {
+Range AnalysisContext::way(NodeId n) const {
   if (node(n).device.valid()) return device_time(node(n).device);
   return latency(problem, sent_channel(n), forest.thread_of(node(n).cause), forest.thread_of(n));
 }
 
-Nanoseconds AnalysisContext::answer_queue(DeviceId device, int request) const {
+Nanoseconds AnalysisContext::answer_queue(DeviceId device, ChannelId request) const {
   const Device& of = problem.devices[device];
   const auto* behaviour = std::get_if<pan::RequestDevice>(&of.behaviour);
   if (behaviour == nullptr) return 0;
@@ -126,14 +127,14 @@ Nanoseconds AnalysisContext::answer_queue(DeviceId device, int request) const {
 }
 
 /// Lower bounds, each got from lower bounds; the last ones are the greatest.
-std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context,
-                                           const std::function<bool()>& stop) {
-  std::vector<Nanoseconds> known(context.forest.nodes.size(), 0);
+Table<NodeId, Nanoseconds> earliest_releases(const AnalysisContext& context,
+                                             const std::function<bool()>& stop) {
+  Table<NodeId, Nanoseconds> known(context.forest.nodes.size(), 0);
   for (int iteration = 0; iteration < most_context_rounds; ++iteration) {
     bool changed = false;
-    for (std::size_t n = 0; n < known.size(); ++n) {
+    for (const NodeId n : known.ids()) {
       if (stop && stop()) return known;
-      const Nanoseconds value = earliest_release(context, static_cast<int>(n), known);
+      const Nanoseconds value = earliest_release(context, n, known);
       changed = changed || value != known[n];
       known[n] = value;
     }

@@ -10,44 +10,43 @@ struct AnalysisContext {
   const Forest& forest;
   const ThreadBehaviours& behaviours;
 
-  const Node& node(int n) const { return forest.nodes[static_cast<std::size_t>(n)]; }
-  const Segment& segment(int n) const { return forest.segment_of(node(n)); }
-  const Source& source(int n) const { return forest.sources[static_cast<std::size_t>(node(n).source)]; }
-  const Step& step_at(int step) const { return problem.steps[static_cast<std::size_t>(step)]; }
-  const Thread& thread_at(int thread) const { return problem.threads[static_cast<std::size_t>(thread)]; }
-  const Thread& thread_of(int n) const { return thread_at(forest.thread_of(n)); }
-  const ThreadBehaviour& behaviour_of(int thread) const {
-    return behaviours.threads[static_cast<std::size_t>(thread)];
-  }
-  int job_start_of(int n) const { return behaviours.job_start[static_cast<std::size_t>(n)]; }
-  bool in_job(int n) const { return compositional::in_job(forest, behaviours, n); }
-  /// The node itself or its nearest cause that belongs to `thread`; -1: there is none.
-  int nearest(int n, int thread) const {
+  const Node& node(NodeId n) const { return forest.nodes[n]; }
+  const Segment& segment(NodeId n) const { return forest.segment_of(node(n)); }
+  const Source& source(NodeId n) const { return forest.sources[node(n).source]; }
+  const Step& step_at(StepId step) const { return problem.steps[step]; }
+  const Thread& thread_at(ThreadId thread) const { return problem.threads[thread]; }
+  const Thread& thread_of(NodeId n) const { return thread_at(forest.thread_of(n)); }
+  const ThreadBehaviour& behaviour_of(ThreadId thread) const { return behaviours.threads[thread]; }
+  NodeId job_start_of(NodeId n) const { return behaviours.job_start[n]; }
+  bool in_job(NodeId n) const { return compositional::in_job(forest, behaviours, n); }
+  /// The node itself or its nearest cause that belongs to `thread`, if there is one.
+  NodeId nearest(NodeId n, ThreadId thread) const {
     return forest.thread_of(n) == thread ? n : forest.cause_in(n, thread);
   }
   /// Nodes that may end the skill or a thread before `thread` is idle for the first time. They belong to
   /// `thread`, to its parents, or to the threads that these wait for.
-  std::vector<int> endings_before_idle(int thread) const;
+  std::vector<NodeId> endings_before_idle(ThreadId thread) const;
   /// The same before the first job of a loop. An event has none.
-  std::vector<int> endings_before_first(int loop) const;
-  ChannelId sent_channel(int n) const { return step_at(node(n).sends.front()).channels.front(); }
+  std::vector<NodeId> endings_before_first(SourceId loop) const;
+  ChannelId sent_channel(NodeId n) const { return step_at(node(n).sends.front()).channels.front(); }
 
   /// Time from a request to its answer when the device is free.
   Range device_time(DeviceId device) const;
   /// Time from the send until the node's message, or the device's answer to it, can be received.
-  Range way(int n) const;
+  Range way(NodeId n) const;
   /// How long a request may queue at a device that answers on request; `never`: unbounded.
-  Nanoseconds answer_queue(DeviceId device, int request) const;
+  Nanoseconds answer_queue(DeviceId device, ChannelId request) const;
 };
 
 /// Whether a wait for the answer to a request may time out.
-bool may_give_up(const Problem& problem, int request);
+bool may_give_up(const Problem& problem, ChannelId request);
 
 /// Least time from the release of a node's cause to its own; the node is no root.
-Nanoseconds earliest_after_cause(const AnalysisContext& context, int node);
+Nanoseconds earliest_after_cause(const AnalysisContext& context, NodeId node);
 
 /// The earliest release of each node after the nominal instant of its source. After `stop` has returned true,
 /// a lower bound of it.
-std::vector<Nanoseconds> earliest_releases(const AnalysisContext& context, const std::function<bool()>& stop);
+Table<NodeId, Nanoseconds> earliest_releases(const AnalysisContext& context,
+                                             const std::function<bool()>& stop);
 
 }  // namespace pal::analyzer::compositional

@@ -8,22 +8,22 @@ namespace {
 class BlockCloner {
  public:
   explicit BlockCloner(const Problem& problem)
-      : made_(problem), begun_(problem.threads.size()), owner_(problem.steps.size(), -1) {
-    for (std::size_t t = 0; t < problem.threads.size(); ++t) own(static_cast<int>(t));
+      : made_(problem), begun_(problem.threads.size()), owner_(problem.steps.size()) {
+    for (const ThreadId t : problem.threads.ids()) own(t);
   }
 
   Problem run() {
     // Copies come behind what they are copies of, and are looked at in their turn.
-    for (std::size_t s = 0; s < made_.steps.size(); ++s) {
-      if (owner_[s] < 0) continue;
+    for (StepId s{0}; made_.steps.contains(s); s = StepId(s.index() + 1)) {
+      if (!owner_[s].valid()) continue;
       for (std::size_t i = 0; i < made_.steps[s].threads.size(); ++i) {
-        const int block = made_.steps[s].threads[i];
-        if (begun_[static_cast<std::size_t>(block)]) {
-          const int copy = copied(block, owner_[s]);
+        const ThreadId block = made_.steps[s].threads[i];
+        if (begun_[block]) {
+          const ThreadId copy = copied(block, owner_[s]);
           made_.steps[s].threads[i] = copy;
-          begun_[static_cast<std::size_t>(copy)] = true;
+          begun_[copy] = true;
         }
-        begun_[static_cast<std::size_t>(block)] = true;
+        begun_[block] = true;
       }
     }
     return std::move(made_);
@@ -31,40 +31,40 @@ class BlockCloner {
 
  private:
   /// Marks the steps that the thread goes through itself.
-  void own(int thread) {
-    std::vector<int> open{made_.threads[static_cast<std::size_t>(thread)].entry};
+  void own(ThreadId thread) {
+    std::vector<StepId> open{made_.threads[thread].entry};
     while (!open.empty()) {
-      const int at = open.back();
+      const StepId at = open.back();
       open.pop_back();
-      int& owner = owner_[static_cast<std::size_t>(at)];
+      ThreadId& owner = owner_[at];
       if (owner == thread) continue;
       owner = thread;
-      const std::vector<int>& next = made_.steps[static_cast<std::size_t>(at)].next;
+      const std::vector<StepId>& next = made_.steps[at].next;
       open.insert(open.end(), next.begin(), next.end());
     }
   }
 
   /// The block once more, begun by `parent`. Its own blocks are still those of the first.
-  int copied(int block, int parent) {
-    const int copy = static_cast<int>(made_.threads.size());
-    Thread thread = made_.threads[static_cast<std::size_t>(block)];
+  ThreadId copied(ThreadId block, ThreadId parent) {
+    const ThreadId copy = ThreadId(made_.threads.size());
+    Thread thread = made_.threads[block];
     thread.parent = parent;
-    std::map<int, int> copies;
-    std::vector<int> open{thread.entry};
+    std::map<StepId, StepId> copies;
+    std::vector<StepId> open{thread.entry};
     while (!open.empty()) {
-      const int at = open.back();
+      const StepId at = open.back();
       open.pop_back();
-      if (!copies.emplace(at, static_cast<int>(made_.steps.size())).second) continue;
-      Step step = made_.steps[static_cast<std::size_t>(at)];
+      if (!copies.emplace(at, made_.steps.size()).second) continue;
+      Step step = made_.steps[at];
       open.insert(open.end(), step.next.begin(), step.next.end());
       made_.steps.push_back(std::move(step));
       owner_.push_back(copy);
       for (Requirement& requirement : made_.requirements) {
-        if (!requirement.at.empty()) requirement.at.push_back(requirement.at[static_cast<std::size_t>(at)]);
+        if (!requirement.at.empty()) requirement.at.push_back(requirement.at[at]);
       }
     }
     for (const auto& [from, to] : copies) {
-      for (int& next : made_.steps[static_cast<std::size_t>(to)].next) next = copies.at(next);
+      for (StepId& next : made_.steps[to].next) next = copies.at(next);
     }
     thread.entry = copies.at(thread.entry);
     made_.threads.push_back(std::move(thread));
@@ -73,8 +73,8 @@ class BlockCloner {
   }
 
   Problem made_;
-  std::vector<bool> begun_;  // by thread
-  std::vector<int> owner_;   // by step; -1: no thread gets there
+  Table<ThreadId, bool> begun_;
+  Table<StepId, ThreadId> owner_;  // none: no thread gets there
 };
 
 }  // namespace

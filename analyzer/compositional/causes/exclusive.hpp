@@ -9,8 +9,8 @@ namespace pal::analyzer::compositional {
 
 /// The effect of a step in a node.
 struct StepEffect {
-  int node = -1;
-  int step = -1;
+  NodeId node{};
+  StepId step{};
 };
 
 /// Whether all belong to one job of one thread and no run of the job has two of them. So an occurrence of the

@@ -16,19 +16,19 @@ namespace pal::analyzer::compositional {
 struct Source {
   enum class Kind { event, start, loop, joined };
   Kind kind = Kind::start;
-  DeviceId device{};       // event
-  int thread = -1;         // start, loop, joined
-  int segment = -1;        // loop: the first segment of each job
-  int fork = -1;           // joined
-  Nanoseconds period = 0;  // least inter-arrival time without the jitter; never: it occurs once
-  Nanoseconds jitter = 0;  // latest release of an occurrence after its nominal instant
-  bool regular = false;    // nominal instants are exactly a period apart
-  std::vector<int> roots;  // nodes
+  DeviceId device{};          // event
+  ThreadId thread{};          // start, loop, joined
+  SegmentId segment{};        // loop: the first segment of each job
+  StepId fork{};              // joined
+  Nanoseconds period = 0;     // least inter-arrival time without the jitter; never: it occurs once
+  Nanoseconds jitter = 0;     // latest release of an occurrence after its nominal instant
+  bool regular = false;       // nominal instants are exactly a period apart
+  std::vector<NodeId> roots;  // nodes
   /// Sends and time-outs that trigger the next job of a loop.
   struct Feed {
-    int node = -1;
-    std::vector<int> sends;
-    int wait = -1;  // that times out
+    NodeId node{};
+    std::vector<StepId> sends;
+    StepId wait{};  // that times out
     DeviceId device{};
   };
   std::vector<Feed> feeds;
@@ -38,44 +38,42 @@ struct Source {
 struct Node {
   enum class Release { root, message, limit, fork };
   Release release = Release::root;
-  int segment = -1;
-  int source = -1;
-  int cause = -1;          // node
-  int cause_step = -1;     // limit: the wait; fork: the fork
-  std::vector<int> sends;  // message: the sends that trigger it; each run of the cause passes one of them
-  DeviceId device{};       // message: the device that answers in between
+  SegmentId segment{};
+  SourceId source{};
+  NodeId cause{};             // node
+  StepId cause_step{};        // limit: the wait; fork: the fork
+  std::vector<StepId> sends;  // message: the sends that trigger it; each run of the cause passes one of them
+  DeviceId device{};          // message: the device that answers in between
   int depth = 0;
-  std::vector<int> effects;  // nodes whose cause this is
+  std::vector<NodeId> effects;  // nodes whose cause this is
 };
 
 struct Forest {
   Segments segments;
-  std::vector<Source> sources;
-  std::vector<Node> nodes;  // a cause stands before its effects
+  Table<SourceId, Source> sources;
+  Table<NodeId, Node> nodes;  // a cause stands before its effects
   /// Why there is no forest, as text for the user; empty if there is one.
   std::string refusal;
   /// By channel: withdrawn_requests().
-  std::vector<bool> withdrawn;
+  Table<ChannelId, bool> withdrawn;
 
   explicit Forest(const Problem& problem) : segments(problem) {}
   const Segment& segment_of(const Node& node) const { return segments[node.segment]; }
-  int thread_of(int node) const {
-    return segments[nodes[static_cast<std::size_t>(node)].segment].beginning.thread;
-  }
-  /// The nearest node of `thread` among the causes of `node`; -1: there is none.
-  int cause_in(int node, int thread) const;
+  ThreadId thread_of(NodeId node) const { return segments[nodes[node].segment].beginning.thread; }
+  /// The nearest node of `thread` among the causes of `node`, if there is one.
+  NodeId cause_in(NodeId node, ThreadId thread) const;
 };
 
 /// Refused as interrupted once `stop` returns true.
 Forest forest_of(const Problem& problem, const std::function<bool()>& stop);
 
 /// Whether each of these sends ends its segment.
-bool end_segment(const Problem& problem, const std::vector<int>& sends);
+bool end_segment(const Problem& problem, const std::vector<StepId>& sends);
 
 /// Whether the node's cause ends with the step that triggers the node.
-bool ends_with_cause(const Problem& problem, const Forest& forest, int node);
+bool ends_with_cause(const Problem& problem, const Forest& forest, NodeId node);
 
 /// The least and greatest time from the put of a message until `receiver` can receive it.
-Range latency(const Problem& problem, int channel, int sender, int receiver);
+Range latency(const Problem& problem, ChannelId channel, ThreadId sender, ThreadId receiver);
 
 }  // namespace pal::analyzer::compositional

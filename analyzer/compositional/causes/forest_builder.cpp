@@ -38,8 +38,8 @@ class ForestBuilder {
       const std::size_t before = cuts_.size();
       found_.clear();
       sources();
-      for (std::size_t s = 0; s < forest_.sources.size() && forest_.refusal.empty(); ++s) {
-        grow(static_cast<int>(s));
+      for (const SourceId s : forest_.sources.ids()) {
+        if (forest_.refusal.empty()) grow(s);
       }
       if (!forest_.refusal.empty()) return;
       cuts_.insert(found_.begin(), found_.end());
@@ -49,8 +49,8 @@ class ForestBuilder {
   }
 
  private:
-  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  Node& node(int index) { return forest_.nodes[static_cast<std::size_t>(index)]; }
+  const Step& step_at(StepId step) const { return problem_.steps[step]; }
+  Node& node(NodeId index) { return forest_.nodes[index]; }
 
   /// Nothing more is looked at: it is refused, or it was stopped, and is refused for that.
   bool is_over() {
@@ -60,18 +60,17 @@ class ForestBuilder {
 
   void find_limited() {
     limited_.assign(problem_.steps.size(), false);
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+    for (const StepId s : problem_.steps.ids()) {
       const Step& step = problem_.steps[s];
-      if (step.kind != Kind::wait || !step.within || forest_.segments.owner(static_cast<int>(s)) < 0)
-        continue;
+      if (step.kind != Kind::wait || !step.within || !forest_.segments.owner(s).valid()) continue;
       if (is_over()) return;
-      limited_[s] = !loops_by_limits(static_cast<int>(s));
+      limited_[s] = !loops_by_limits(s);
     }
   }
 
   /// Whether the thread can come back to a wait by way of waits with limits alone.
-  bool loops_by_limits(int wait) const {
-    return follow(problem_, step_at(wait).next, [&](int at) {
+  bool loops_by_limits(StepId wait) const {
+    return follow(problem_, step_at(wait).next, [&](StepId at) {
       if (at == wait) return Course::found;
       return step_at(at).kind == Kind::wait && !step_at(at).within ? Course::ends : Course::goes_on;
     });
@@ -80,7 +79,7 @@ class ForestBuilder {
   void sources() {
     for (const DeviceId d : problem_.devices.ids()) {
       const auto* event = std::get_if<pan::EventDevice>(&problem_.devices[d].behaviour);
-      if (event == nullptr || problem_.devices[d].event < 0) continue;
+      if (event == nullptr || !problem_.devices[d].event.valid()) continue;
       Source source;
       source.kind = Source::Kind::event;
       source.device = d;
@@ -89,57 +88,58 @@ class ForestBuilder {
       source.regular = !event->sporadic;
       forest_.sources.push_back(source);
     }
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-      if (problem_.threads[t].parent >= 0) continue;
+    for (const ThreadId t : problem_.threads.ids()) {
+      if (problem_.threads[t].parent.valid()) continue;
       Source source;
-      source.thread = static_cast<int>(t);
+      source.thread = t;
       source.period = never;
       forest_.sources.push_back(source);
     }
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      const int thread = forest_.segments.owner(static_cast<int>(s));
-      if (thread < 0 || !begins_anew(static_cast<int>(s))) continue;
+    for (const StepId s : problem_.steps.ids()) {
+      const ThreadId thread = forest_.segments.owner(s);
+      if (!thread.valid() || !begins_anew(s)) continue;
       Source source;
       source.kind = Source::Kind::joined;
       source.thread = thread;
-      source.fork = static_cast<int>(s);
+      source.fork = s;
       source.period = never;
       forest_.sources.push_back(source);
     }
-    for (int segment : cuts_) {
+    for (SegmentId segment : cuts_) {
       Source source;
       source.kind = Source::Kind::loop;
       source.segment = segment;
       source.thread = forest_.segments[segment].beginning.thread;
       source.period = least_job_distance(problem_, forest_.segments[segment].beginning);
       if (source.period == 0) {
-        forest_.refusal = "nothing says how long a job of module " +
-                          problem_.threads[static_cast<std::size_t>(source.thread)].name + " takes at least";
+        forest_.refusal = "nothing says how long a job of module " + problem_.threads[source.thread].name +
+                          " takes at least";
       }
       forest_.sources.push_back(source);
     }
   }
 
-  void grow(int source) {
-    const Source& of = forest_.sources[static_cast<std::size_t>(source)];
+  void grow(SourceId source) {
+    const Source& of = forest_.sources[source];
     switch (of.kind) {
       case Source::Kind::event:
-        message({source, -1, Node::Release::root, -1, {}, DeviceId{}}, problem_.devices[of.device].event);
+        message({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}},
+                problem_.devices[of.device].event);
         break;
       case Source::Kind::start:
-        effect({source, -1, Node::Release::root, -1, {}, DeviceId{}},
-               {Beginning::Kind::entry, of.thread, -1, -1});
+        effect({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}},
+               {Beginning::Kind::entry, of.thread, StepId{}, -1});
         break;
       case Source::Kind::joined:
-        effect({source, -1, Node::Release::root, -1, {}, DeviceId{}},
+        effect({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}},
                {Beginning::Kind::joined, of.thread, of.fork, -1});
         break;
       case Source::Kind::loop:
-        add({source, -1, Node::Release::root, -1, {}, DeviceId{}}, of.segment);
+        add({source, NodeId{}, Node::Release::root, StepId{}, {}, DeviceId{}}, of.segment);
         break;
     }
     while (!open_.empty() && !is_over()) {
-      const int at = open_.back();
+      const NodeId at = open_.back();
       open_.pop_back();
       add_effects(at);
     }
@@ -148,67 +148,67 @@ class ForestBuilder {
 
   /// How something comes about.
   struct Link {
-    int source;
-    int cause;
+    SourceId source;
+    NodeId cause;
     Node::Release release;
-    int step;  // wait or fork
-    std::vector<int> sends;
+    StepId step;  // wait or fork
+    std::vector<StepId> sends;
     DeviceId device;
   };
 
-  void add_effects(int at) {
+  void add_effects(NodeId at) {
     const Segment segment = forest_.segments[node(at).segment];
-    const int source = node(at).source;
-    for (const std::vector<int>& sends : alternatives(node(at).segment)) {
+    const SourceId source = node(at).source;
+    for (const std::vector<StepId>& sends : alternatives(node(at).segment)) {
       if (is_over()) return;
-      const int channel = step_at(sends.front()).channels.front();
-      const Channel& of = problem_.channels[static_cast<std::size_t>(channel)];
+      const ChannelId channel = step_at(sends.front()).channels.front();
+      const Channel& of = problem_.channels[channel];
       if (!of.receiver_device.valid()) {
-        message({source, at, Node::Release::message, -1, sends, DeviceId{}}, channel);
-      } else if (of.served && of.answer >= 0) {
-        message({source, at, Node::Release::message, -1, sends, of.receiver_device}, of.answer);
+        message({source, at, Node::Release::message, StepId{}, sends, DeviceId{}}, channel);
+      } else if (of.served && of.answer.valid()) {
+        message({source, at, Node::Release::message, StepId{}, sends, of.receiver_device}, of.answer);
       }
     }
     for (const Segment::Arrival& wait : segment.waits) {
       const Step& step = step_at(wait.step);
       if (is_over()) return;
       if (!step.within) continue;
-      const int thread = segment.beginning.thread;
+      const ThreadId thread = segment.beginning.thread;
       const Link link{source, at, Node::Release::limit, wait.step, {}, DeviceId{}};
       effect(link, {Beginning::Kind::give_up, thread, wait.step, -1});
-      if (!limited_[static_cast<std::size_t>(wait.step)]) continue;
+      if (!limited_[wait.step]) continue;
       for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
         effect(link, {Beginning::Kind::arm, thread, wait.step, static_cast<int>(arm)});
       }
     }
     for (const Segment::Arrival& fork : segment.forks) {
       const Link link{source, at, Node::Release::fork, fork.step, {}, DeviceId{}};
-      for (int block : step_at(fork.step).threads) effect(link, {Beginning::Kind::entry, block, -1, -1});
-      const std::vector<int>& blocks = step_at(fork.step).threads;
-      const bool goes_on = std::any_of(blocks.begin(), blocks.end(), [this](int block) {
-        return problem_.threads[static_cast<std::size_t>(block)].can_end;
-      });
+      for (ThreadId block : step_at(fork.step).threads)
+        effect(link, {Beginning::Kind::entry, block, StepId{}, -1});
+      const std::vector<ThreadId>& blocks = step_at(fork.step).threads;
+      const bool goes_on = std::any_of(blocks.begin(), blocks.end(),
+                                       [this](ThreadId block) { return problem_.threads[block].can_end; });
       if (goes_on && !begins_anew(fork.step))
         effect(link, {Beginning::Kind::joined, segment.beginning.thread, fork.step, -1});
     }
   }
 
   /// What comes after a CONCURRENT, once in a skill's life, if one of its blocks ends in an unknown job.
-  bool begins_anew(int fork) const {
+  bool begins_anew(StepId fork) const {
     const Step& step = step_at(fork);
     if (step.kind != Kind::fork) return false;
-    return std::any_of(step.threads.begin(), step.threads.end(), [this](int block) {
-      return problem_.threads[static_cast<std::size_t>(block)].can_end && !ends_straight(problem_, block);
+    return std::any_of(step.threads.begin(), step.threads.end(), [this](ThreadId block) {
+      return problem_.threads[block].can_end && !ends_straight(problem_, block);
     });
   }
 
   /// The segment's sends, those of one channel together if a run passes only one of them.
-  const std::vector<std::vector<int>>& alternatives(int index) {
-    const auto [known, fresh] = alternatives_.emplace(index, std::vector<std::vector<int>>());
-    std::vector<std::vector<int>>& all = known->second;
+  const std::vector<std::vector<StepId>>& alternatives(SegmentId index) {
+    const auto [known, fresh] = alternatives_.emplace(index, std::vector<std::vector<StepId>>());
+    std::vector<std::vector<StepId>>& all = known->second;
     if (!fresh) return all;
     const Segment& segment = forest_.segments[index];
-    std::map<int, std::vector<int>> by_channel;
+    std::map<ChannelId, std::vector<StepId>> by_channel;
     for (const Segment::Passed& passed : segment.steps) {
       const Step& step = step_at(passed.step);
       if (step.kind == Kind::send) by_channel[step.channels.front()].push_back(passed.step);
@@ -218,28 +218,28 @@ class ForestBuilder {
       if (!any_in_row(problem_, segment, sends)) {
         all.push_back(std::move(sends));
       } else {
-        for (int send : sends) all.push_back({send});
+        for (StepId send : sends) all.push_back({send});
       }
     }
     return all;
   }
 
-  void message(const Link& link, int channel) {
-    const std::optional<std::set<int>> known = takers_of(link, channel);
+  void message(const Link& link, ChannelId channel) {
+    const std::optional<std::set<StepId>> known = takers_of(link, channel);
     for (const Taker& taker : takers_.of(channel)) {
       if (known && !known->contains(taker.step)) continue;
       // Such waits are counted by their own threads' jobs.
-      if (limited_[static_cast<std::size_t>(taker.step)]) continue;
+      if (limited_[taker.step]) continue;
       effect(link, {Beginning::Kind::arm, taker.thread, taker.step, taker.arm});
     }
   }
 
   /// The waits that may take an answer: those that come after its request, if it is known which that is.
-  std::optional<std::set<int>> takers_of(const Link& link, int channel) {
-    const int request = problem_.channels[static_cast<std::size_t>(channel)].answers;
-    if (request < 0) return {};
+  std::optional<std::set<StepId>> takers_of(const Link& link, ChannelId channel) {
+    const ChannelId request = problem_.channels[channel].answers;
+    if (!request.valid()) return {};
     if (link.device.valid()) return takers_.after(link.sends);
-    for (int at = link.cause; at >= 0; at = node(at).cause) {
+    for (NodeId at = link.cause; at.valid(); at = node(at).cause) {
       const Beginning& begins = forest_.segment_of(node(at)).beginning;
       const bool asked = begins.kind == Beginning::Kind::arm && node(at).release == Node::Release::message &&
                          !node(at).device.valid() &&
@@ -254,7 +254,7 @@ class ForestBuilder {
 
   /// Whether a segment may begin after all that leads to it.
   bool may_follow(const Link& link, const Beginning& beginning) {
-    for (int at = link.cause; at >= 0; at = node(at).cause) {
+    for (NodeId at = link.cause; at.valid(); at = node(at).cause) {
       if (!sequence_.may_follow(forest_.segment_of(node(at)).beginning, beginning)) return false;
     }
     return true;
@@ -262,9 +262,9 @@ class ForestBuilder {
 
   void effect(const Link& link, const Beginning& beginning) {
     if (!may_follow(link, beginning)) return;
-    const int segment = forest_.segments.find(beginning);
+    const SegmentId segment = forest_.segments.find(beginning);
     if (forest_.segments[segment].spins) {
-      forest_.refusal = "module " + problem_.threads[static_cast<std::size_t>(beginning.thread)].name +
+      forest_.refusal = "module " + problem_.threads[beginning.thread].name +
                         " has a loop that may repeat without waiting, any number of times";
       return;
     }
@@ -277,8 +277,8 @@ class ForestBuilder {
       return;
     }
     const bool again = comes_again(segment);
-    std::vector<int> circle;
-    for (int at = link.cause; at >= 0; at = node(at).cause) {
+    std::vector<NodeId> circle;
+    for (NodeId at = link.cause; at.valid(); at = node(at).cause) {
       // A way through something that comes once in a skill's life is no circle.
       if (again && !comes_again(node(at).segment)) break;
       circle.push_back(at);
@@ -290,7 +290,7 @@ class ForestBuilder {
     add(link, segment);
   }
 
-  void add(const Link& link, int segment) {
+  void add(const Link& link, SegmentId segment) {
     if (forest_.nodes.size() >= most_nodes_) {
       forest_.refusal = "the modules' messages have too many ways to go";
       return;
@@ -303,52 +303,51 @@ class ForestBuilder {
     made.cause_step = link.step;
     made.sends = link.sends;
     made.device = link.device;
-    made.depth = link.cause < 0 ? 0 : node(link.cause).depth + 1 + (link.device.valid() ? 1 : 0);
-    const int index = static_cast<int>(forest_.nodes.size());
-    forest_.nodes.push_back(made);
-    if (link.cause >= 0) {
+    made.depth = !link.cause.valid() ? 0 : node(link.cause).depth + 1 + (link.device.valid() ? 1 : 0);
+    const NodeId index = forest_.nodes.push_back(made);
+    if (link.cause.valid()) {
       node(link.cause).effects.push_back(index);
     } else {
-      forest_.sources[static_cast<std::size_t>(link.source)].roots.push_back(index);
+      forest_.sources[link.source].roots.push_back(index);
     }
     open_.push_back(index);
     ++planted_[segment];
   }
 
-  bool comes_again(int segment) {
+  bool comes_again(SegmentId segment) {
     const auto [place, fresh] = comes_again_.emplace(segment, false);
     if (fresh) place->second = recurrent(problem_, forest_.segments[segment].beginning);
     return place->second;
   }
 
-  bool takes_request(int index) const {
-    const Beginning& begins = forest_.segment_of(forest_.nodes[static_cast<std::size_t>(index)]).beginning;
+  bool takes_request(NodeId index) const {
+    const Beginning& begins = forest_.segment_of(forest_.nodes[index]).beginning;
     if (begins.kind != Beginning::Kind::arm) return false;
-    const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
-    return problem_.channels[static_cast<std::size_t>(channel)].answer >= 0;
+    const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+    return problem_.channels[channel].answer.valid();
   }
 
   /// Whether a circle leads back to a server that is asked once more. If that goes on for ever, the
   /// asking is a circle, too, and is found there. Ways that part and ask multiply: not too often.
-  bool is_asked_anew(const std::vector<int>& circle) {
+  bool is_asked_anew(const std::vector<NodeId>& circle) {
     constexpr int most_askings = 128;
     return takes_request(circle.back()) && planted_[node(circle.back()).segment] < most_askings &&
-           !std::all_of(circle.begin(), circle.end(), [this](int index) { return takes_request(index); });
+           !std::all_of(circle.begin(), circle.end(), [this](NodeId index) { return takes_request(index); });
   }
 
   /// The segment of a cycle of causes at which its jobs are counted. If there is one, it belongs to a client:
   /// a thread that in this cycle only waits for answers to its requests.
-  int cut(const std::vector<int>& circle) {
-    const auto asks_only = [this](int index) {
+  SegmentId cut(const std::vector<NodeId>& circle) {
+    const auto asks_only = [this](NodeId index) {
       const Beginning& begins = forest_.segment_of(node(index)).beginning;
       if (begins.kind == Beginning::Kind::give_up) return true;
       if (begins.kind != Beginning::Kind::arm) return false;
-      const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
-      return problem_.channels[static_cast<std::size_t>(channel)].answers >= 0;
+      const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+      return problem_.channels[channel].answers.valid();
     };
-    for (int index : circle) {
-      const int thread = forest_.thread_of(index);
-      const bool client = std::all_of(circle.begin(), circle.end(), [&](int other) {
+    for (const NodeId index : circle) {
+      const ThreadId thread = forest_.thread_of(index);
+      const bool client = std::all_of(circle.begin(), circle.end(), [&](NodeId other) {
         return forest_.thread_of(other) != thread || asks_only(other);
       });
       if (client) return node(index).segment;
@@ -361,13 +360,13 @@ class ForestBuilder {
   const std::function<bool()>& stop_;
   Sequence sequence_;
   Takers takers_;
-  std::vector<bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
-  std::set<int> cuts_;
-  std::set<int> found_;
-  std::map<int, std::vector<std::vector<int>>> alternatives_;  // by segment
-  std::map<int, bool> comes_again_;
-  std::map<int, int> planted_;  // by segment: nodes
-  std::vector<int> open_;
+  Table<StepId, bool> limited_;  // by wait: each of its branches is counted as an effect of reaching it
+  std::set<SegmentId> cuts_;
+  std::set<SegmentId> found_;
+  std::map<SegmentId, std::vector<std::vector<StepId>>> alternatives_;  // by segment
+  std::map<SegmentId, bool> comes_again_;
+  std::map<SegmentId, int> planted_;  // by segment: nodes
+  std::vector<NodeId> open_;
   std::size_t most_nodes_ = 0;
 };
 

@@ -10,11 +10,11 @@ namespace pal::analyzer::compositional {
 /// Whether a segment may run more than once in the life of a skill.
 bool recurrent(const Problem& problem, const Beginning& beginning);
 
-/// The CONCURRENT that starts a block; -1: there is none.
-int fork_of(const Problem& problem, int block);
+/// The CONCURRENT that starts a block, if there is one.
+StepId fork_of(const Problem& problem, ThreadId block);
 
 /// Whether a block has no loop, so that its length is bounded by its actions and waits.
-bool ends_straight(const Problem& problem, int block);
+bool ends_straight(const Problem& problem, ThreadId block);
 
 /// Least time between the starts of two jobs of one thread that begin in this way.
 Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginning);
@@ -22,10 +22,10 @@ Nanoseconds least_job_distance(const Problem& problem, const Beginning& beginnin
 /// Whether a free-running thread, whose jobs begin so, always has to wait between two jobs. It has to if its
 /// time-out takes time, or if it is idle after each request before the answer can arrive. Interference does
 /// not matter: the thread sends the request while it has its processor. `owned`: its steps.
-bool waits_between_jobs(const Problem& problem, const Beginning& job, const std::vector<bool>& owned);
+bool waits_between_jobs(const Problem& problem, const Beginning& job, const Table<StepId, bool>& owned);
 
 /// Least time between two effects of the steps `at` of one thread, on the shortest path; 0 if its blocks
 /// start repeatedly.
-Nanoseconds least_effect_distance(const Problem& problem, int thread, const std::vector<bool>& at);
+Nanoseconds least_effect_distance(const Problem& problem, ThreadId thread, const Table<StepId, bool>& at);
 
 }  // namespace pal::analyzer::compositional

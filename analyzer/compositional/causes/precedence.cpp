@@ -24,78 +24,55 @@ class Precedence {
 
   Order run() {
     in_programs();
-    by_blocks();
     by_causes();
     in_life();
-    for (std::size_t s = 0; s < context_.forest.sources.size(); ++s) in_circle(static_cast<int>(s));
+    for (const SourceId s : context_.forest.sources.ids()) in_circle(s);
     sort(later_);
     sort(never_overlapping_);
     return {std::move(later_), std::move(never_overlapping_)};
   }
 
  private:
-  using Nodes = std::set<int>;
+  using Nodes = std::set<NodeId>;
 
   bool is_over() const { return stop_ && stop_(); }
 
   void in_programs() {
-    std::map<pan::ModuleId, std::vector<int>> by_module;
-    for (std::size_t n = 0; n < later_.size(); ++n)
-      by_module[context_.thread_of(static_cast<int>(n)).module].push_back(static_cast<int>(n));
+    std::map<pan::ModuleId, std::vector<NodeId>> by_module;
+    for (const NodeId n : later_.ids()) by_module[context_.thread_of(n).module].push_back(n);
     Sequence sequence(context_.problem);
     for (const auto& [module, nodes] : by_module) {
       if (is_over()) return;
       if (nodes.size() * nodes.size() > most_pairs) continue;
-      for (int node : nodes) {
-        for (int other : nodes) {
+      for (NodeId node : nodes) {
+        for (NodeId other : nodes) {
           if (node != other &&
               !sequence.may_follow(context_.segment(other).beginning, context_.segment(node).beginning))
-            later_[static_cast<std::size_t>(node)].push_back(other);
+            later_[node].push_back(other);
         }
       }
     }
   }
 
-  /// Blocks have ended, or stopped, when what comes after them begins, and begin again only after it.
-  void by_blocks() {
-    for (std::size_t n = 0; n < never_overlapping_.size() && !is_over(); ++n) {
-      const Beginning& begins = context_.segment(static_cast<int>(n)).beginning;
-      if (begins.kind != Beginning::Kind::joined) continue;
-      for (std::size_t other = 0; other < never_overlapping_.size(); ++other) {
-        if (is_below(context_.forest.thread_of(static_cast<int>(other)), begins.step))
-          never_overlapping_[n].push_back(static_cast<int>(other));
-      }
-    }
-  }
-
-  /// Whether a thread is one of the blocks of a CONCURRENT, or below one.
-  bool is_below(int thread, int fork) const {
-    const std::vector<int>& blocks = context_.step_at(fork).threads;
-    while (thread >= 0 && std::find(blocks.begin(), blocks.end(), thread) == blocks.end())
-      thread = context_.thread_at(thread).parent;
-    return thread >= 0;
-  }
-
   /// What comes once and brings about something else that comes once, or is what its thread waited for
   /// before.
   void by_causes() {
-    std::vector<int> once;
-    for (std::size_t n = 0; n < later_.size(); ++n) {
-      if (context_.source(static_cast<int>(n)).period == never) once.push_back(static_cast<int>(n));
+    std::vector<NodeId> once;
+    for (const NodeId n : later_.ids()) {
+      if (context_.source(n).period == never) once.push_back(n);
     }
     place_.assign(later_.size(), -1);
-    for (std::size_t i = 0; i < once.size(); ++i)
-      place_[static_cast<std::size_t>(once[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < once.size(); ++i) place_[once[i]] = static_cast<int>(i);
     const std::size_t words = once.size() <= most_once ? (once.size() + 63) / 64 : 0;
     over_.assign(once.size(), Bits(words));
     // Each round adds what follows from the one before. To end early is right, too.
     for (bool more = words > 0; more && !is_over();) {
       more = false;
-      for (const int n : once) more = add_over(n) || more;
+      for (const NodeId n : once) more = add_over(n) || more;
     }
-    for (const int n : once) {
+    for (const NodeId n : once) {
       if (is_over()) return;
-      for (int at = n; context_.node(at).cause >= 0; at = context_.node(at).cause) {
+      for (NodeId at = n; context_.node(at).cause.valid(); at = context_.node(at).cause) {
         if (ends_with_cause(context_.problem, context_.forest, at)) before(context_.node(at).cause, n);
       }
       for (std::size_t i = 0; words > 0 && i < once.size(); ++i) {
@@ -105,9 +82,9 @@ class Precedence {
   }
 
   /// `node` is over before `later` is released.
-  void before(int node, int later) {
-    later_[static_cast<std::size_t>(node)].push_back(later);
-    never_overlapping_[static_cast<std::size_t>(later)].push_back(node);
+  void before(NodeId node, NodeId later) {
+    later_[node].push_back(later);
+    never_overlapping_[later].push_back(node);
   }
 
   /// Of nodes that come once, by place_.
@@ -124,11 +101,11 @@ class Precedence {
     std::vector<std::uint64_t> words;
   };
 
-  Bits& over_of(int node) { return over_[static_cast<std::size_t>(place_[static_cast<std::size_t>(node)])]; }
+  Bits& over_of(NodeId node) { return over_[static_cast<std::size_t>(place_[node])]; }
 
   /// A node that is over, with what was over before it.
-  Bits up_to_end_of(int node) {
-    const int place = place_[static_cast<std::size_t>(node)];
+  Bits up_to_end_of(NodeId node) {
+    const int place = place_[node];
     if (place < 0) return Bits(over_.front().words.size());
     Bits all = over_of(node);
     all.add(static_cast<std::size_t>(place));
@@ -138,17 +115,17 @@ class Precedence {
   /// What is over before a node that comes once is released. That is what was over before its cause was, and
   /// the cause itself if it has ended. It is also what was over when its thread came to the wait, in
   /// whichever way. False: nothing new.
-  bool add_over(int n) {
+  bool add_over(NodeId n) {
     Bits over = over_of(n);
-    const int cause = context_.node(n).cause;
-    if (cause >= 0 && place_[static_cast<std::size_t>(cause)] >= 0) {
+    const NodeId cause = context_.node(n).cause;
+    if (cause.valid() && place_[cause] >= 0) {
       const bool ended = ends_with_cause(context_.problem, context_.forest, n);
       over.join(ended ? up_to_end_of(cause) : over_of(cause));
     }
-    const std::vector<int>& previous = context_.behaviours.previous[static_cast<std::size_t>(n)];
+    const std::vector<NodeId>& previous = context_.behaviours.previous[n];
     if (!previous.empty()) {
       Bits common = up_to_end_of(previous.front());
-      for (const int each : previous) common.meet(up_to_end_of(each));
+      for (const NodeId each : previous) common.meet(up_to_end_of(each));
       over.join(common);
     }
     if (over.words == over_of(n).words) return false;
@@ -159,47 +136,46 @@ class Precedence {
   /// What starts again, or loops, after something that happens once.
   void in_life() {
     const auto& sources = context_.forest.sources;
-    std::vector<std::vector<int>> nodes_of(sources.size());
-    for (std::size_t n = 0; n < later_.size(); ++n)
-      nodes_of[static_cast<std::size_t>(context_.node(static_cast<int>(n)).source)].push_back(
-          static_cast<int>(n));
-    for (std::size_t s = 0; s < sources.size() && !is_over(); ++s) {
-      for (int before : before_source(static_cast<int>(s), {})) {
-        auto& later = later_[static_cast<std::size_t>(before)];
+    Table<SourceId, std::vector<NodeId>> nodes_of(sources.size());
+    for (const NodeId n : later_.ids()) nodes_of[context_.node(n).source].push_back(n);
+    for (const SourceId s : sources.ids()) {
+      if (is_over()) return;
+      for (const NodeId before : before_source(s, {})) {
+        auto& later = later_[before];
         later.insert(later.end(), nodes_of[s].begin(), nodes_of[s].end());
-        for (int n : nodes_of[s]) never_overlapping_[static_cast<std::size_t>(n)].push_back(before);
+        for (const NodeId n : nodes_of[s]) never_overlapping_[n].push_back(before);
       }
     }
   }
 
   /// The nodes of a cycle in which one message circulates: triggered once from outside, and then in each turn
   /// by one of them.
-  void in_circle(int source) {
-    const Source& of = context_.forest.sources[static_cast<std::size_t>(source)];
+  void in_circle(SourceId source) {
+    const Source& of = context_.forest.sources[source];
     if (of.kind != Source::Kind::loop || of.feeds.size() != 2) return;
     const auto own = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
-      return feed.node >= 0 && context_.node(feed.node).source == source;
+      return feed.node.valid() && context_.node(feed.node).source == source;
     });
     const auto outer = std::find_if(of.feeds.begin(), of.feeds.end(), [&](const Source::Feed& feed) {
-      return feed.node >= 0 && context_.source(feed.node).kind == Source::Kind::start;
+      return feed.node.valid() && context_.source(feed.node).kind == Source::Kind::start;
     });
     if (own == of.feeds.end() || outer == of.feeds.end()) return;
-    std::vector<int> circle;
-    bool ended = own->wait >= 0 || end_segment(context_.problem, own->sends);
-    for (int at = own->node; at >= 0; at = context_.node(at).cause) {
+    std::vector<NodeId> circle;
+    bool ended = own->wait.valid() || end_segment(context_.problem, own->sends);
+    for (NodeId at = own->node; at.valid(); at = context_.node(at).cause) {
       if (!ended) return;
       circle.push_back(at);
       ended = ends_with_cause(context_.problem, context_.forest, at);
     }
-    for (int node : circle) {
-      for (int other : circle) {
-        if (other != node) never_overlapping_[static_cast<std::size_t>(node)].push_back(other);
+    for (NodeId node : circle) {
+      for (NodeId other : circle) {
+        if (other != node) never_overlapping_[node].push_back(other);
       }
     }
   }
 
-  static void sort(std::vector<std::vector<int>>& lists) {
-    for (std::vector<int>& each : lists) {
+  static void sort(Table<NodeId, std::vector<NodeId>>& lists) {
+    for (std::vector<NodeId>& each : lists) {
       std::sort(each.begin(), each.end());
       each.erase(std::unique(each.begin(), each.end()), each.end());
     }
@@ -207,8 +183,8 @@ class Precedence {
 
   /// The nodes that come once and are done before a source occurs for the first time. `asked`: sources on the
   /// way to this one, which cannot be what first brings it about.
-  Nodes before_source(int source, std::set<int> asked) const {
-    const Source& of = context_.forest.sources[static_cast<std::size_t>(source)];
+  Nodes before_source(SourceId source, std::set<SourceId> asked) const {
+    const Source& of = context_.forest.sources[source];
     asked.insert(source);
     std::optional<Nodes> all;
     const auto also = [&all](Nodes nodes) {
@@ -216,22 +192,22 @@ class Precedence {
         all = std::move(nodes);
         return;
       }
-      std::erase_if(*all, [&nodes](int node) { return !nodes.contains(node); });
+      std::erase_if(*all, [&nodes](NodeId node) { return !nodes.contains(node); });
     };
     if (of.kind == Source::Kind::loop) {
       for (const Source::Feed& feed : of.feeds) {
-        if (feed.node < 0) return {};
-        const int by = context_.node(feed.node).source;
+        if (!feed.node.valid()) return {};
+        const SourceId by = context_.node(feed.node).source;
         if (asked.contains(by)) continue;
-        const bool ends = feed.wait >= 0 || end_segment(context_.problem, feed.sends);
+        const bool ends = feed.wait.valid() || end_segment(context_.problem, feed.sends);
         also(up_to(feed.node, ends, asked));
       }
     } else if (of.kind == Source::Kind::joined) {
-      for (std::size_t n = 0; n < later_.size(); ++n) {
-        const auto& forks = context_.segment(static_cast<int>(n)).forks;
+      for (const NodeId n : later_.ids()) {
+        const auto& forks = context_.segment(n).forks;
         const bool starts = std::any_of(forks.begin(), forks.end(),
                                         [&of](const Segment::Arrival& at) { return at.step == of.fork; });
-        if (starts) also(up_to(static_cast<int>(n), true, asked));
+        if (starts) also(up_to(n, true, asked));
       }
     }
     return all.value_or(Nodes{});
@@ -239,13 +215,13 @@ class Precedence {
 
   /// A node, if it has `ended`, and its causes, if they come once; else what is done before their source
   /// occurs.
-  Nodes up_to(int node, bool ended, const std::set<int>& asked) const {
+  Nodes up_to(NodeId node, bool ended, const std::set<SourceId>& asked) const {
     const Source& source = context_.source(node);
     if (source.kind != Source::Kind::start && source.kind != Source::Kind::joined)
       return before_source(context_.node(node).source, asked);
     Nodes all =
         source.kind == Source::Kind::joined ? before_source(context_.node(node).source, asked) : Nodes{};
-    for (int at = node; at >= 0; at = context_.node(at).cause) {
+    for (NodeId at = node; at.valid(); at = context_.node(at).cause) {
       if (ended) all.insert(at);
       ended = ends_with_cause(context_.problem, context_.forest, at);
     }
@@ -254,10 +230,10 @@ class Precedence {
 
   const AnalysisContext& context_;
   const std::function<bool()>& stop_;
-  std::vector<std::vector<int>> later_;
-  std::vector<std::vector<int>> never_overlapping_;
-  std::vector<int> place_;  // by node: its number among those that come once; -1: it may come again
-  std::vector<Bits> over_;  // by that number: what is over before it is released
+  Table<NodeId, std::vector<NodeId>> later_;
+  Table<NodeId, std::vector<NodeId>> never_overlapping_;
+  Table<NodeId, int> place_;  // its number among those that come once; -1: it may come again
+  std::vector<Bits> over_;    // by that number: what is over before it is released
 };
 
 }  // namespace

@@ -11,11 +11,10 @@ namespace pal::analyzer::compositional {
 struct Order {
   /// Nodes that are released only after this one is done, in every run. They come later in a module's
   /// program, or in a loop whose trigger happens once in a skill's life.
-  std::vector<std::vector<int>> later;
+  Table<NodeId, std::vector<NodeId>> later;
   /// Nodes whose runs are each done before a run of this one is released, or released after it is done. These
-  /// are its causes, the blocks that it comes after, and nodes of the same cycle if only one message
-  /// circulates in it.
-  std::vector<std::vector<int>> never_overlapping;
+  /// are its causes, and nodes of the same cycle if only one message circulates in it.
+  Table<NodeId, std::vector<NodeId>> never_overlapping;
 };
 
 /// After `stop` has returned true, what was found so far.

@@ -10,32 +10,33 @@ namespace {
 
 using Kind = Step::Kind;
 
-bool takes(const Step& step, int channel) {
+bool takes(const Step& step, ChannelId channel) {
   return step.kind == Kind::wait &&
          std::find(step.channels.begin(), step.channels.end(), channel) != step.channels.end();
 }
 
-bool sends(const Step& step, int channel) {
+bool sends(const Step& step, ChannelId channel) {
   return step.kind == Kind::send && step.channels.front() == channel;
 }
 
-int entry_of(const Problem& problem, int thread) {
-  return problem.threads[static_cast<std::size_t>(thread)].entry;
+StepId entry_of(const Problem& problem, ThreadId thread) {
+  return problem.threads[thread].entry;
 }
 
 /// Whether the flow comes from a step to such a one.
 template <class Such>
-bool comes_to(const Problem& problem, int from, const Such& such) {
-  return follow(problem, {from}, [&](int at) {
-    return such(problem.steps[static_cast<std::size_t>(at)]) ? Course::found : Course::goes_on;
-  });
+bool comes_to(const Problem& problem, StepId from, const Such& such) {
+  return follow(problem, {from},
+                [&](StepId at) { return such(problem.steps[at]) ? Course::found : Course::goes_on; });
 }
 
 /// That, or a block that it begins.
 template <class Such>
-bool comes_below_to(const Problem& problem, int from, const Such& such) {
+bool comes_below_to(const Problem& problem, StepId from, const Such& such) {
   return comes_to(problem, from, [&](const Step& step) {
-    const auto in_block = [&](int block) { return comes_below_to(problem, entry_of(problem, block), such); };
+    const auto in_block = [&](ThreadId block) {
+      return comes_below_to(problem, entry_of(problem, block), such);
+    };
     return such(step) || std::any_of(step.threads.begin(), step.threads.end(), in_block);
   });
 }
@@ -44,18 +45,16 @@ bool comes_below_to(const Problem& problem, int from, const Such& such) {
 /// it takes the next.
 class Answers {
  public:
-  Answers(const Problem& problem, int answer)
-      : problem_(problem),
-        answer_(answer),
-        request_(problem.channels[static_cast<std::size_t>(answer)].answers) {}
+  Answers(const Problem& problem, ChannelId answer)
+      : problem_(problem), answer_(answer), request_(problem.channels[answer].answers) {}
 
   bool once() {
-    const pan::ModuleId module = problem_.channels[static_cast<std::size_t>(answer_)].sender_module;
+    const pan::ModuleId module = problem_.channels[answer_].sender_module;
     for (const Thread& thread : problem_.threads) {
-      if (thread.module == module && thread.parent < 0) reach(thread.entry, none);
+      if (thread.module == module && !thread.parent.valid()) reach(thread.entry, none);
     }
     while (!work_.empty()) {
-      const int at = work_.back();
+      const StepId at = work_.back();
       work_.pop_back();
       if (!pass(at)) return false;
     }
@@ -66,15 +65,15 @@ class Answers {
   /// Whether an answer may be owed, or none: any of these.
   enum Owed : unsigned { none = 1, one = 2 };
 
-  void reach(int step, unsigned owed) {
+  void reach(StepId step, unsigned owed) {
     unsigned& there = owed_[step];
     if ((there | owed) == there) return;
     there |= owed;
     work_.push_back(step);
   }
 
-  bool pass(int at) {
-    const Step& step = problem_.steps[static_cast<std::size_t>(at)];
+  bool pass(StepId at) {
+    const Step& step = problem_.steps[at];
     const unsigned owed = owed_.at(at);
     if (sends(step, answer_)) {
       reach(step.next.front(), none);
@@ -92,23 +91,23 @@ class Answers {
 
   /// One of them may serve, if nothing is owed; a cancelled one may leave an answer owed.
   bool begin_blocks(const Step& fork, unsigned owed) {
-    int serving = -1;
-    for (int block : fork.threads) {
+    ThreadId serving{};
+    for (ThreadId block : fork.threads) {
       const auto talks = [this](const Step& step) { return sends(step, answer_) || takes(step, request_); };
       if (!comes_to(problem_, entry_of(problem_, block), talks)) continue;
-      if (serving >= 0 || owed != none) return false;
+      if (serving.valid() || owed != none) return false;
       serving = block;
     }
-    const int after = fork.next.front();
-    if (serving < 0) {
+    const StepId after = fork.next.front();
+    if (!serving.valid()) {
       reach(after, owed);
       return true;
     }
-    comes_to(problem_, entry_of(problem_, serving), [&](const Step& step) {
-      if (step.kind == Kind::end) after_[static_cast<int>(&step - problem_.steps.data())] = after;
-      return false;
+    follow(problem_, {entry_of(problem_, serving)}, [&](StepId at) {
+      if (problem_.steps[at].kind == Kind::end) after_[at] = after;
+      return Course::goes_on;
     });
-    const auto ends = [this](int block) { return problem_.threads[static_cast<std::size_t>(block)].can_end; };
+    const auto ends = [this](ThreadId block) { return problem_.threads[block].can_end; };
     const bool cancelled = !ends(serving) && std::any_of(fork.threads.begin(), fork.threads.end(), ends);
     if (cancelled) reach(after, none | one);
     reach(entry_of(problem_, serving), owed);
@@ -116,18 +115,18 @@ class Answers {
   }
 
   const Problem& problem_;
-  int answer_;
-  int request_;
-  std::map<int, unsigned> owed_;  // by step
-  std::map<int, int> after_;      // what follows the end of a block that serves
-  std::vector<int> work_;
+  ChannelId answer_;
+  ChannelId request_;
+  std::map<StepId, unsigned> owed_;
+  std::map<StepId, StepId> after_;  // what follows the end of a block that serves
+  std::vector<StepId> work_;
 };
 
 /// Whether blocks of one CONCURRENT send a request, or wait for its answer, beside one another. So one may
 /// take what another asked for, or withdraw what another is about to take.
-bool is_shared(const Problem& problem, int request) {
-  const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
-  const auto uses = [&](int block) {
+bool is_shared(const Problem& problem, ChannelId request) {
+  const ChannelId answer = problem.channels[request].answer;
+  const auto uses = [&](ThreadId block) {
     return comes_to(problem, entry_of(problem, block),
                     [&](const Step& step) { return sends(step, request) || takes(step, answer); });
   };
@@ -139,16 +138,16 @@ bool is_shared(const Problem& problem, int request) {
 /// The ways on from a request, in its thread, until its answer is taken or it is withdrawn.
 class Asked {
  public:
-  Asked(const Problem& problem, int send) {
-    const int request = problem.steps[static_cast<std::size_t>(send)].channels.front();
-    const int answer = problem.channels[static_cast<std::size_t>(request)].answer;
-    std::set<int> seen;
-    std::vector<int> open = problem.steps[static_cast<std::size_t>(send)].next;
+  Asked(const Problem& problem, StepId send) {
+    const ChannelId request = problem.steps[send].channels.front();
+    const ChannelId answer = problem.channels[request].answer;
+    std::set<StepId> seen;
+    std::vector<StepId> open = problem.steps[send].next;
     while (!open.empty()) {
-      const int at = open.back();
+      const StepId at = open.back();
       open.pop_back();
       if (!seen.insert(at).second) continue;
-      const Step& step = problem.steps[static_cast<std::size_t>(at)];
+      const Step& step = problem.steps[at];
       again_ = again_ || sends(step, request);
       elsewhere_ = elsewhere_ || step.kind == Kind::fork || step.kind == Kind::end;
       const bool waits = takes(step, answer);
@@ -162,34 +161,32 @@ class Asked {
   }
 
   /// The waits that may take the answer.
-  const std::set<int>& takers() const { return takers_; }
+  const std::set<StepId>& takers() const { return takers_; }
   /// The request may be sent again before.
   bool again() const { return again_; }
   /// The thread may begin blocks, or end, before.
   bool elsewhere() const { return elsewhere_; }
 
  private:
-  std::set<int> takers_;
+  std::set<StepId> takers_;
   bool again_ = false;
   bool elsewhere_ = false;
 };
 
 /// The blocks of a CONCURRENT that are cancelled when the others have ended.
-std::vector<int> cancelled_blocks(const Problem& problem, const Step& fork) {
-  const auto loops = [&problem](int block) {
-    return !problem.threads[static_cast<std::size_t>(block)].can_end;
-  };
-  std::vector<int> blocks;
+std::vector<ThreadId> cancelled_blocks(const Problem& problem, const Step& fork) {
+  const auto loops = [&problem](ThreadId block) { return !problem.threads[block].can_end; };
+  std::vector<ThreadId> blocks;
   std::copy_if(fork.threads.begin(), fork.threads.end(), std::back_inserter(blocks), loops);
-  return blocks.size() < fork.threads.size() ? blocks : std::vector<int>{};
+  return blocks.size() < fork.threads.size() ? blocks : std::vector<ThreadId>{};
 }
 
 /// Whether a request may be sent after a block that sent it was cancelled: that may still be served.
-bool asked_after_cancelled(const Problem& problem, int request) {
+bool asked_after_cancelled(const Problem& problem, ChannelId request) {
   const auto asks = [request](const Step& step) { return sends(step, request); };
   return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& fork) {
-    const std::vector<int> cancelled = cancelled_blocks(problem, fork);
-    const bool asked = std::any_of(cancelled.begin(), cancelled.end(), [&](int block) {
+    const std::vector<ThreadId> cancelled = cancelled_blocks(problem, fork);
+    const bool asked = std::any_of(cancelled.begin(), cancelled.end(), [&](ThreadId block) {
       return comes_to(problem, entry_of(problem, block), asks);
     });
     return asked && comes_below_to(problem, fork.next.front(), asks);
@@ -198,21 +195,21 @@ bool asked_after_cancelled(const Problem& problem, int request) {
 
 }  // namespace
 
-std::vector<bool> withdrawn_requests(const Problem& problem) {
-  std::vector<bool> withdrawn(problem.channels.size());
+Table<ChannelId, bool> withdrawn_requests(const Problem& problem) {
+  Table<ChannelId, bool> withdrawn(problem.channels.size());
   for (const Step& step : problem.steps) {
     if (step.kind != Kind::wait || !step.within) continue;
-    for (int channel : step.channels) {
-      const int request = problem.channels[static_cast<std::size_t>(channel)].answers;
-      if (request >= 0) withdrawn[static_cast<std::size_t>(request)] = true;
+    for (ChannelId channel : step.channels) {
+      const ChannelId request = problem.channels[channel].answers;
+      if (request.valid()) withdrawn[request] = true;
     }
   }
   for (const Step& fork : problem.steps) {
-    for (int block : cancelled_blocks(problem, fork)) {
+    for (ThreadId block : cancelled_blocks(problem, fork)) {
       comes_to(problem, entry_of(problem, block), [&](const Step& step) {
         if (step.kind != Kind::send) return false;
-        const auto channel = static_cast<std::size_t>(step.channels.front());
-        withdrawn[channel] = withdrawn[channel] || problem.channels[channel].answer >= 0;
+        const ChannelId channel = step.channels.front();
+        withdrawn[channel] = withdrawn[channel] || problem.channels[channel].answer.valid();
         return false;
       });
     }
@@ -220,32 +217,32 @@ std::vector<bool> withdrawn_requests(const Problem& problem) {
   return withdrawn;
 }
 
-std::set<int> takers_of_answer(const Problem& problem, int send) {
+std::set<StepId> takers_of_answer(const Problem& problem, StepId send) {
   return Asked(problem, send).takers();
 }
 
 std::string out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop) {
   // Also for a request that no thread comes to send: its answer counts as one all the same.
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
+  for (const ChannelId c : problem.channels.ids()) {
     const Channel& request = problem.channels[c];
-    if (request.answer < 0) continue;
+    if (!request.answer.valid()) continue;
     if (stop && stop()) return {};
-    const std::string who = receiver_name(problem, static_cast<int>(c));
+    const std::string who = receiver_name(problem, c);
     if (request.receiver_device.valid() && !request.served)
       return who + " is asked for " + request.message + ", which comes by itself";
     if (!request.receiver_device.valid() && !Answers(problem, request.answer).once())
       return who + " may not answer each request for " + request.message + " once before it takes the next";
   }
-  std::set<int> seen;
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-    const int send = static_cast<int>(s);
+  std::set<ChannelId> seen;
+  for (const StepId s : problem.steps.ids()) {
+    const StepId send = s;
     const Step& step = problem.steps[s];
-    if (segments.owner(send) < 0 || step.kind != Kind::send) continue;
-    const int request = step.channels.front();
-    const Channel& channel = problem.channels[static_cast<std::size_t>(request)];
-    if (channel.answer < 0) continue;
+    if (!segments.owner(send).valid() || step.kind != Kind::send) continue;
+    const ChannelId request = step.channels.front();
+    const Channel& channel = problem.channels[request];
+    if (!channel.answer.valid()) continue;
     if (stop && stop()) return {};
-    const std::string who = problem.threads[static_cast<std::size_t>(segments.owner(send))].name;
+    const std::string who = problem.threads[segments.owner(send)].name;
     const std::string what = channel.message + " of " + receiver_name(problem, request);
     const Asked asked(problem, send);
     if (asked.again()) return who + " may ask for " + what + " again before it has the answer";

@@ -19,9 +19,9 @@ std::string out_of_turn(const Problem& problem, const Segments& segments, const 
 
 /// By channel of requests: whether a request may be withdrawn before it is received, because its client times
 /// out or is cancelled.
-std::vector<bool> withdrawn_requests(const Problem& problem);
+Table<ChannelId, bool> withdrawn_requests(const Problem& problem);
 
 /// The waits that may receive the answer to the request `send`.
-std::set<int> takers_of_answer(const Problem& problem, int send);
+std::set<StepId> takers_of_answer(const Problem& problem, StepId send);
 
 }  // namespace pal::analyzer::compositional

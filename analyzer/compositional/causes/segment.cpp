@@ -18,9 +18,9 @@ class Order {
  public:
   explicit Order(const Problem& problem) : problem_(problem) {}
 
-  bool from(int first) {
+  bool from(StepId first) {
     if (stops(at(first))) return true;
-    std::vector<std::pair<int, std::size_t>> open{{first, 0}};
+    std::vector<std::pair<StepId, std::size_t>> open{{first, 0}};
     mark_[first] = 1;
     while (!open.empty()) {
       auto& [step, next] = open.back();
@@ -31,7 +31,7 @@ class Order {
         open.pop_back();
         continue;
       }
-      const int to = here.next[next++];
+      const StepId to = here.next[next++];
       if (stops(at(to))) continue;
       const int mark = mark_[to];
       if (mark == 1) return false;
@@ -44,39 +44,37 @@ class Order {
     return true;
   }
 
-  std::vector<int> order;
+  std::vector<StepId> order;
 
  private:
-  const Step& at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  const Step& at(StepId step) const { return problem_.steps[step]; }
   const Problem& problem_;
-  std::map<int, int> mark_;
+  std::map<StepId, int> mark_;
 };
 
 }  // namespace
 
-std::vector<bool> steps_after(const Problem& problem, const Segment& segment, int first) {
-  std::vector<bool> inside(problem.steps.size());
-  for (const Segment::Passed& passed : segment.steps) inside[static_cast<std::size_t>(passed.step)] = true;
-  std::vector<bool> after(problem.steps.size());
-  follow(problem, problem.steps[static_cast<std::size_t>(first)].next, [&](int at) {
-    const auto here = static_cast<std::size_t>(at);
-    after[here] = true;
-    return stops(problem.steps[here]) || !inside[here] ? Course::ends : Course::goes_on;
+Table<StepId, bool> steps_after(const Problem& problem, const Segment& segment, StepId first) {
+  Table<StepId, bool> inside(problem.steps.size());
+  for (const Segment::Passed& passed : segment.steps) inside[passed.step] = true;
+  Table<StepId, bool> after(problem.steps.size());
+  follow(problem, problem.steps[first].next, [&](StepId at) {
+    after[at] = true;
+    return stops(problem.steps[at]) || !inside[at] ? Course::ends : Course::goes_on;
   });
   return after;
 }
 
-bool any_in_row(const Problem& problem, const Segment& segment, const std::vector<int>& steps) {
-  std::vector<bool> wanted(problem.steps.size());
-  for (const int step : steps) wanted[static_cast<std::size_t>(step)] = true;
+bool any_in_row(const Problem& problem, const Segment& segment, const std::vector<StepId>& steps) {
+  Table<StepId, bool> wanted(problem.steps.size());
+  for (const StepId step : steps) wanted[step] = true;
   // From the last step on: what follows a step of the segment is known before the step itself.
-  std::vector<bool> leads_there(problem.steps.size());
+  Table<StepId, bool> leads_there(problem.steps.size());
   for (auto passed = segment.steps.rbegin(); passed != segment.steps.rend(); ++passed) {
-    const auto here = static_cast<std::size_t>(passed->step);
-    const std::vector<int>& next = problem.steps[here].next;
-    const bool leads = std::any_of(next.begin(), next.end(), [&](int to) {
-      const auto there = static_cast<std::size_t>(to);
-      return wanted[there] || (leads_there[there] && !stops(problem.steps[there]));
+    const StepId here = passed->step;
+    const std::vector<StepId>& next = problem.steps[here].next;
+    const bool leads = std::any_of(next.begin(), next.end(), [&](StepId to) {
+      return wanted[to] || (leads_there[to] && !stops(problem.steps[to]));
     });
     if (leads && wanted[here]) return true;
     leads_there[here] = leads;
@@ -87,21 +85,21 @@ bool any_in_row(const Problem& problem, const Segment& segment, const std::vecto
 bool may_end(const Problem& problem, const Segment& segment) {
   return segment.ends ||
          std::any_of(segment.steps.begin(), segment.steps.end(), [&problem](const Segment::Passed& passed) {
-           const Step& step = problem.steps[static_cast<std::size_t>(passed.step)];
+           const Step& step = problem.steps[passed.step];
            return step.kind == Step::Kind::complete || may_match_nothing(step);
          });
 }
 
-Segments::Segments(const Problem& problem) : problem_(problem), owner_(problem.steps.size(), -1) {
-  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-    for (const int step : steps_of(problem, problem.threads[t])) {
-      int& owner = owner_[static_cast<std::size_t>(step)];
-      if (owner < 0) owner = static_cast<int>(t);
+Segments::Segments(const Problem& problem) : problem_(problem), owner_(problem.steps.size()) {
+  for (const ThreadId t : problem.threads.ids()) {
+    for (const StepId step : steps_of(problem, problem.threads[t])) {
+      ThreadId& owner = owner_[step];
+      if (!owner.valid()) owner = t;
     }
   }
 }
 
-int Segments::find(const Beginning& beginning) {
+SegmentId Segments::find(const Beginning& beginning) {
   const auto [place, made] = known_.emplace(beginning, size());
   if (made) segments_.push_back(make(beginning));
   return place->second;
@@ -110,14 +108,12 @@ int Segments::find(const Beginning& beginning) {
 Segment Segments::make(const Beginning& beginning) const {
   Segment segment;
   segment.beginning = beginning;
-  const auto step_at = [this](int step) -> const Step& {
-    return problem_.steps[static_cast<std::size_t>(step)];
-  };
-  int first = -1;
+  const auto step_at = [this](StepId step) -> const Step& { return problem_.steps[step]; };
+  StepId first{};
   Range before;
   switch (beginning.kind) {
     case Beginning::Kind::entry:
-      first = problem_.threads[static_cast<std::size_t>(beginning.thread)].entry;
+      first = problem_.threads[beginning.thread].entry;
       break;
     case Beginning::Kind::joined:
       first = step_at(beginning.step).next.front();
@@ -141,9 +137,9 @@ Segment Segments::make(const Beginning& beginning) const {
     segment.worst = never;
     return segment;
   }
-  std::map<int, Range> reached{{first, before}};
-  std::map<int, Range> arrivals;
-  const auto reach = [&](int step, Range at) {
+  std::map<StepId, Range> reached{{first, before}};
+  std::map<StepId, Range> arrivals;
+  const auto reach = [&](StepId step, Range at) {
     auto& there = stops(step_at(step)) ? arrivals : reached;
     const auto [place, fresh] = there.emplace(step, at);
     if (fresh) return;
@@ -151,14 +147,14 @@ Segment Segments::make(const Beginning& beginning) const {
     place->second.worst = std::max(place->second.worst, at.worst);
   };
   if (stops(step_at(first))) reach(first, before);
-  for (int step : order.order) {
+  for (StepId step : order.order) {
     const Step& here = step_at(step);
     Range at = reached.at(step);
     at.best = plus(at.best, here.cost.best);
     at.worst = plus(at.worst, here.cost.worst);
     segment.steps.push_back({step, at.best, at.worst});
     segment.worst = std::max(segment.worst, at.worst);
-    for (int next : here.next) reach(next, at);
+    for (StepId next : here.next) reach(next, at);
   }
   for (const auto& [step, at] : arrivals) {
     const Segment::Arrival arrival{step, at.best, at.worst};

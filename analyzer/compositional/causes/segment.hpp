@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "analyzer/compositional/causes/ids.hpp"
 #include "analyzer/compositional/saturating.hpp"
 
 namespace pal::analyzer::compositional {
@@ -13,8 +14,8 @@ namespace pal::analyzer::compositional {
 struct Beginning {
   enum class Kind { entry, arm, give_up, joined };
   Kind kind = Kind::entry;
-  int thread = -1;
-  int step = -1;  // the wait, or the fork
+  ThreadId thread{};
+  StepId step{};  // the wait, or the fork
   int arm = -1;   // of the wait: which of its channels
 
   auto operator<=>(const Beginning&) const = default;
@@ -22,12 +23,12 @@ struct Beginning {
 
 struct Segment {
   struct Passed {
-    int step = -1;
+    StepId step{};
     Nanoseconds best = 0;   // processor time from the segment's beginning to the step's effect, on the
     Nanoseconds worst = 0;  // shortest and on the longest way
   };
   struct Arrival {
-    int step = -1;  // a wait or a fork that ends the segment
+    StepId step{};  // a wait or a fork that ends the segment
     Nanoseconds best = 0;
     Nanoseconds worst = 0;
   };
@@ -41,10 +42,10 @@ struct Segment {
 };
 
 /// By step of the problem: whether a run of the segment may come to it after `first`.
-std::vector<bool> steps_after(const Problem& problem, const Segment& segment, int first);
+Table<StepId, bool> steps_after(const Problem& problem, const Segment& segment, StepId first);
 
 /// Whether a run of the segment may pass one of these of its steps after another, or one of them twice.
-bool any_in_row(const Problem& problem, const Segment& segment, const std::vector<int>& steps);
+bool any_in_row(const Problem& problem, const Segment& segment, const std::vector<StepId>& steps);
 
 /// A test that ends the skill if no guard holds.
 inline bool may_match_nothing(const Step& step) {
@@ -59,19 +60,20 @@ class Segments {
  public:
   explicit Segments(const Problem& problem);
 
-  int find(const Beginning& beginning);
-  const Segment& operator[](int index) const { return segments_[static_cast<std::size_t>(index)]; }
-  int size() const { return static_cast<int>(segments_.size()); }
-  /// The thread that a step belongs to; -1: none reaches it.
-  int owner(int step) const { return owner_[static_cast<std::size_t>(step)]; }
+  SegmentId find(const Beginning& beginning);
+  const Segment& operator[](SegmentId id) const { return segments_[id]; }
+  IdRange<SegmentId> ids() const { return segments_.ids(); }
+  std::size_t size() const { return segments_.size(); }
+  /// The thread that a step belongs to; none: none reaches it.
+  ThreadId owner(StepId step) const { return owner_[step]; }
 
  private:
   Segment make(const Beginning& beginning) const;
 
   const Problem& problem_;
-  std::vector<int> owner_;
-  std::map<Beginning, int> known_;
-  std::vector<Segment> segments_;
+  Table<StepId, ThreadId> owner_;
+  std::map<Beginning, SegmentId> known_;
+  Table<SegmentId, Segment> segments_;
 };
 
 }  // namespace pal::analyzer::compositional

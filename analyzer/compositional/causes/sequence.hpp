@@ -18,15 +18,15 @@ class Sequence {
   bool may_follow(const Beginning& earlier, const Beginning& later);
 
  private:
-  const std::set<int>& after(int step);
-  bool reaches(int from, int to) { return from == to || after(from).contains(to); }
-  /// The fork in `thread` that starts `block`, or the block above it; -1: `block` is none of the thread's.
-  int fork_to(int thread, int block) const;
+  const std::set<StepId>& after(StepId step);
+  bool reaches(StepId from, StepId to) { return from == to || after(from).contains(to); }
+  /// The fork in `thread` that starts `block`, or the block above it; none: `block` is none of the thread's.
+  StepId fork_to(ThreadId thread, ThreadId block) const;
 
   const Problem& problem_;
-  std::vector<int> started_by_;  // by thread: the fork; -1: none
-  std::map<int, bool> again_;
-  std::map<int, std::set<int>> after_;
+  Table<ThreadId, StepId> started_by_;  // the fork
+  std::map<ThreadId, bool> again_;
+  std::map<StepId, std::set<StepId>> after_;
 };
 
 }  // namespace pal::analyzer::compositional

@@ -18,22 +18,22 @@ class SinceCause {
   SinceCause(const AnalysisContext& context, std::shared_ptr<const Order> order)
       : context_(context), order_(std::move(order)) {}
 
-  /// The last node from which both come: it, or one of its causes; -1: there is none.
-  int common(int one, int other) const;
+  /// The last node from which both come: it, or one of its causes, if there is one.
+  NodeId common(NodeId one, NodeId other) const;
   /// Least time from the release of `cause` to that of `node`, which comes of it.
-  Nanoseconds least(int cause, int node) const;
+  Nanoseconds least(NodeId cause, NodeId node) const;
   /// Whether all that the release of `node` waits for comes of `cause`, or is over when `cause` is released.
   /// Then no more time passes between the two releases than between their latest instants. False: `cause` may
   /// come again, or too many nodes would have to be looked at.
-  bool counts_from(int cause, int node);
+  bool counts_from(NodeId cause, NodeId node);
 
  private:
-  std::vector<bool> counting_from(int cause) const;
-  bool counts(int node, int cause, const std::vector<bool>& known) const;
+  Table<NodeId, bool> counting_from(NodeId cause) const;
+  bool counts(NodeId node, NodeId cause, const Table<NodeId, bool>& known) const;
 
   AnalysisContext context_;
   std::shared_ptr<const Order> order_;
-  std::map<int, std::vector<bool>> counting_;  // by cause: nodes
+  std::map<NodeId, Table<NodeId, bool>> counting_;  // by cause: nodes
 };
 
 }  // namespace pal::analyzer::compositional

@@ -10,8 +10,8 @@ namespace pal::analyzer::compositional {
 
 /// A branch of a wait that receives messages from a channel.
 struct Taker {
-  int thread;
-  int step;
+  ThreadId thread;
+  StepId step;
   int arm;
 };
 
@@ -20,18 +20,18 @@ class Takers {
   Takers(const Problem& problem, const Segments& segments);
 
   /// All receivers of a channel.
-  const std::vector<Taker>& of(int channel) const { return takers_[static_cast<std::size_t>(channel)]; }
+  const std::vector<Taker>& of(ChannelId channel) const { return takers_[channel]; }
 
   /// The waits that may receive the answers to the requests `sends`.
-  std::set<int> after(const std::vector<int>& sends) const;
+  std::set<StepId> after(const std::vector<StepId>& sends) const;
 
   /// Whether the last request is received at `wait` on all paths of a thread to each of `steps`.
-  bool last_taken_at(const std::vector<int>& steps, int request, int wait) const;
+  bool last_taken_at(const std::vector<StepId>& steps, ChannelId request, StepId wait) const;
 
  private:
   const Problem& problem_;
-  std::vector<std::vector<Taker>> takers_;  // by channel
-  std::vector<std::vector<int>> before_;    // by step: those that it comes after in its thread
+  Table<ChannelId, std::vector<Taker>> takers_;  // by channel
+  Table<StepId, std::vector<StepId>> before_;    // by step: those that it comes after in its thread
 };
 
 }  // namespace pal::analyzer::compositional

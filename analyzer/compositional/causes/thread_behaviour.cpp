@@ -20,23 +20,23 @@ class Observer {
   ThreadBehaviours run(const std::function<bool()>& stop) {
     const std::size_t nodes = forest_.nodes.size();
     made_.threads.resize(problem_.threads.size());
-    made_.job_start.assign(nodes, -1);
+    made_.job_start.assign(nodes, {});
     made_.previous.resize(nodes);
-    for (std::size_t n = 0; n < nodes; ++n) {
-      made_.threads[static_cast<std::size_t>(forest_.thread_of(static_cast<int>(n)))].nodes.push_back(
-          static_cast<int>(n));
+    for (const NodeId n : forest_.nodes.ids()) made_.threads[forest_.thread_of(n)].nodes.push_back(n);
+    for (const ThreadId t : problem_.threads.ids()) find_idle_wait(t);
+    for (const NodeId n : forest_.nodes.ids()) find_job_start(n);
+    for (const NodeId n : forest_.nodes.ids()) {
+      if (stop && stop()) break;
+      order(n);
     }
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) find_idle_wait(static_cast<int>(t));
-    for (std::size_t n = 0; n < nodes; ++n) find_job_start(static_cast<int>(n));
-    for (std::size_t n = 0; n < nodes && !(stop && stop()); ++n) order(static_cast<int>(n));
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) {
-      leftovers(static_cast<int>(t));
-      returns(static_cast<int>(t));
+    for (const ThreadId t : problem_.threads.ids()) {
+      leftovers(t);
+      returns(t);
     }
     made_.early.assign(nodes, true);
-    for (std::size_t t = 0; t < problem_.threads.size(); ++t) find_early(static_cast<int>(t));
+    for (const ThreadId t : problem_.threads.ids()) find_early(t);
     find_waits();
-    for (std::size_t n = 0; n < nodes; ++n) made_.drains.push_back(drains(static_cast<int>(n)));
+    for (const NodeId n : forest_.nodes.ids()) made_.drains.push_back(drains(n));
     protocol();
     for (ThreadBehaviour& thread : made_.threads) {
       thread.one_job = are_alternatives(problem_, forest_, thread.job_starts);
@@ -48,57 +48,55 @@ class Observer {
   }
 
  private:
-  const Node& node(int index) const { return forest_.nodes[static_cast<std::size_t>(index)]; }
-  const Beginning& beginning(int index) const { return forest_.segment_of(node(index)).beginning; }
-  ThreadBehaviour& thread(int index) { return made_.threads[static_cast<std::size_t>(index)]; }
-  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  std::string text(int step) const {
+  const Node& node(NodeId index) const { return forest_.nodes[index]; }
+  const Beginning& beginning(NodeId index) const { return forest_.segment_of(node(index)).beginning; }
+  ThreadBehaviour& thread(ThreadId index) { return made_.threads[index]; }
+  const Step& step_at(StepId step) const { return problem_.steps[step]; }
+  std::string text(StepId step) const {
     const StatementId statement = step_at(step).statement;
     return !statement.valid() ? "a wait" : problem_.statements[statement].text;
   }
 
   /// Released by something that the thread did not bring about itself.
-  bool unasked(int index) const {
+  bool unasked(NodeId index) const {
     const Beginning& begins = beginning(index);
     if (begins.kind != Beginning::Kind::arm && begins.kind != Beginning::Kind::give_up) return false;
     if (node(index).release == Release::root) return true;
-    return node(index).release == Release::message && forest_.cause_in(index, begins.thread) < 0;
+    return node(index).release == Release::message && !forest_.cause_in(index, begins.thread).valid();
   }
 
-  void find_idle_wait(int t) {
+  void find_idle_wait(ThreadId t) {
     ThreadBehaviour& of = thread(t);
-    for (int n : of.nodes) {
+    for (NodeId n : of.nodes) {
       if (!unasked(n)) continue;
-      const int wait = beginning(n).step;
-      if (of.idle_wait >= 0 && of.idle_wait != wait) {
-        of.unbounded_reason = problem_.threads[static_cast<std::size_t>(t)].name + " waits at " +
-                              text(of.idle_wait) + " and at " + text(wait) + " for what comes by itself";
+      const StepId wait = beginning(n).step;
+      if (of.idle_wait.valid() && of.idle_wait != wait) {
+        of.unbounded_reason = problem_.threads[t].name + " waits at " + text(of.idle_wait) + " and at " +
+                              text(wait) + " for what comes by itself";
       }
       of.idle_wait = wait;
     }
   }
 
   /// Causes stand before their effects, so a node's job is known when it is needed.
-  void find_job_start(int n) {
+  void find_job_start(NodeId n) {
     const Beginning& begins = beginning(n);
     ThreadBehaviour& of = thread(begins.thread);
-    int& job_start = made_.job_start[static_cast<std::size_t>(n)];
+    NodeId& job_start = made_.job_start[n];
     switch (node(n).release) {
       case Release::root:
         job_start = n;
         break;
       case Release::fork:
-        job_start = begins.kind == Beginning::Kind::joined
-                        ? made_.job_start[static_cast<std::size_t>(node(n).cause)]
-                        : n;
+        job_start = begins.kind == Beginning::Kind::joined ? made_.job_start[node(n).cause] : n;
         break;
       case Release::limit:
-        job_start = made_.job_start[static_cast<std::size_t>(node(n).cause)];
+        job_start = made_.job_start[node(n).cause];
         break;
       case Release::message: {
-        const int before = forest_.cause_in(n, begins.thread);
-        const bool begins_job = before < 0 || begins.step == of.idle_wait;
-        job_start = begins_job ? n : made_.job_start[static_cast<std::size_t>(before)];
+        const NodeId before = forest_.cause_in(n, begins.thread);
+        const bool begins_job = !before.valid() || begins.step == of.idle_wait;
+        job_start = begins_job ? n : made_.job_start[before];
         break;
       }
     }
@@ -108,61 +106,61 @@ class Observer {
       arrivals_[{job_start, wait.step}].push_back(n);
   }
 
-  void order(int n) {
-    if (made_.job_start[static_cast<std::size_t>(n)] == n) return;
-    auto& previous = made_.previous[static_cast<std::size_t>(n)];
+  void order(NodeId n) {
+    if (made_.job_start[n] == n) return;
+    auto& previous = made_.previous[n];
     if (node(n).release != Release::message) {
       previous.push_back(node(n).cause);
       return;
     }
     const Beginning& begins = beginning(n);
-    const std::string waits =
-        problem_.threads[static_cast<std::size_t>(begins.thread)].name + " waits at " + text(begins.step);
+    const std::string waits = problem_.threads[begins.thread].name + " waits at " + text(begins.step);
     // It may come twice for what the job has sent; then the next job takes what this one has brought
     // about.
-    const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
-    const bool again = forest_.sources[static_cast<std::size_t>(node(n).source)].period < never;
-    if (again && problem_.channels[static_cast<std::size_t>(channel)].answers < 0)
+    const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+    const bool again = forest_.sources[node(n).source].period < never;
+    if (again && !problem_.channels[channel].answers.valid())
       thread(begins.thread).unbounded_reason = waits + " within its jobs for what answers no request";
-    const auto known = arrivals_.find({made_.job_start[static_cast<std::size_t>(n)], begins.step});
+    const auto known = arrivals_.find({made_.job_start[n], begins.step});
     if (known != arrivals_.end()) previous = known->second;
     if (previous.empty())
       thread(begins.thread).unbounded_reason = waits + " for something that another job triggers";
-    waited_for_.insert({made_.job_start[static_cast<std::size_t>(n)], begins.step});
+    waited_for_.insert({made_.job_start[n], begins.step});
   }
 
   /// What a job brings about it must also take: else a later job finds it in the slot, and takes it for
   /// its own.
-  void leftovers(int t) {
-    std::map<int, std::set<int>> origins;  // by channel of what comes back: sends, and forks to the senders
-    for (int n : thread(t).nodes) {
-      if (node(n).release != Release::message || made_.job_start[static_cast<std::size_t>(n)] == n) continue;
-      int first = n;  // of what the thread brings about on the way
+  void leftovers(ThreadId t) {
+    // By channel of what comes back: sends, and forks to the senders.
+    std::map<ChannelId, std::set<StepId>> origins;
+    for (NodeId n : thread(t).nodes) {
+      if (node(n).release != Release::message || made_.job_start[n] == n) continue;
+      NodeId first = n;  // of what the thread brings about on the way
       while (forest_.thread_of(node(first).cause) != t) first = node(first).cause;
       const Beginning& begins = beginning(n);
-      std::set<int>& of = origins[step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)]];
+      std::set<StepId>& of = origins[step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)]];
       of.insert(node(first).sends.begin(), node(first).sends.end());
       if (node(first).release == Release::fork) of.insert(node(first).cause_step);
     }
     for (const auto& [channel, from] : origins) {
       if (is_taken(t, channel, from)) continue;
-      const Thread& of = problem_.threads[static_cast<std::size_t>(t)];
-      thread(t).unbounded_reason = of.name + " may leave " +
-                                   problem_.channels[static_cast<std::size_t>(channel)].message +
+      const Thread& of = problem_.threads[t];
+      thread(t).unbounded_reason = of.name + " may leave " + problem_.channels[channel].message +
                                    ", which it triggers, to a later job";
     }
   }
 
   /// A thread has passed one of the steps `from`. Whether it takes a message, or withdraws it, before one of
   /// these: it passes another such step, returns to its idle wait, or ends and may begin again.
-  bool is_taken(int t, int channel, const std::set<int>& from) {
-    const bool answer = problem_.channels[static_cast<std::size_t>(channel)].answers >= 0;
-    const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
-    std::set<int> seen;
-    std::vector<int> open;
-    for (int origin : from) open.insert(open.end(), step_at(origin).next.begin(), step_at(origin).next.end());
+  bool is_taken(ThreadId t, ChannelId channel, const std::set<StepId>& from) {
+    const bool answer = problem_.channels[channel].answers.valid();
+    const bool again = recurrent(problem_, {Beginning::Kind::entry, t, {}, -1});
+    std::set<StepId> seen;
+    std::vector<StepId> open;
+    for (StepId origin : from)
+      open.insert(open.end(), step_at(origin).next.begin(), step_at(origin).next.end());
     while (!open.empty()) {
-      const int at = open.back();
+      const StepId at = open.back();
       open.pop_back();
       const Step& step = step_at(at);
       if (at == thread(t).idle_wait || from.contains(at) || (step.kind == Kind::end && again)) return false;
@@ -182,19 +180,18 @@ class Observer {
   }
 
   /// A job ends at the idle wait, and waits before only for what it has triggered itself.
-  void returns(int t) {
+  void returns(ThreadId t) {
     ThreadBehaviour& of = thread(t);
-    for (int block = t; problem_.threads[static_cast<std::size_t>(block)].parent >= 0;
-         block = problem_.threads[static_cast<std::size_t>(block)].parent) {
+    for (ThreadId block = t; problem_.threads[block].parent.valid(); block = problem_.threads[block].parent) {
       of.may_be_cancelled = of.may_be_cancelled || is_cancelled(block);
     }
-    if (of.idle_wait < 0) return;
-    const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
+    if (!of.idle_wait.valid()) return;
+    const std::string& name = problem_.threads[t].name;
     // What is for it waits while it is not there.
-    if (recurrent(problem_, {Beginning::Kind::entry, t, -1, -1}))
+    if (recurrent(problem_, {Beginning::Kind::entry, t, {}, -1}))
       of.unbounded_reason = name + " is started again and again";
-    for (int n : of.nodes) {
-      const int job_start = made_.job_start[static_cast<std::size_t>(n)];
+    for (NodeId n : of.nodes) {
+      const NodeId job_start = made_.job_start[n];
       const Segment& segment = forest_.segment_of(node(n));
       const bool again = in_job(forest_, made_, n);
       for (const Segment::Arrival& wait : segment.waits) {
@@ -216,8 +213,8 @@ class Observer {
   }
 
   /// Why nothing is known of when blocks begin that do not end within the job that starts them.
-  std::string why_of_blocks(int t, int fork) {
-    const std::string& name = problem_.threads[static_cast<std::size_t>(t)].name;
+  std::string why_of_blocks(ThreadId t, StepId fork) {
+    const std::string& name = problem_.threads[t].name;
     if (recurrent(problem_, {Beginning::Kind::joined, t, fork, -1}))
       return name + " starts blocks again and again";
     return name + " starts blocks once, after " + text(thread(t).idle_wait) +
@@ -226,91 +223,85 @@ class Observer {
 
   /// ThreadBehaviours::early: no way leads from a wait at which a job begins to where the node begins, and
   /// the thread begins once.
-  void find_early(int t) {
+  void find_early(ThreadId t) {
     const ThreadBehaviour& of = thread(t);
-    const bool again = recurrent(problem_, {Beginning::Kind::entry, t, -1, -1});
-    std::set<int> late;
-    std::vector<int> waits;
-    for (int n : of.job_starts) waits.push_back(beginning(n).step);
-    follow(problem_, waits, [&late](int at) {
+    const bool again = recurrent(problem_, {Beginning::Kind::entry, t, {}, -1});
+    std::set<StepId> late;
+    std::vector<StepId> waits;
+    for (NodeId n : of.job_starts) waits.push_back(beginning(n).step);
+    follow(problem_, waits, [&late](StepId at) {
       late.insert(at);
       return Course::goes_on;
     });
-    for (int n : of.nodes)
-      made_.early[static_cast<std::size_t>(n)] = !again && !late.contains(beginning(n).step);
+    for (NodeId n : of.nodes) made_.early[n] = !again && !late.contains(beginning(n).step);
   }
 
   /// Whether a block stops when its siblings have ended.
-  bool is_cancelled(int block) const {
-    if (problem_.threads[static_cast<std::size_t>(block)].can_end) return false;
+  bool is_cancelled(ThreadId block) const {
+    if (problem_.threads[block].can_end) return false;
     return std::any_of(problem_.steps.begin(), problem_.steps.end(), [&](const Step& step) {
       return std::find(step.threads.begin(), step.threads.end(), block) != step.threads.end() &&
-             std::any_of(step.threads.begin(), step.threads.end(), [&](int other) {
-               return problem_.threads[static_cast<std::size_t>(other)].can_end;
-             });
+             std::any_of(step.threads.begin(), step.threads.end(),
+                         [&](ThreadId other) { return problem_.threads[other].can_end; });
     });
   }
 
   /// Whether all blocks of a CONCURRENT end without jobs of their own.
-  bool ends_within(int fork) {
-    const std::vector<int>& blocks = step_at(fork).threads;
-    return std::all_of(blocks.begin(), blocks.end(), [this](int block) {
-      return problem_.threads[static_cast<std::size_t>(block)].can_end && thread(block).idle_wait < 0 &&
+  bool ends_within(StepId fork) {
+    const std::vector<ThreadId>& blocks = step_at(fork).threads;
+    return std::all_of(blocks.begin(), blocks.end(), [this](ThreadId block) {
+      return problem_.threads[block].can_end && !thread(block).idle_wait.valid() &&
              ends_straight(problem_, block);
     });
   }
 
   void find_waits() {
     waits_.resize(problem_.channels.size());
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+    for (const StepId s : problem_.steps.ids()) {
       const Step& step = problem_.steps[s];
-      if (step.kind != Kind::wait || forest_.segments.owner(static_cast<int>(s)) < 0) continue;
-      for (int channel : step.channels)
-        waits_[static_cast<std::size_t>(channel)].push_back(static_cast<int>(s));
+      if (step.kind != Kind::wait || !forest_.segments.owner(s).valid()) continue;
+      for (ChannelId channel : step.channels) waits_[channel].push_back(s);
     }
   }
 
   /// ThreadBehaviours::drains: the only thread that receives the message waits for nothing but at its idle
   /// wait.
-  bool drains(int n) {
+  bool drains(NodeId n) {
     const ThreadBehaviour& of = thread(forest_.thread_of(n));
     if (node(n).release != Release::message || node(n).device.valid() || of.waits_within) return false;
-    if (made_.job_start[static_cast<std::size_t>(n)] != n ||
-        !made_.previous[static_cast<std::size_t>(n)].empty())
-      return false;
-    const int channel = step_at(node(n).sends.front()).channels.front();
+    if (made_.job_start[n] != n || !made_.previous[n].empty()) return false;
+    const ChannelId channel = step_at(node(n).sends.front()).channels.front();
     if (latency(problem_, channel, forest_.thread_of(node(n).cause), forest_.thread_of(n)).worst > 0)
       return false;
-    const std::vector<int>& waits = waits_[static_cast<std::size_t>(channel)];
-    return std::all_of(waits.begin(), waits.end(), [&of](int wait) { return wait == of.idle_wait; });
+    const std::vector<StepId>& waits = waits_[channel];
+    return std::all_of(waits.begin(), waits.end(), [&of](StepId wait) { return wait == of.idle_wait; });
   }
 
   void protocol() {
     made_.never_full.assign(problem_.channels.size(), false);
-    for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
+    for (const ChannelId c : problem_.channels.ids()) {
       const Channel& channel = problem_.channels[c];
-      made_.never_full[c] = channel.answer >= 0 || (channel.answers >= 0 && channel.sender_module.valid());
+      made_.never_full[c] =
+          channel.answer.valid() || (channel.answers.valid() && channel.sender_module.valid());
     }
   }
 
   void find_endings() {
     made_.endings.resize(forest_.sources.size());
     made_.start_endings.resize(problem_.threads.size());
-    for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
+    for (const NodeId n : forest_.nodes.ids()) {
       const Node& of = forest_.nodes[n];
       if (!may_end(problem_, forest_.segment_of(of))) continue;
-      made_.endings[static_cast<std::size_t>(of.source)].push_back(static_cast<int>(n));
-      if (forest_.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start)
-        end_at_start(static_cast<int>(n));
+      made_.endings[of.source].push_back(n);
+      if (forest_.sources[of.source].kind == Source::Kind::start) end_at_start(n);
     }
   }
 
-  void end_at_start(int ending) {
-    std::set<int> threads;
-    for (int n = ending; n >= 0; n = node(n).cause) {
-      const int thread = forest_.thread_of(n);
-      if (thread >= 0 && threads.insert(thread).second)
-        made_.start_endings[static_cast<std::size_t>(thread)].push_back({ending, n});
+  void end_at_start(NodeId ending) {
+    std::set<ThreadId> threads;
+    for (NodeId n = ending; n.valid(); n = node(n).cause) {
+      const ThreadId thread = forest_.thread_of(n);
+      if (thread.valid() && threads.insert(thread).second) made_.start_endings[thread].push_back({ending, n});
     }
   }
 
@@ -318,24 +309,24 @@ class Observer {
   /// for each answer without limit, and it has nothing left to do after the answer.
   void servers(ThreadBehaviour& of) {
     if (of.job_starts.empty()) return;
-    int request = -1;
-    for (int n : of.job_starts) {
+    ChannelId request{};
+    for (NodeId n : of.job_starts) {
       const Beginning& begins = beginning(n);
       if (begins.kind != Beginning::Kind::arm) return;
-      const int channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
-      if (request >= 0 && channel != request) return;
+      const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
+      if (request.valid() && channel != request) return;
       request = channel;
     }
-    const Channel& channel = problem_.channels[static_cast<std::size_t>(request)];
+    const Channel& channel = problem_.channels[request];
     // A device that sends requests by itself waits for no answer.
-    if (channel.answer < 0 || channel.sender_device.valid()) return;
+    if (!channel.answer.valid() || channel.sender_device.valid()) return;
     for (const Step& step : problem_.steps) {
       const bool gives_up =
           step.kind == Kind::wait && step.within &&
           std::find(step.channels.begin(), step.channels.end(), channel.answer) != step.channels.end();
       if (gives_up) return;
     }
-    for (int n : of.nodes) {
+    for (NodeId n : of.nodes) {
       const Segment& segment = forest_.segment_of(node(n));
       for (const Segment::Arrival& wait : segment.waits) {
         if (wait.step != of.idle_wait) continue;
@@ -358,18 +349,16 @@ class Observer {
   const Problem& problem_;
   const Forest& forest_;
   ThreadBehaviours made_;
-  std::map<std::pair<int, int>, std::vector<int>> arrivals_;  // by job and wait
-  std::vector<std::vector<int>> waits_;                       // by channel, that take from it
-  std::set<std::pair<int, int>> waited_for_;                  // job and wait
+  std::map<std::pair<NodeId, StepId>, std::vector<NodeId>> arrivals_;  // by job and wait
+  Table<ChannelId, std::vector<StepId>> waits_;                        // by channel, that take from it
+  std::set<std::pair<NodeId, StepId>> waited_for_;                     // job and wait
 };
 
 }  // namespace
 
-bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, int node) {
-  const std::vector<int>& job_starts =
-      behaviours.threads[static_cast<std::size_t>(forest.thread_of(node))].job_starts;
-  return std::find(job_starts.begin(), job_starts.end(),
-                   behaviours.job_start[static_cast<std::size_t>(node)]) != job_starts.end();
+bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, NodeId node) {
+  const std::vector<NodeId>& job_starts = behaviours.threads[forest.thread_of(node)].job_starts;
+  return std::find(job_starts.begin(), job_starts.end(), behaviours.job_start[node]) != job_starts.end();
 }
 
 ThreadBehaviours thread_behaviours_of(const Problem& problem, const Forest& forest,

@@ -14,12 +14,12 @@
 namespace pal::analyzer::compositional {
 
 struct ThreadBehaviour {
-  int idle_wait = -1;           // the wait at which its jobs begin and end; -1: it has no jobs
-  std::vector<int> job_starts;  // first nodes of its jobs
-  std::vector<int> nodes;       // all
-  bool one_job = false;         // each occurrence of their one source begins at most one job
-  bool waits_within = false;    // a job waits for something before it ends
-  bool leaves = false;          // a job may end away from the idle wait while the skill goes on
+  StepId idle_wait{};              // the wait at which its jobs begin and end; none: it has no jobs
+  std::vector<NodeId> job_starts;  // first nodes of its jobs
+  std::vector<NodeId> nodes;       // all
+  bool one_job = false;            // each occurrence of their one source begins at most one job
+  bool waits_within = false;       // a job waits for something before it ends
+  bool leaves = false;             // a job may end away from the idle wait while the skill goes on
   bool may_be_cancelled = false;
   bool asked_by_one = false;  // all jobs serve one client, which sends its next request after the answer
   /// Why its times are unbounded; empty if they are bounded.
@@ -27,33 +27,33 @@ struct ThreadBehaviour {
 };
 
 struct StartEnding {
-  int node;  // may end the skill or its thread
-  int own;   // the last of the thread's nodes on the way to it, or the node itself
+  NodeId node;  // may end the skill or its thread
+  NodeId own;   // the last of the thread's nodes on the way to it, or the node itself
 };
 
 struct ThreadBehaviours {
-  std::vector<ThreadBehaviour> threads;
+  Table<ThreadId, ThreadBehaviour> threads;
   /// By node: the first node of its job, or of its thread if that has no jobs.
-  std::vector<int> job_start;
+  Table<NodeId, NodeId> job_start;
   /// By node: its predecessors in its thread. Nodes that begin a job or a thread have none.
-  std::vector<std::vector<int>> previous;
+  Table<NodeId, std::vector<NodeId>> previous;
   /// By node: it runs before the first job of its thread, which begins once. What makes jobs unbounded does
   /// not concern it.
-  std::vector<bool> early;
+  Table<NodeId, bool> early;
   /// By node: the message that begins its job has no latency. While its slot is full the thread is busy or
   /// itself blocked in a send. So a sender that is blocked on the slot does not delay the thread.
-  std::vector<bool> drains;
-  std::vector<std::vector<int>> alternatives;  // alternatives_of()
+  Table<NodeId, bool> drains;
+  std::vector<std::vector<NodeId>> alternatives;  // alternatives_of()
   /// By source: nodes that may end the skill or their thread. What depends on them waits until that end.
-  std::vector<std::vector<int>> endings;
+  Table<SourceId, std::vector<NodeId>> endings;
   /// By thread: the endings that the thread causes before any job.
-  std::vector<std::vector<StartEnding>> start_endings;
-  std::vector<bool>
+  Table<ThreadId, std::vector<StartEnding>> start_endings;
+  Table<ChannelId, bool>
       never_full;  // by channel: requests and answers alternate, so its slot is free at each put
 };
 
 /// Whether a node belongs to a job of its thread. What a thread does before its first job does not.
-bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, int node);
+bool in_job(const Forest& forest, const ThreadBehaviours& behaviours, NodeId node);
 
 /// Must not be used after `stop` has returned true.
 ThreadBehaviours thread_behaviours_of(const Problem& problem, const Forest& forest,

@@ -17,20 +17,18 @@ class Ageing {
   Ageing(const View& view, const Requirement& requirement)
       : view_(view), problem_(view.problem), requirement_(requirement) {
     before_.resize(problem_.steps.size());
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      for (int next : problem_.steps[s].next)
-        before_[static_cast<std::size_t>(next)].push_back(static_cast<int>(s));
+    for (const StepId s : problem_.steps.ids()) {
+      for (StepId next : problem_.steps[s].next) before_[next].push_back(s);
       const Step& step = problem_.steps[s];
-      if (step.kind == Kind::read && step.condition == requirement.condition)
-        latching_.insert(owner(static_cast<int>(s)));
+      if (step.kind == Kind::read && step.condition == requirement.condition) latching_.insert(owner(s));
     }
   }
 
   Bound run() {
     Sum oldest;
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-      if (!requirement_.at[s] || owner(static_cast<int>(s)) < 0) continue;
-      oldest = greater(oldest, at_statement(static_cast<int>(s)));
+    for (const StepId s : problem_.steps.ids()) {
+      if (!requirement_.at[s] || !owner(s).valid()) continue;
+      oldest = greater(oldest, at_statement(s));
       if (!oldest.bounded())
         return {oldest, why_.empty() ? "nothing bounds how long ago the value was read or set" : why_};
     }
@@ -38,36 +36,34 @@ class Ageing {
   }
 
  private:
-  int owner(int step) const { return view_.forest.segments.owner(step); }
-  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  const Segment& segment(int n) const {
-    return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
-  }
+  ThreadId owner(StepId step) const { return view_.forest.segments.owner(step); }
+  const Step& step_at(StepId step) const { return problem_.steps[step]; }
+  const Segment& segment(NodeId n) const { return view_.forest.segment_of(view_.forest.nodes[n]); }
 
-  bool reads(int step) const {
+  bool reads(StepId step) const {
     return (step_at(step).kind == Kind::read && step_at(step).condition == requirement_.condition) ||
            tests(step_at(step), requirement_.condition);
   }
   /// Whatever was read before does not count any more.
-  bool surely_reads(int step) const {
+  bool surely_reads(StepId step) const {
     return reads(step) && (step_at(step).kind == Kind::read || !latching_.contains(owner(step)));
   }
 
-  Sum at_statement(int statement) {
+  Sum at_statement(StepId statement) {
     Sum oldest;
-    std::set<int> seen;
-    std::vector<int> open;
-    const auto leave = [&](int at) {
-      const Thread& thread = problem_.threads[static_cast<std::size_t>(owner(at))];
+    std::set<StepId> seen;
+    std::vector<StepId> open;
+    const auto leave = [&](StepId at) {
+      const Thread& thread = problem_.threads[owner(at)];
       const bool waited = step_at(at).kind == Kind::wait || step_at(at).kind == Kind::fork;
-      if (waited || (thread.entry == at && thread.parent >= 0)) oldest = Sum::unbounded();
-      const std::vector<int>& before = before_[static_cast<std::size_t>(at)];
+      if (waited || (thread.entry == at && thread.parent.valid())) oldest = Sum::unbounded();
+      const std::vector<StepId>& before = before_[at];
       open.insert(open.end(), before.begin(), before.end());
     };
     if (reads(statement)) oldest = since_set(statement, statement);
     if (!surely_reads(statement)) leave(statement);
     while (!open.empty() && oldest.bounded()) {
-      const int at = open.back();
+      const StepId at = open.back();
       open.pop_back();
       if (!seen.insert(at).second) continue;
       if (reads(at)) oldest = greater(oldest, since_set(at, statement));
@@ -77,18 +73,18 @@ class Ageing {
   }
 
   /// From the set whose value `read` gets to the statement.
-  Sum since_set(int read, int statement) {
+  Sum since_set(StepId read, StepId statement) {
     const Bound age = value_age(view_, requirement_.condition, owner(statement));
     if (!age.known()) why_ = age.why;
     return age.sum + distance(read, statement);
   }
 
   /// From the effect of a step to that of the statement, in one segment.
-  Sum distance(int from, int statement) {
+  Sum distance(StepId from, StepId statement) {
     if (from == statement) return {};
     Sum longest;
-    const std::vector<int> nodes = nodes_with(view_, from);
-    for (int n : nodes_with(view_, statement)) {
+    const std::vector<NodeId> nodes = nodes_with(view_, from);
+    for (NodeId n : nodes_with(view_, statement)) {
       if (std::find(nodes.begin(), nodes.end(), n) == nodes.end()) continue;
       const Sum later = latest(view_, n, statement);
       if (!later.bounded()) return later;
@@ -100,37 +96,37 @@ class Ageing {
   }
 
   /// Whether a statement is a send that may have to wait for its slot.
-  bool may_be_held(int n, int statement) const {
+  bool may_be_held(NodeId n, StepId statement) const {
     const AnalysisContext context{problem_, view_.forest, view_.behaviours};
     return held_until(context, view_.times.nodes, n, statement) >
            earliest_effect(view_.forest, view_.times, n, statement);
   }
 
   /// From one effect to another in one segment, if no send waits for its slot.
-  Sum without_pause(int n, int from, int to) const {
-    std::map<int, Nanoseconds> longest{{from, 0}};
+  Sum without_pause(NodeId n, StepId from, StepId to) const {
+    std::map<StepId, Nanoseconds> longest{{from, 0}};
     for (const Segment::Passed& passed : segment(n).steps) {
       const auto known = longest.find(passed.step);
       if (known == longest.end()) continue;
       const Nanoseconds here = known->second;
-      const std::vector<int>& next = step_at(passed.step).next;
-      for (int after : next) {
+      const std::vector<StepId>& next = step_at(passed.step).next;
+      for (StepId after : next) {
         Nanoseconds& there = longest[after];
         there = std::max(there, here + step_at(after).cost.worst);
       }
     }
-    const Thread& thread = problem_.threads[static_cast<std::size_t>(owner(to))];
+    const Thread& thread = problem_.threads[owner(to)];
     const auto found = longest.find(to);
     if (found == longest.end()) return Sum::unbounded();
     const Nanoseconds all = view_.windows().stretch(thread.processor, thread.priority, found->second);
-    return {all, {Term::Kind::said, n, to, -1, "runs, and is preempted, from the read to the statement"}};
+    return {all, {Term::Kind::said, n, to, {}, "runs, and is preempted, from the read to the statement"}};
   }
 
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
-  std::vector<std::vector<int>> before_;
-  std::set<int> latching_;
+  Table<StepId, std::vector<StepId>> before_;
+  std::set<ThreadId> latching_;
   std::string why_;
 };
 

@@ -62,25 +62,24 @@ DataFreshness::DataFreshness(const View& view, const Requirement& requirement)
       effects_(view.forest.nodes.size()),
       arrivals_(view.forest.nodes.size()),
       latched_(problem_.threads.size()) {
-  for (std::size_t t = 0; t < problem_.threads.size(); ++t)
-    regular_.push_back(regular(view, static_cast<int>(t)));
-  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
-    const int owner = view.forest.segments.owner(static_cast<int>(s));
-    if (owner >= 0 && problem_.steps[s].kind == Kind::read)
-      latched_[static_cast<std::size_t>(owner)].insert(problem_.steps[s].condition);
+  for (const ThreadId t : problem_.threads.ids()) regular_.push_back(regular(view, t));
+  for (const StepId s : problem_.steps.ids()) {
+    const ThreadId owner = view.forest.segments.owner(s);
+    if (owner.valid() && problem_.steps[s].kind == Kind::read)
+      latched_[owner].insert(problem_.steps[s].condition);
   }
   if (!requirement.condition.valid()) find_setters();
   for (int iteration = 0; iteration < most_freshness_rounds; ++iteration) {
     if (!requirement.condition.valid()) ages_.clear();  // samples on their way to conditions
     bool changed = false;
-    for (std::size_t n = 0; n < begins_.size(); ++n) changed = visit(static_cast<int>(n)) || changed;
+    for (const NodeId n : begins_.ids()) changed = visit(n) || changed;
     if (!changed) return;
   }
 }
 
 Known DataFreshness::at(StepEffect effect) const {
-  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(effect.node)]);
-  const auto& effects = effects_[static_cast<std::size_t>(effect.node)];
+  const Segment& segment = view_.forest.segment_of(view_.forest.nodes[effect.node]);
+  const auto& effects = effects_[effect.node];
   for (std::size_t s = 0; s < segment.steps.size() && s < effects.size(); ++s) {
     if (segment.steps[s].step == effect.step) return effects[s];
   }
@@ -93,34 +92,34 @@ Sum DataFreshness::age_since_cause(StepEffect effect) const {
   if (!known || !known->request) return least;
   const StepEffect request = *known->request;
   const AnalysisContext context{problem_, view_.forest, view_.behaviours};
-  int cause = request.node;
-  for (int tried = 0; cause >= 0 && tried < most_causes; ++tried, cause = context.node(cause).cause) {
+  NodeId cause = request.node;
+  for (int tried = 0; cause.valid() && tried < most_causes; ++tried, cause = context.node(cause).cause) {
     if (!since_cause_.counts_from(cause, effect.node)) continue;
     const Segment& segment = context.segment(request.node);
     const Nanoseconds soonest =
         plus(since_cause_.least(cause, request.node), segment.steps[place_of(segment, request.step)].best);
     const Sum latest = since_cause(view_, cause, effect);
-    least = less(least, latest - Sum(soonest, {Term::Kind::earliest, request.node, request.step, -1, ""}));
+    least = less(least, latest - Sum(soonest, {Term::Kind::earliest, request.node, request.step, {}, ""}));
   }
   return least;
 }
 
 void DataFreshness::find_setters() {
-  for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+  for (const StepId s : problem_.steps.ids()) {
     if (problem_.steps[s].kind != Kind::set) continue;
     auto& at = set_at_[problem_.steps[s].condition];
     at.resize(problem_.steps.size());
     at[s] = true;
   }
   for (const auto& [condition, at] : set_at_) {
-    for (int thread : owners(view_, at))
+    for (ThreadId thread : owners(view_, at))
       setters_[condition].push_back({thread, std::make_unique<StatementOccurrences>(view_, thread, at)});
   }
 }
 
 /// Follows the node's ways; true: something more is known than before.
-bool DataFreshness::visit(int node) {
-  const auto n = static_cast<std::size_t>(node);
+bool DataFreshness::visit(NodeId node) {
+  const NodeId n = node;
   const Segment& segment = view_.forest.segment_of(view_.forest.nodes[n]);
   const Beginning& begins = segment.beginning;
   State first = begin(node);
@@ -128,8 +127,8 @@ bool DataFreshness::visit(int node) {
   first.set = both(first.set, begins_[n].set);
   const bool changed = !same(first.known, begins_[n].known) || !same(first.set, begins_[n].set);
   begins_[n] = first;
-  std::map<int, State> reached;
-  const auto reach = [&](int step, const State& state) {
+  std::map<StepId, State> reached;
+  const auto reach = [&](StepId step, const State& state) {
     const auto [place, fresh] = reached.emplace(step, state);
     if (fresh) return;
     place->second.known = either(place->second.known, state.known);
@@ -138,9 +137,9 @@ bool DataFreshness::visit(int node) {
   std::vector<Known> effects;
   const bool after_wait = begins.kind == Beginning::Kind::arm || begins.kind == Beginning::Kind::give_up;
   if (begins.kind == Beginning::Kind::entry) {
-    reach(problem_.threads[static_cast<std::size_t>(begins.thread)].entry, first);
+    reach(problem_.threads[begins.thread].entry, first);
   } else {
-    const Step& step = problem_.steps[static_cast<std::size_t>(begins.step)];
+    const Step& step = problem_.steps[begins.step];
     if (after_wait) effects.push_back(first.known);
     const bool arm = begins.kind == Beginning::Kind::arm;
     const bool joined = begins.kind == Beginning::Kind::joined;
@@ -150,11 +149,11 @@ bool DataFreshness::visit(int node) {
           first);
   }
   for (std::size_t s = after_wait ? 1 : 0; s < segment.steps.size(); ++s) {
-    const int step = segment.steps[s].step;
+    const StepId step = segment.steps[s].step;
     State state = reached.at(step);
     transfer(node, step, state);
     effects.push_back(state.known);
-    for (int next : problem_.steps[static_cast<std::size_t>(step)].next) reach(next, state);
+    for (StepId next : problem_.steps[step].next) reach(next, state);
   }
   const bool more =
       changed || !std::equal(effects.begin(), effects.end(), effects_[n].begin(), effects_[n].end(), same);
@@ -163,24 +162,24 @@ bool DataFreshness::visit(int node) {
   return more;
 }
 
-DataFreshness::State DataFreshness::begin(int node) const {
-  const auto n = static_cast<std::size_t>(node);
+DataFreshness::State DataFreshness::begin(NodeId node) const {
+  const NodeId n = node;
   const Node& of = view_.forest.nodes[n];
   State state;
-  const auto arrived = [this](int before, int step) {
-    const auto& arrivals = arrivals_[static_cast<std::size_t>(before)];
+  const auto arrived = [this](NodeId before, StepId step) {
+    const auto& arrivals = arrivals_[before];
     const auto found = arrivals.find(step);
     return found == arrivals.end() ? State{} : found->second;
   };
   const auto& previous = view_.behaviours.previous[n];
   if (!previous.empty()) {
     state = {unbounded, unbounded};
-    for (int before : previous) {
+    for (NodeId before : previous) {
       const State there = arrived(before, view_.forest.segment_of(of).beginning.step);
       state.known = either(state.known, there.known);
       state.set = either(state.set, there.set);
     }
-  } else if (of.release == Release::fork && of.cause >= 0) {
+  } else if (of.release == Release::fork && of.cause.valid()) {
     state = arrived(of.cause, of.cause_step);
   } else if (in_recurring_job(view_, node)) {
     state = before_idle(node);
@@ -188,7 +187,7 @@ DataFreshness::State DataFreshness::begin(int node) const {
   if (of.release == Release::fork && view_.forest.segment_of(of).beginning.kind == Beginning::Kind::joined)
     state.set = both(state.set, set_by_blocks(of));
   // At time 0 no more is known, and a condition has its first value.
-  if (view_.forest.sources[static_cast<std::size_t>(of.source)].kind == Source::Kind::start) {
+  if (view_.forest.sources[of.source].kind == Source::Kind::start) {
     state.known = both(state.known, Known(Instant()));
     state.set = both(state.set, Known(Instant()));
   }
@@ -199,15 +198,14 @@ DataFreshness::State DataFreshness::begin(int node) const {
 /// Last set by the blocks that have ended when a node begins.
 Known DataFreshness::set_by_blocks(const Node& joined) const {
   Known latest;
-  for (int block : problem_.steps[static_cast<std::size_t>(joined.cause_step)].threads) {
-    if (!problem_.threads[static_cast<std::size_t>(block)].can_end) continue;
+  for (ThreadId block : problem_.steps[joined.cause_step].threads) {
+    if (!problem_.threads[block].can_end) continue;
     Known soonest = unbounded;
-    for (int n : view_.behaviours.threads[static_cast<std::size_t>(block)].nodes) {
-      const int job_start = view_.behaviours.job_start[static_cast<std::size_t>(n)];
-      if (view_.forest.nodes[static_cast<std::size_t>(job_start)].cause != joined.cause) continue;
-      for (const auto& [step, state] : arrivals_[static_cast<std::size_t>(n)]) {
-        if (problem_.steps[static_cast<std::size_t>(step)].kind == Kind::end)
-          soonest = either(soonest, state.set);
+    for (NodeId n : view_.behaviours.threads[block].nodes) {
+      const NodeId job_start = view_.behaviours.job_start[n];
+      if (view_.forest.nodes[job_start].cause != joined.cause) continue;
+      for (const auto& [step, state] : arrivals_[n]) {
+        if (problem_.steps[step].kind == Kind::end) soonest = either(soonest, state.set);
       }
     }
     if (is_bounded(soonest)) latest = both(latest, soonest);
@@ -216,17 +214,17 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
 }
 
 /// From the previous job; the first job begins with what is younger than the skill.
-DataFreshness::State DataFreshness::before_idle(int node) const {
-  const int thread = view_.forest.thread_of(node);
-  const int source = recurring_source(view_, thread);
-  if (source < 0 || !regular_[static_cast<std::size_t>(thread)]) return {};
+DataFreshness::State DataFreshness::before_idle(NodeId node) const {
+  const ThreadId thread = view_.forest.thread_of(node);
+  const SourceId source = recurring_source(view_, thread);
+  if (!source.valid() || !regular_[thread]) return {};
   if (!in_order(view_, thread)) return {};
-  const ThreadBehaviour& of = view_.behaviours.threads[static_cast<std::size_t>(thread)];
+  const ThreadBehaviour& of = view_.behaviours.threads[thread];
   State state{unbounded, unbounded};
-  for (int other : of.nodes) {
+  for (NodeId other : of.nodes) {
     if (!in_recurring_job(view_, other)) continue;
-    const auto& arrivals = arrivals_[static_cast<std::size_t>(other)];
-    const Segment& segment = view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(other)]);
+    const auto& arrivals = arrivals_[other];
+    const Segment& segment = view_.forest.segment_of(view_.forest.nodes[other]);
     for (const Segment::Arrival& wait : segment.waits) {
       if (wait.step != of.idle_wait) continue;
       const auto found = arrivals.find(of.idle_wait);
@@ -244,35 +242,35 @@ DataFreshness::State DataFreshness::before_idle(int node) const {
   return {since(state.known), since(state.set)};
 }
 
-bool DataFreshness::sampled(int channel) const {
+bool DataFreshness::sampled(ChannelId channel) const {
   const auto& samples = requirement_.samples;
   return std::find(samples.begin(), samples.end(), channel) != samples.end();
 }
 
 /// By the message that begins the node.
-Known DataFreshness::told(int node) const {
+Known DataFreshness::told(NodeId node) const {
   if (requirement_.condition.valid()) return std::nullopt;
-  const Node& of = view_.forest.nodes[static_cast<std::size_t>(node)];
-  const Source& source = view_.forest.sources[static_cast<std::size_t>(of.source)];
+  const Node& of = view_.forest.nodes[node];
+  const Source& source = view_.forest.sources[of.source];
   if (of.release == Release::message) return told_by(of.cause, of.sends, of.device);
   if (of.release != Release::root) return std::nullopt;
   if (source.kind == Source::Kind::event) {
-    const int event = problem_.devices[source.device].event;
+    const ChannelId event = problem_.devices[source.device].event;
     return sampled(event) ? Known(Instant()) : std::nullopt;
   }
   return source.kind == Source::Kind::loop ? told_in_loop(source, of.source) : std::nullopt;
 }
 
 /// A message carries what its sender knows; a device's answer says what was so after the request.
-Known DataFreshness::told_by(int sender, const std::vector<int>& sends, DeviceId device) const {
+Known DataFreshness::told_by(NodeId sender, const std::vector<StepId>& sends, DeviceId device) const {
   Known known = unbounded;
-  for (int send : sends) {
+  for (StepId send : sends) {
     if (!device.valid()) {
       known = either(known, at({sender, send}));
       continue;
     }
-    const int request = problem_.steps[static_cast<std::size_t>(send)].channels.front();
-    const int answer = problem_.channels[static_cast<std::size_t>(request)].answer;
+    const ChannelId request = problem_.steps[send].channels.front();
+    const ChannelId answer = problem_.channels[request].answer;
     known = either(known, sampled(answer) ? Known({earliest(view_, sender, send), StepEffect{sender, send}})
                                           : std::nullopt);
   }
@@ -280,14 +278,13 @@ Known DataFreshness::told_by(int sender, const std::vector<int>& sends, DeviceId
 }
 
 /// By what leads to the next job of a loop.
-Known DataFreshness::told_in_loop(const Source& source, int index) const {
+Known DataFreshness::told_in_loop(const Source& source, SourceId index) const {
   Known known = unbounded;
   for (const Source::Feed& feed : source.feeds) {
-    if (feed.node < 0 || feed.sends.empty()) return std::nullopt;
-    const int from = view_.forest.nodes[static_cast<std::size_t>(feed.node)].source;
+    if (!feed.node.valid() || feed.sends.empty()) return std::nullopt;
+    const SourceId from = view_.forest.nodes[feed.node].source;
     const bool own = from == index;
-    if (!own && view_.forest.sources[static_cast<std::size_t>(from)].kind != Source::Kind::start)
-      return std::nullopt;
+    if (!own && view_.forest.sources[from].kind != Source::Kind::start) return std::nullopt;
     const Sum distance = own ? gap(view_, index) : first(view_, index);
     known = either(known, earlier(told_by(feed.node, feed.sends, feed.device), distance));
   }
@@ -295,16 +292,16 @@ Known DataFreshness::told_in_loop(const Source& source, int index) const {
 }
 
 /// Whether a step surely reads a condition, or has read it before for this very test.
-bool DataFreshness::surely_read(int step, ConditionId condition) const {
-  const Step& of = problem_.steps[static_cast<std::size_t>(step)];
+bool DataFreshness::surely_read(StepId step, ConditionId condition) const {
+  const Step& of = problem_.steps[step];
   if (of.kind == Kind::read) return of.condition == condition;
-  const auto thread = static_cast<std::size_t>(view_.forest.segments.owner(step));
+  const ThreadId thread = view_.forest.segments.owner(step);
   return tests(of, condition) && !latched_[thread].contains(condition);
 }
 
-void DataFreshness::transfer(int node, int step, State& state) {
-  const Step& of = problem_.steps[static_cast<std::size_t>(step)];
-  const int thread = view_.forest.thread_of(node);
+void DataFreshness::transfer(NodeId node, StepId step, State& state) {
+  const Step& of = problem_.steps[step];
+  const ThreadId thread = view_.forest.thread_of(node);
   const Sum now = earliest(view_, node, step);
   if (requirement_.condition.valid()) {
     if (of.kind == Kind::set && of.condition == requirement_.condition) state.set = Known(Instant{now});
@@ -320,7 +317,7 @@ void DataFreshness::transfer(int node, int step, State& state) {
   }
 }
 
-Sum DataFreshness::age_when_read(ConditionId condition, int reader) {
+Sum DataFreshness::age_when_read(ConditionId condition, ThreadId reader) {
   const auto [place, fresh] = ages_.emplace(std::pair{condition, reader}, Sum::unbounded());
   if (fresh) {
     place->second = requirement_.condition.valid() ? value_age(view_, condition, reader).sum
@@ -331,7 +328,7 @@ Sum DataFreshness::age_when_read(ConditionId condition, int reader) {
 
 /// Greatest time since the sample that a condition carries when it is read. Before the first set of a job
 /// it is no longer than the skill has run.
-Sum DataFreshness::sample_age(ConditionId condition, int reader) const {
+Sum DataFreshness::sample_age(ConditionId condition, ThreadId reader) const {
   const auto found = setters_.find(condition);
   if (found == setters_.end()) return Sum::unbounded();
   Sum at_set;                       // age of the sample at any set
@@ -353,8 +350,8 @@ Sum DataFreshness::sample_age(ConditionId condition, int reader) const {
       at_set = greater(at_set, age(effect));
     }
     for (const StepEffect& effect : sets.before_jobs()) {
-      const int source = view_.forest.nodes[static_cast<std::size_t>(effect.node)].source;
-      later = later || view_.forest.sources[static_cast<std::size_t>(source)].kind != Source::Kind::start;
+      const SourceId source = view_.forest.nodes[effect.node].source;
+      later = later || view_.forest.sources[source].kind != Source::Kind::start;
       at_set = greater(at_set, age(effect));
     }
     if (!sets.in_every_job() || sets.in_jobs().empty() || !outlasts(view_, setter.thread, reader)) continue;

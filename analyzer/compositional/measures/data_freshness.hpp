@@ -40,36 +40,36 @@ class DataFreshness {
     Known set;  // the last set of the condition on the thread's own path
   };
   struct Setter {
-    int thread;
+    ThreadId thread;
     std::unique_ptr<StatementOccurrences> sets;
   };
 
   void find_setters();
-  bool visit(int node);
-  State begin(int node) const;
-  State before_idle(int node) const;
+  bool visit(NodeId node);
+  State begin(NodeId node) const;
+  State before_idle(NodeId node) const;
   Known set_by_blocks(const Node& joined) const;
-  Known told(int node) const;
-  Known told_by(int sender, const std::vector<int>& sends, DeviceId device) const;
-  Known told_in_loop(const Source& source, int index) const;
-  void transfer(int node, int step, State& state);
-  Sum age_when_read(ConditionId condition, int reader);
-  Sum sample_age(ConditionId condition, int reader) const;
-  bool surely_read(int step, ConditionId condition) const;
-  bool sampled(int channel) const;
+  Known told(NodeId node) const;
+  Known told_by(NodeId sender, const std::vector<StepId>& sends, DeviceId device) const;
+  Known told_in_loop(const Source& source, SourceId index) const;
+  void transfer(NodeId node, StepId step, State& state);
+  Sum age_when_read(ConditionId condition, ThreadId reader);
+  Sum sample_age(ConditionId condition, ThreadId reader) const;
+  bool surely_read(StepId step, ConditionId condition) const;
+  bool sampled(ChannelId channel) const;
 
   const View& view_;
   const Problem& problem_;
   const Requirement& requirement_;
   mutable SinceCause since_cause_;
-  std::vector<State> begins_;                   // by node
-  std::vector<std::vector<Known>> effects_;     // by node and place in its segment
-  std::vector<std::map<int, State>> arrivals_;  // by node: at the waits and forks that end it
-  std::vector<bool> regular_;                   // by thread
-  std::vector<std::set<ConditionId>> latched_;  // by thread: conditions that it reads by RPC
-  std::map<ConditionId, std::vector<bool>> set_at_;
+  Table<NodeId, State> begins_;
+  Table<NodeId, std::vector<Known>> effects_;        // by place in its segment
+  Table<NodeId, std::map<StepId, State>> arrivals_;  // at the waits and forks that end it
+  Table<ThreadId, bool> regular_;                    // by thread
+  Table<ThreadId, std::set<ConditionId>> latched_;   // by thread: conditions that it reads by RPC
+  std::map<ConditionId, Table<StepId, bool>> set_at_;
   std::map<ConditionId, std::vector<Setter>> setters_;
-  std::map<std::pair<ConditionId, int>, Sum> ages_;  // by condition and reader
+  std::map<std::pair<ConditionId, ThreadId>, Sum> ages_;  // by condition and reader
 };
 
 }  // namespace pal::analyzer::compositional

@@ -10,12 +10,12 @@ namespace pal::analyzer::compositional {
 Bound duration_bound(const View& view, const Requirement& requirement) {
   Sum longest;
   bool any = false;
-  for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
-    const int n = static_cast<int>(i);
+  for (const NodeId i : view.forest.nodes.ids()) {
+    const NodeId n = i;
     const Node& node = view.forest.nodes[i];
-    const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
+    const Source& source = view.forest.sources[node.source];
     for (const Segment::Passed& passed : view.forest.segment_of(node).steps) {
-      const Step& step = view.problem.steps[static_cast<std::size_t>(passed.step)];
+      const Step& step = view.problem.steps[passed.step];
       const bool completes = step.kind == Step::Kind::complete && step.code == requirement.code;
       const bool fails = may_match_nothing(step) && requirement.code == view.problem.error_code;
       if (!completes && !fails) continue;

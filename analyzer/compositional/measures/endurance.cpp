@@ -15,39 +15,40 @@ class Ending {
   Ending(const Problem& problem, const Forest& forest, const Times& times)
       : problem_(problem), forest_(forest), times_(times) {}
 
-  Sum after(int fork, int leaver) const {
+  Sum after(StepId fork, ThreadId leaver) const {
     Sum stopping;
-    for (int block : problem_.steps[static_cast<std::size_t>(fork)].threads) {
+    for (ThreadId block : problem_.steps[fork].threads) {
       if (block == leaver) continue;
-      if (problem_.threads[static_cast<std::size_t>(block)].can_end) return Sum::unbounded();
+      if (problem_.threads[block].can_end) return Sum::unbounded();
       const Nanoseconds within = stops_within(problem_, times_.interference->windows(), block);
       stopping = greater(
-          stopping, {within, {Term::Kind::said, -1, -1, -1, "cancelled blocks finish what they have begun"}});
+          stopping, {within, {Term::Kind::said, {}, {}, {}, "cancelled blocks finish what they have begun"}});
     }
     return stopping + to_completion(fork);
   }
 
  private:
-  Sum finish(int node) const {
-    return {times_.nodes[static_cast<std::size_t>(node)].finish, {Term::Kind::latest, node, -1, -1, ""}};
+  Sum finish(NodeId node) const {
+    return {times_.nodes[node].finish, {Term::Kind::latest, node, {}, {}, ""}};
   }
 
   /// From when the blocks are over; all ways must complete the skill without another wait.
-  Sum to_completion(int fork) const {
-    for (std::size_t n = 0; n < forest_.nodes.size(); ++n) {
+  Sum to_completion(StepId fork) const {
+    for (const NodeId n : forest_.nodes.ids()) {
       const Segment& segment = forest_.segment_of(forest_.nodes[n]);
-      const Source& source = forest_.sources[static_cast<std::size_t>(forest_.nodes[n].source)];
-      if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause >= 0) continue;
+      const Source& source = forest_.sources[forest_.nodes[n].source];
+      if (source.kind != Source::Kind::joined || source.fork != fork || forest_.nodes[n].cause.valid())
+        continue;
       const bool completes =
           segment.waits.empty() && segment.forks.empty() && !segment.ends && sends_freely(segment);
-      return completes ? finish(static_cast<int>(n)) : Sum::unbounded();
+      return completes ? finish(n) : Sum::unbounded();
     }
     return Sum::unbounded();
   }
 
   bool sends_freely(const Segment& segment) const {
     return std::all_of(segment.steps.begin(), segment.steps.end(), [this](const Segment::Passed& passed) {
-      return problem_.steps[static_cast<std::size_t>(passed.step)].kind != Kind::send;
+      return problem_.steps[passed.step].kind != Kind::send;
     });
   }
 
@@ -64,12 +65,11 @@ Endurance endurance_of(const Problem& problem, const Forest& forest, const Threa
   made.always = threads_that_endure(problem, forest, behaviours, times, false);
   made.steady = threads_that_endure(problem, forest, behaviours, times, true);
   const Ending ending(problem, forest, times);
-  for (std::size_t t = 0; t < problem.threads.size(); ++t) {
-    const int thread = static_cast<int>(t);
+  for (const ThreadId t : problem.threads.ids()) {
     if (!behaviours.threads[t].leaves) continue;
-    made.leavers.push_back(thread);
-    const bool known = may_leave(problem, thread) && made.steady.reliable[t];
-    made.over = greater(made.over, known ? ending.after(fork_of(problem, thread), thread) : Sum::unbounded());
+    made.leavers.push_back(t);
+    const bool known = may_leave(problem, t) && made.steady.reliable[t];
+    made.over = greater(made.over, known ? ending.after(fork_of(problem, t), t) : Sum::unbounded());
   }
   return made;
 }

@@ -13,15 +13,15 @@ using Release = Node::Release;
 
 }  // namespace
 
-std::string EventPropagation::unbounded_reason_of(int n) const {
-  return view_.times.unbounded_reason[static_cast<std::size_t>(view_.forest.thread_of(n))];
+std::string EventPropagation::unbounded_reason_of(NodeId n) const {
+  return view_.times.unbounded_reason[view_.forest.thread_of(n)];
 }
 
-bool EventPropagation::certain(int n) {
-  const auto thread = static_cast<std::size_t>(view_.forest.thread_of(n));
+bool EventPropagation::certain(NodeId n) {
+  const ThreadId thread = view_.forest.thread_of(n);
   // A device is closed until a thread waits for its event.
-  const bool opens = node(view_.behaviours.job_start[static_cast<std::size_t>(n)]).release == Release::root;
-  if (view_.lasts(static_cast<int>(thread)) && (view_.begun[thread] || opens)) return true;
+  const bool opens = node(view_.behaviours.job_start[n]).release == Release::root;
+  if (view_.lasts(thread) && (view_.begun[thread] || opens)) return true;
   if (why_.empty()) {
     why_ = view_.times.unbounded_reason[thread];
     if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its job, or wait in it for ever";
@@ -29,7 +29,7 @@ bool EventPropagation::certain(int n) {
   return false;
 }
 
-Sum EventPropagation::node_value(int n) {
+Sum EventPropagation::node_value(NodeId n) {
   // A job may come back to a wait, and to this node, an unknown number of times.
   const auto [place, fresh] = nodes_.emplace(n, Sum::unbounded());
   if (!fresh) return place->second;
@@ -42,43 +42,42 @@ Sum EventPropagation::node_value(int n) {
   return value;
 }
 
-Sum EventPropagation::beginning_value(int n) {
+Sum EventPropagation::beginning_value(NodeId n) {
   const Beginning& begins = segment(n).beginning;
-  if (begins.kind == Beginning::Kind::entry)
-    return step_value(n, problem_.threads[static_cast<std::size_t>(begins.thread)].entry);
+  if (begins.kind == Beginning::Kind::entry) return step_value(n, problem_.threads[begins.thread].entry);
   const Step& step = step_at(begins.step);
   if (begins.kind == Beginning::Kind::joined) return step_value(n, step.next.front());
-  if (at_[static_cast<std::size_t>(begins.step)]) return reached(n, begins.step);
+  if (at_[begins.step]) return reached(n, begins.step);
   const bool gives_up = begins.kind == Beginning::Kind::give_up;
   return step_value(n, gives_up ? step.next.back() : step.next[static_cast<std::size_t>(begins.arm)]);
 }
 
-Sum EventPropagation::step_value(int n, int at) {
-  const auto known = [&](int step) { return steps_.contains({n, step}); };
-  const auto leads_on = [&](int step) {
+Sum EventPropagation::step_value(NodeId n, StepId at) {
+  const auto known = [&](StepId step) { return steps_.contains({n, step}); };
+  const auto leads_on = [&](StepId step) {
     const Kind kind = step_at(step).kind;
     const bool ends = kind == Kind::wait || kind == Kind::fork || kind == Kind::complete || kind == Kind::end;
-    return !ends && !at_[static_cast<std::size_t>(step)] && !known(step);
+    return !ends && !at_[step] && !known(step);
   };
-  backwards(problem_, at, leads_on, [&](int step) {
+  backwards(problem_, at, leads_on, [&](StepId step) {
     if (!known(step)) steps_[{n, step}] = value_of_step(n, step);
   });
   return steps_.at({n, at});
 }
 
-Sum EventPropagation::value_of_step(int n, int at) {
+Sum EventPropagation::value_of_step(NodeId n, StepId at) {
   const Step& step = step_at(at);
   Sum value = Sum::unbounded();
   if (step.kind == Kind::wait) {
     value = wait_value(n, at);
   } else if (step.kind == Kind::fork) {
-    const bool is_end = at_[static_cast<std::size_t>(at)];
+    const bool is_end = at_[at];
     value = is_end ? finished(n) : fork_value(n, at);
-  } else if (at_[static_cast<std::size_t>(at)] || step.kind == Kind::complete) {
+  } else if (at_[at] || step.kind == Kind::complete) {
     value = reached(n, at);
   } else if (step.kind != Kind::end) {
     value = may_match_nothing(step) ? reached(n, at) : no_way();
-    for (int next : step.next) {
+    for (StepId next : step.next) {
       const auto after = steps_.find({n, next});
       value = greater(value, after == steps_.end() ? Sum::unbounded() : after->second);
     }
@@ -87,48 +86,48 @@ Sum EventPropagation::value_of_step(int n, int at) {
   return value;
 }
 
-bool EventPropagation::is_put(int send) {
-  const int request = problem_.channels[static_cast<std::size_t>(step_at(send).channels.front())].answers;
-  if (request < 0 || !view_.forest.withdrawn[static_cast<std::size_t>(request)]) return true;
+bool EventPropagation::is_put(StepId send) {
+  const ChannelId request = problem_.channels[step_at(send).channels.front()].answers;
+  if (!request.valid() || !view_.forest.withdrawn[request]) return true;
   if (why_.empty()) why_ = "an answer may be discarded, since its request has been withdrawn";
   return false;
 }
 
-Sum EventPropagation::sent_value(int n, int send) {
-  const int channel = step_at(send).channels.front();
-  if (problem_.channels[static_cast<std::size_t>(channel)].answer >= 0 && may_give_up(problem_, channel)) {
+Sum EventPropagation::sent_value(NodeId n, StepId send) {
+  const ChannelId channel = step_at(send).channels.front();
+  if (problem_.channels[channel].answer.valid() && may_give_up(problem_, channel)) {
     if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
     return Sum::unbounded();
   }
-  int taker = -1;
-  for (int effect : node(n).effects) {
+  NodeId taker{};
+  for (NodeId effect : node(n).effects) {
     const auto& sends = node(effect).sends;
     if (std::find(sends.begin(), sends.end(), send) == sends.end()) continue;
-    if (taker >= 0 || node(effect).release != Release::message) return Sum::unbounded();
+    if (taker.valid() || node(effect).release != Release::message) return Sum::unbounded();
     taker = effect;
   }
-  if (taker < 0 || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return Sum::unbounded();
+  if (!taker.valid() || view_.forest.thread_of(taker) == view_.forest.thread_of(n)) return Sum::unbounded();
   // What comes back to a thread in the middle of its job is followed there.
-  if (!view_.behaviours.previous[static_cast<std::size_t>(taker)].empty()) return Sum::unbounded();
+  if (!view_.behaviours.previous[taker].empty()) return Sum::unbounded();
   return node_value(taker);
 }
 
-Sum EventPropagation::fork_value(int n, int fork) {
+Sum EventPropagation::fork_value(NodeId n, StepId fork) {
   Sum value = Sum::unbounded();
-  for (int effect : node(n).effects) {
+  for (NodeId effect : node(n).effects) {
     if (node(effect).release == Release::fork && node(effect).cause_step == fork)
       value = less(value, node_value(effect));
   }
   return value;
 }
 
-Sum EventPropagation::wait_value(int n, int wait) {
-  const int thread = view_.forest.thread_of(n);
-  if (wait == view_.behaviours.threads[static_cast<std::size_t>(thread)].idle_wait) return Sum::unbounded();
+Sum EventPropagation::wait_value(NodeId n, StepId wait) {
+  const ThreadId thread = view_.forest.thread_of(n);
+  if (wait == view_.behaviours.threads[thread].idle_wait) return Sum::unbounded();
   Sum value = no_way();
   bool any = false;
-  for (int other : view_.behaviours.threads[static_cast<std::size_t>(thread)].nodes) {
-    const auto& previous = view_.behaviours.previous[static_cast<std::size_t>(other)];
+  for (NodeId other : view_.behaviours.threads[thread].nodes) {
+    const auto& previous = view_.behaviours.previous[other];
     if (segment(other).beginning.step != wait ||
         std::find(previous.begin(), previous.end(), n) == previous.end())
       continue;

@@ -17,15 +17,15 @@ class EventPropagation {
   /// What times count from.
   enum class Since { event, nominal };
 
-  EventPropagation(const View& view, const std::vector<bool>& at, Since since)
+  EventPropagation(const View& view, const Table<StepId, bool>& at, Since since)
       : view_(view), problem_(view.problem), at_(at), since_(since) {}
 
   /// Latest first effect of a statement, if a message triggers this node.
-  Sum node_value(int n);
+  Sum node_value(NodeId n);
   /// The same for the message that `n` sends by `send` to its only receiver.
-  Sum sent_value(int n, int send);
+  Sum sent_value(NodeId n, StepId send);
   /// Whether the thread of the node makes progress in every run, as long as the skill lasts.
-  bool certain(int n);
+  bool certain(NodeId n);
   /// Why a value is unbounded; empty if no reason was found.
   const std::string& why() const { return why_; }
 
@@ -33,34 +33,34 @@ class EventPropagation {
   /// No path leads from here to an answer, nor to anything else.
   static Sum no_way() { return Sum::number(-1); }
 
-  const Node& node(int n) const { return view_.forest.nodes[static_cast<std::size_t>(n)]; }
-  const Segment& segment(int n) const { return view_.forest.segment_of(node(n)); }
-  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  const Node& node(NodeId n) const { return view_.forest.nodes[n]; }
+  const Segment& segment(NodeId n) const { return view_.forest.segment_of(node(n)); }
+  const Step& step_at(StepId step) const { return problem_.steps[step]; }
 
-  Sum reached(int n, int step) const {
+  Sum reached(NodeId n, StepId step) const {
     return since_ == Since::event ? since_event(view_, n, step) : latest(view_, n, step);
   }
-  Sum finished(int n) const {
+  Sum finished(NodeId n) const {
     return since_ == Since::event ? finish_since_event(view_, n) : finish(view_, n);
   }
-  std::string unbounded_reason_of(int n) const;
+  std::string unbounded_reason_of(NodeId n) const;
   /// Whether the message is put and not withdrawn before it is received. Otherwise it has no response, and
   /// does not propagate its event.
-  bool is_put(int send);
-  Sum beginning_value(int n);
-  Sum step_value(int n, int at);
+  bool is_put(StepId send);
+  Sum beginning_value(NodeId n);
+  Sum step_value(NodeId n, StepId at);
   /// The same from the results of the steps that follow.
-  Sum value_of_step(int n, int at);
+  Sum value_of_step(NodeId n, StepId at);
   /// Each block propagates the event, and so does its parent after they have ended.
-  Sum fork_value(int n, int fork);
-  Sum wait_value(int n, int wait);
+  Sum fork_value(NodeId n, StepId fork);
+  Sum wait_value(NodeId n, StepId wait);
 
   const View& view_;
   const Problem& problem_;
-  const std::vector<bool>& at_;
+  const Table<StepId, bool>& at_;
   Since since_;
-  std::map<int, Sum> nodes_;
-  std::map<std::pair<int, int>, Sum> steps_;
+  std::map<NodeId, Sum> nodes_;
+  std::map<std::pair<NodeId, StepId>, Sum> steps_;
   std::string why_;
 };
 

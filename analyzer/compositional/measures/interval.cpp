@@ -8,21 +8,21 @@ namespace pal::analyzer::compositional {
 namespace {
 
 /// From an effect to the next, in the one thread that comes to it.
-Bound greatest_interval(const View& view, const std::vector<bool>& at) {
-  const std::set<int> threads = owners(view, at);
+Bound greatest_interval(const View& view, const Table<StepId, bool>& at) {
+  const std::set<ThreadId> threads = owners(view, at);
   if (threads.size() != 1)
     return {Sum::unbounded(), threads.empty() ? "no thread comes to it" : "several threads come to it"};
-  const int thread = *threads.begin();
-  const auto t = static_cast<std::size_t>(thread);
+  const ThreadId thread = *threads.begin();
+  const ThreadId t = thread;
   StatementOccurrences occurrences(view, thread, at);
   const ThreadBehaviour& of = view.behaviours.threads[t];
-  const bool has_jobs = of.idle_wait >= 0 || starts_in_jobs(view, thread);
+  const bool has_jobs = of.idle_wait.valid() || starts_in_jobs(view, thread);
   const bool stops = has_jobs && !view.reliable[t] && !goes_on(view, thread);
   const Bound none{Sum::unbounded(), why_not_again(view, thread, occurrences, !stops)};
   // What has had an effect has begun.
   if (has_jobs ? stops : !view.lively[t]) return none;
   Sum end;
-  for (int n : of.nodes) {
+  for (NodeId n : of.nodes) {
     if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
   const auto follow = [&](StepEffect effect, const Sum& distance) {
@@ -46,8 +46,8 @@ Bound greatest_interval(const View& view, const std::vector<bool>& at) {
 /// in the next.
 Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
   if (all.empty()) return {};
-  const int source = view.forest.nodes[static_cast<std::size_t>(all.front().node)].source;
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  const SourceId source = view.forest.nodes[all.front().node].source;
+  const Source& of = view.forest.sources[source];
   if (of.period >= never) return {};
   Sum sooner = Sum::unbounded();
   Sum later;
@@ -58,13 +58,13 @@ Sum least_by_source(const View& view, const std::vector<StepEffect>& all) {
   }
   if (!later.bounded()) return {};
   return greater(
-      Sum(), Sum(of.period, {Term::Kind::said, -1, -1, source, "comes no sooner again"}) + sooner - later);
+      Sum(), Sum(of.period, {Term::Kind::said, {}, {}, source, "comes no sooner again"}) + sooner - later);
 }
 
 /// What the shortest way through the program takes.
-Sum by_the_way(const View& view, const std::vector<bool>& at, int thread) {
+Sum by_the_way(const View& view, const Table<StepId, bool>& at, ThreadId thread) {
   return {least_effect_distance(view.problem, thread, at),
-          {Term::Kind::said, -1, -1, -1, "what lies on the shortest way from one to the next"}};
+          {Term::Kind::said, {}, {}, {}, "what lies on the shortest way from one to the next"}};
 }
 
 Bound least_interval(const View& view, const Requirement& requirement) {
@@ -76,13 +76,13 @@ Bound least_interval(const View& view, const Requirement& requirement) {
 
 }  // namespace
 
-Sum least_distance(const View& view, const std::vector<bool>& at) {
-  const std::set<int> threads = owners(view, at);
+Sum least_distance(const View& view, const Table<StepId, bool>& at) {
+  const std::set<ThreadId> threads = owners(view, at);
   if (threads.size() != 1) return {};
   std::vector<StepEffect> all;
-  for (std::size_t s = 0; s < at.size(); ++s) {
-    if (!at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
-    for (int n : nodes_with(view, static_cast<int>(s))) all.push_back({n, static_cast<int>(s)});
+  for (const StepId s : at.ids()) {
+    if (!at[s] || !view.forest.segments.owner(s).valid()) continue;
+    for (NodeId n : nodes_with(view, s)) all.push_back({n, s});
   }
   return greater(least_by_source(view, all), by_the_way(view, at, *threads.begin()));
 }

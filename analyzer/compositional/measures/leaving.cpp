@@ -11,14 +11,14 @@ using Measure = Requirement::Measure;
 /// The next event but one must not come while the skill is ending: the first may find no idle thread. The
 /// thread that was to take it is still at work with the one before until it would have taken it.
 bool over_before_next(const View& view, DeviceId device, const Sum& over) {
-  const auto in_time = [&](const Source& source, int root) {
-    const Nanoseconds taken = view.times.nodes[static_cast<std::size_t>(root)].effects.front();
+  const auto in_time = [&](const Source& source, NodeId root) {
+    const Nanoseconds taken = view.times.nodes[root].effects.front();
     return plus(over.value(), taken) < source.period;
   };
   return std::any_of(view.forest.sources.begin(), view.forest.sources.end(), [&](const Source& source) {
     return source.kind == Source::Kind::event && source.device == device &&
            std::all_of(source.roots.begin(), source.roots.end(),
-                       [&](int root) { return in_time(source, root); });
+                       [&](NodeId root) { return in_time(source, root); });
   });
 }
 

@@ -10,15 +10,14 @@ namespace pal::analyzer::compositional {
 namespace {
 
 /// Nodes that need not come, since a longer one may come in their place.
-std::vector<bool> replaced_by_longer(const View& view) {
-  const auto worst = [&view](int n) {
-    return view.forest.segment_of(view.forest.nodes[static_cast<std::size_t>(n)]).worst;
-  };
-  std::vector<bool> replaced(view.forest.nodes.size());
-  for (const std::vector<int>& alternatives : view.behaviours.alternatives) {
-    const int longest = *std::max_element(alternatives.begin(), alternatives.end(),
-                                          [&](int one, int other) { return worst(one) < worst(other); });
-    for (int n : alternatives) replaced[static_cast<std::size_t>(n)] = n != longest;
+Table<NodeId, bool> replaced_by_longer(const View& view) {
+  const auto worst = [&view](NodeId n) { return view.forest.segment_of(view.forest.nodes[n]).worst; };
+  Table<NodeId, bool> replaced(view.forest.nodes.size());
+  for (const std::vector<NodeId>& alternatives : view.behaviours.alternatives) {
+    const NodeId longest =
+        *std::max_element(alternatives.begin(), alternatives.end(),
+                          [&](NodeId one, NodeId other) { return worst(one) < worst(other); });
+    for (NodeId n : alternatives) replaced[n] = n != longest;
   }
   return replaced;
 }
@@ -28,22 +27,22 @@ std::vector<bool> replaced_by_longer(const View& view) {
 Bound load_bound(const View& view, const Requirement& requirement) {
   constexpr Nanoseconds second = 1'000'000'000;
   const std::string whole_time = "the rates that are known add up to the whole time";
-  const Sum whole(second, {Term::Kind::said, -1, -1, -1, whole_time});
+  const Sum whole(second, {Term::Kind::said, {}, {}, {}, whole_time});
   Table<ProcessorId, Sum> busy(view.problem.processors.size());
-  const std::vector<bool> replaced = replaced_by_longer(view);
-  for (std::size_t n = 0; n < view.forest.nodes.size(); ++n) {
+  const Table<NodeId, bool> replaced = replaced_by_longer(view);
+  for (const NodeId n : view.forest.nodes.ids()) {
     const Node& node = view.forest.nodes[n];
     const Segment& segment = view.forest.segment_of(node);
-    const Source& source = view.forest.sources[static_cast<std::size_t>(node.source)];
+    const Source& source = view.forest.sources[node.source];
     if (source.period == never || segment.worst == 0 || replaced[n]) continue;
-    const auto thread = static_cast<std::size_t>(segment.beginning.thread);
+    const ThreadId thread = segment.beginning.thread;
     Sum& sum = busy[view.problem.threads[thread].processor];
     // More than the whole time is the whole time.
     const Nanoseconds share =
         segment.worst < source.period ? per_second({segment.worst, source.period}) : second;
     const std::string what =
         "runs " + milliseconds(segment.worst) + " in each " + milliseconds(source.period);
-    sum = sum + Sum(share, {Term::Kind::said, static_cast<int>(n), -1, -1, what});
+    sum = sum + Sum(share, {Term::Kind::said, n, {}, {}, what});
     if (sum.value() >= second) sum = whole;
   }
   Sum most;
@@ -58,9 +57,9 @@ Sum busy_without_pause(const View& view, ProcessorId processor) {
   if (busy >= never) return Sum::unbounded();
   Sum all;
   for (const Share& share : view.windows().work(processor, busy)) {
-    const int node = view.times.interference->node_of(share.transaction, share.task);
+    const NodeId node = view.times.interference->node_of(share.transaction, share.task);
     const std::string what = share.jobs == 1 ? "runs" : "runs " + std::to_string(share.jobs) + " times";
-    all = all + Sum(share.work, {Term::Kind::said, node, -1, -1, what});
+    all = all + Sum(share.work, {Term::Kind::said, node, {}, {}, what});
   }
   return all;
 }

@@ -8,14 +8,14 @@ namespace pal::analyzer::compositional {
 namespace {
 
 /// Why an answer to a request may get lost; empty: none may.
-std::string answers_lost(const View& view, int request) {
+std::string answers_lost(const View& view, ChannelId request) {
   const Problem& problem = view.problem;
   if (may_give_up(problem, request)) return "a thread may give up waiting for an answer";
-  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+  for (const StepId s : problem.steps.ids()) {
     const Step& step = problem.steps[s];
-    const int owner = view.forest.segments.owner(static_cast<int>(s));
-    if (owner < 0 || step.kind != Step::Kind::send || step.channels.front() != request) continue;
-    if (view.behaviours.threads[static_cast<std::size_t>(owner)].may_be_cancelled)
+    const ThreadId owner = view.forest.segments.owner(s);
+    if (!owner.valid() || step.kind != Step::Kind::send || step.channels.front() != request) continue;
+    if (view.behaviours.threads[owner].may_be_cancelled)
       return "a block that waits for an answer may be cancelled";
   }
   return "";
@@ -28,7 +28,7 @@ Bound loss_bound(const View& view, const Requirement& requirement) {
   if (std::holds_alternative<pan::EventDevice>(device.behaviour)) return event_loss_bound(view, requirement);
   if (std::holds_alternative<pan::FrameDevice>(device.behaviour))
     return {Sum::unbounded(), "how many frames start while no request for one waits is open"};
-  for (int request : device.requests) {
+  for (ChannelId request : device.requests) {
     const std::string why = answers_lost(view, request);
     if (!why.empty()) return {Sum::unbounded(), why};
   }

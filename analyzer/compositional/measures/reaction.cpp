@@ -12,9 +12,9 @@ Sum since_known(const DataFreshness& freshness, StepEffect effect, const Sum& un
   return known ? until - known->at : Sum::unbounded();
 }
 
-bool of_start(const View& view, int node) {
-  const int source = view.forest.nodes[static_cast<std::size_t>(node)].source;
-  return view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+bool of_start(const View& view, NodeId node) {
+  const SourceId source = view.forest.nodes[node].source;
+  return view.forest.sources[source].kind == Source::Kind::start;
 }
 
 }  // namespace
@@ -23,10 +23,10 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
   const DataFreshness freshness(view, requirement);
   Sum oldest;
   std::string why;
-  for (std::size_t s = 0; s < view.problem.steps.size(); ++s) {
-    if (!requirement.at[s] || view.forest.segments.owner(static_cast<int>(s)) < 0) continue;
-    for (int n : nodes_with(view, static_cast<int>(s))) {
-      const StepEffect effect{n, static_cast<int>(s)};
+  for (const StepId s : view.problem.steps.ids()) {
+    if (!requirement.at[s] || !view.forest.segments.owner(s).valid()) continue;
+    for (NodeId n : nodes_with(view, s)) {
+      const StepEffect effect{n, s};
       const Sum age = since_known(freshness, effect, latest(view, n, effect.step));
       oldest = greater(oldest, less(age, freshness.age_since_cause(effect)));
       if (!oldest.bounded() && why.empty())
@@ -39,11 +39,11 @@ Bound known_age_bound(const View& view, const Requirement& requirement) {
 
 /// From what one effect reflects to the next effect, in the one thread that comes to it.
 Bound reaction_bound(const View& view, const Requirement& requirement) {
-  const std::set<int> threads = owners(view, requirement.at);
+  const std::set<ThreadId> threads = owners(view, requirement.at);
   if (threads.size() != 1)
     return {Sum::unbounded(), threads.empty() ? "no thread comes to it" : "several threads come to it"};
-  const int thread = *threads.begin();
-  const auto t = static_cast<std::size_t>(thread);
+  const ThreadId thread = *threads.begin();
+  const ThreadId t = thread;
   const std::string& name = view.problem.threads[t].name;
   StatementOccurrences occurrences(view, thread, requirement.at);
   if (occurrences.in_jobs().empty())
@@ -64,7 +64,7 @@ Bound reaction_bound(const View& view, const Requirement& requirement) {
     longest = greater(longest, of_start(view, effect.node) ? until : since_known(freshness, effect, until));
   }
   Sum end;
-  for (int n : view.behaviours.threads[t].nodes) {
+  for (NodeId n : view.behaviours.threads[t].nodes) {
     if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
   for (const StepEffect& effect : occurrences.in_jobs()) {

@@ -2,38 +2,36 @@
 
 namespace pal::analyzer::compositional {
 
-std::string unbounded_reason_behind(const View& view, int thread) {
-  std::vector<int> open = view.behaviours.threads[static_cast<std::size_t>(thread)].nodes;
-  std::vector<bool> seen(view.forest.nodes.size());
-  if (!view.times.unbounded_reason[static_cast<std::size_t>(thread)].empty())
-    return view.times.unbounded_reason[static_cast<std::size_t>(thread)];
+std::string unbounded_reason_behind(const View& view, ThreadId thread) {
+  std::vector<NodeId> open = view.behaviours.threads[thread].nodes;
+  Table<NodeId, bool> seen(view.forest.nodes.size());
+  if (!view.times.unbounded_reason[thread].empty()) return view.times.unbounded_reason[thread];
   for (std::size_t next = 0; next < open.size(); ++next) {
-    const auto n = static_cast<std::size_t>(open[next]);
+    const NodeId n = open[next];
     if (seen[n]) continue;
     seen[n] = true;
-    const std::string& unbounded_reason =
-        view.times.unbounded_reason[static_cast<std::size_t>(view.forest.thread_of(open[next]))];
+    const std::string& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(n)];
     if (!unbounded_reason.empty()) return unbounded_reason;
     const Node& node = view.forest.nodes[n];
-    if (node.cause >= 0) {
+    if (node.cause.valid()) {
       open.push_back(node.cause);
       continue;
     }
-    for (const Source::Feed& feed : view.forest.sources[static_cast<std::size_t>(node.source)].feeds) {
-      if (feed.node >= 0) open.push_back(feed.node);
+    for (const Source::Feed& feed : view.forest.sources[node.source].feeds) {
+      if (feed.node.valid()) open.push_back(feed.node);
     }
   }
   return "";
 }
 
-std::string with_unbounded_reason(const std::string& what, const View& view, int thread) {
+std::string with_unbounded_reason(const std::string& what, const View& view, ThreadId thread) {
   const std::string behind = unbounded_reason_behind(view, thread);
   return behind.empty() ? what : what + ", since " + behind;
 }
 
-std::string why_not_again(const View& view, int thread, const StatementOccurrences& occurrences, bool goes_on,
-                          const std::string& statement) {
-  const auto t = static_cast<std::size_t>(thread);
+std::string why_not_again(const View& view, ThreadId thread, const StatementOccurrences& occurrences,
+                          bool goes_on, const std::string& statement) {
+  const ThreadId t = thread;
   if (!view.times.unbounded_reason[t].empty()) return view.times.unbounded_reason[t];
   const std::string& name = view.problem.threads[t].name;
   if (occurrences.may_skip()) return name + " need not come to " + statement + " in every job";

@@ -22,32 +22,30 @@ class Reliability {
   /// The greatest set of threads each of which relies on members alone.
   Endurance::Threads run() {
     const std::size_t count = problem_.threads.size();
-    std::vector<std::vector<int>> relies(count);
-    std::vector<std::vector<int>> begins_by(count);
+    Table<ThreadId, std::vector<ThreadId>> relies(count);
+    Table<ThreadId, std::vector<ThreadId>> begins_by(count);
     made_.reliable.assign(count, false);
     made_.lively.assign(count, false);
     made_.begun.assign(count, true);
-    for (std::size_t t = 0; t < count; ++t) {
-      const int thread = static_cast<int>(t);
+    for (const ThreadId t : relies.ids()) {
       const ThreadBehaviour& of = behaviours_.threads[t];
-      const bool goes_on = servers(thread, relies[t]) && joins(thread, relies[t]);
+      const bool goes_on = servers(t, relies[t]) && joins(t, relies[t]);
       made_.lively[t] = times_.unbounded_reason[t].empty() && goes_on;
-      made_.begun[t] = comes_to_begin(thread, begins_by[t]);
-      made_.reliable[t] = made_.lively[t] && returns_to_idle_wait(thread) &&
-                          (!of.leaves || (steady_ && may_leave(problem_, thread)));
+      made_.begun[t] = comes_to_begin(t, begins_by[t]);
+      made_.reliable[t] =
+          made_.lively[t] && returns_to_idle_wait(t) && (!of.leaves || (steady_ && may_leave(problem_, t)));
     }
     for (bool changed = true; changed;) {
       changed = false;
-      for (std::size_t t = 0; t < count; ++t) {
-        const auto serve = [this](int other) {
-          const auto o = static_cast<std::size_t>(other);
-          return made_.reliable[o] && made_.begun[o] && lasts(other);
+      for (const ThreadId t : relies.ids()) {
+        const auto serve = [this](ThreadId other) {
+          return made_.reliable[other] && made_.begun[other] && lasts(other);
         };
         const bool sound = std::all_of(relies[t].begin(), relies[t].end(), serve);
-        const int parent = problem_.threads[t].parent;
+        const ThreadId parent = problem_.threads[t].parent;
         const bool begun = made_.begun[t] && std::all_of(begins_by[t].begin(), begins_by[t].end(), serve) &&
-                           (parent < 0 || made_.begun[static_cast<std::size_t>(parent)]);
-        const bool returns = made_.reliable[t] && sound && (!steady_ || lasts(static_cast<int>(t)));
+                           (!parent.valid() || made_.begun[parent]);
+        const bool returns = made_.reliable[t] && sound && (!steady_ || lasts(t));
         if (made_.lively[t] == (made_.lively[t] && sound) && made_.reliable[t] == returns &&
             made_.begun[t] == begun)
           continue;
@@ -61,24 +59,22 @@ class Reliability {
   }
 
  private:
-  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
+  const Step& step_at(StepId step) const { return problem_.steps[step]; }
 
-  bool lasts(int thread) const {
-    return !behaviours_.threads[static_cast<std::size_t>(thread)].may_be_cancelled;
-  }
+  bool lasts(ThreadId thread) const { return !behaviours_.threads[thread].may_be_cancelled; }
 
   /// Whether no way through a thread ends, or comes to blocks that never do, before it has returned to its
   /// idle wait.
-  bool returns_to_idle_wait(int thread) const {
-    const int idle_wait = behaviours_.threads[static_cast<std::size_t>(thread)].idle_wait;
-    if (idle_wait < 0) return false;
-    return !follow(problem_, {entry_of(thread)}, [&](int at) {
+  bool returns_to_idle_wait(ThreadId thread) const {
+    const StepId idle_wait = behaviours_.threads[thread].idle_wait;
+    if (!idle_wait.valid()) return false;
+    return !follow(problem_, {entry_of(thread)}, [&](StepId at) {
       if (at == idle_wait) return Course::ends;
       return is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
   }
 
-  int entry_of(int thread) const { return problem_.threads[static_cast<std::size_t>(thread)].entry; }
+  StepId entry_of(ThreadId thread) const { return problem_.threads[thread].entry; }
 
   /// Whether its thread does not go on after a step.
   bool is_last(const Step& step) const {
@@ -86,51 +82,48 @@ class Reliability {
   }
 
   bool goes_on_after(const Step& fork) const {
-    return std::any_of(fork.threads.begin(), fork.threads.end(), [this](int block) {
-      return problem_.threads[static_cast<std::size_t>(block)].can_end;
-    });
+    return std::any_of(fork.threads.begin(), fork.threads.end(),
+                       [this](ThreadId block) { return problem_.threads[block].can_end; });
   }
 
   /// Whether a thread begins at the start of the skill, or on every path of its parent before its first job.
   /// The threads that it relies on must go on.
-  bool comes_to_begin(int thread, std::vector<int>& relies) const {
-    const int parent = problem_.threads[static_cast<std::size_t>(thread)].parent;
-    if (parent < 0) return true;
-    const int fork = fork_of(problem_, thread);
-    const int idle_wait = behaviours_.threads[static_cast<std::size_t>(parent)].idle_wait;
-    std::set<int> before;
-    const bool passed_by = follow(problem_, {entry_of(parent)}, [&](int at) {
+  bool comes_to_begin(ThreadId thread, std::vector<ThreadId>& relies) const {
+    const ThreadId parent = problem_.threads[thread].parent;
+    if (!parent.valid()) return true;
+    const StepId fork = fork_of(problem_, thread);
+    const StepId idle_wait = behaviours_.threads[parent].idle_wait;
+    std::set<StepId> before;
+    const bool passed_by = follow(problem_, {entry_of(parent)}, [&](StepId at) {
       if (at == fork) return Course::ends;
       before.insert(at);
       return at == idle_wait || is_last(step_at(at)) ? Course::found : Course::goes_on;
     });
     if (passed_by) return false;
-    for (int n : behaviours_.threads[static_cast<std::size_t>(parent)].nodes) {
-      for (const Segment::Arrival& at :
-           forest_.segment_of(forest_.nodes[static_cast<std::size_t>(n)]).forks) {
+    for (NodeId n : behaviours_.threads[parent].nodes) {
+      for (const Segment::Arrival& at : forest_.segment_of(forest_.nodes[n]).forks) {
         if (before.contains(at.step) && !joins_at(at.step, relies)) return false;
       }
     }
-    return sends_through(parent, before, relies) && std::all_of(before.begin(), before.end(), [&](int step) {
+    return sends_through(parent, before, relies) &&
+           std::all_of(before.begin(), before.end(), [&](StepId step) {
              return step_at(step).kind != Kind::wait || comes(parent, step, relies);
            });
   }
 
   /// Whether a thread's sends, those of `among`, do not wait for ever, if their takers go on.
-  bool sends_through(int thread, const std::set<int>& among, std::vector<int>& relies) const {
-    const auto may_wait = [this](int step) {
+  bool sends_through(ThreadId thread, const std::set<StepId>& among, std::vector<ThreadId>& relies) const {
+    const auto may_wait = [this](StepId step) {
       const Step& send = step_at(step);
-      return send.kind == Kind::send &&
-             !problem_.channels[static_cast<std::size_t>(send.channels.front())].receiver_device.valid() &&
-             !behaviours_.never_full[static_cast<std::size_t>(send.channels.front())];
+      return send.kind == Kind::send && !problem_.channels[send.channels.front()].receiver_device.valid() &&
+             !behaviours_.never_full[send.channels.front()];
     };
-    if (times_.blocked[static_cast<std::size_t>(thread)] && std::any_of(among.begin(), among.end(), may_wait))
-      return false;
-    for (int n : behaviours_.threads[static_cast<std::size_t>(thread)].nodes) {
-      for (int effect : forest_.nodes[static_cast<std::size_t>(n)].effects) {
-        const std::vector<int>& sends = forest_.nodes[static_cast<std::size_t>(effect)].sends;
+    if (times_.blocked[thread] && std::any_of(among.begin(), among.end(), may_wait)) return false;
+    for (NodeId n : behaviours_.threads[thread].nodes) {
+      for (NodeId effect : forest_.nodes[n].effects) {
+        const std::vector<StepId>& sends = forest_.nodes[effect].sends;
         const bool waits = std::any_of(sends.begin(), sends.end(),
-                                       [&](int send) { return among.contains(send) && may_wait(send); });
+                                       [&](StepId send) { return among.contains(send) && may_wait(send); });
         if (waits) relies.push_back(forest_.thread_of(effect));
       }
     }
@@ -138,9 +131,9 @@ class Reliability {
   }
 
   /// Whether the blocks that a thread starts all come to their end, on the way to its idle wait.
-  bool joins(int thread, std::vector<int>& relies) const {
-    for (int n : behaviours_.threads[static_cast<std::size_t>(thread)].nodes) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+  bool joins(ThreadId thread, std::vector<ThreadId>& relies) const {
+    for (NodeId n : behaviours_.threads[thread].nodes) {
+      const Node& node = forest_.nodes[n];
       for (const Segment::Arrival& fork : forest_.segment_of(node).forks) {
         if (!joins_at(fork.step, relies)) return false;
       }
@@ -148,56 +141,56 @@ class Reliability {
     return true;
   }
 
-  bool joins_at(int fork, std::vector<int>& relies) const {
-    for (int block : step_at(fork).threads) {
-      const auto b = static_cast<std::size_t>(block);
+  bool joins_at(StepId fork, std::vector<ThreadId>& relies) const {
+    for (ThreadId block : step_at(fork).threads) {
+      const ThreadId b = block;
       if (!problem_.threads[b].can_end) continue;
       if (!ends_straight(problem_, block) || !times_.unbounded_reason[b].empty()) return false;
       // What comes by itself need not come.
-      if (behaviours_.threads[b].idle_wait >= 0) return false;
+      if (behaviours_.threads[b].idle_wait.valid()) return false;
       if (!servers(block, relies) || !joins(block, relies)) return false;
     }
     return true;
   }
 
   /// The threads that answer what `thread` waits for; false: something that it waits for may never come.
-  bool servers(int thread, std::vector<int>& relies) const {
-    const ThreadBehaviour& of = behaviours_.threads[static_cast<std::size_t>(thread)];
-    std::set<int> waits;
-    for (int n : of.nodes) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
+  bool servers(ThreadId thread, std::vector<ThreadId>& relies) const {
+    const ThreadBehaviour& of = behaviours_.threads[thread];
+    std::set<StepId> waits;
+    for (NodeId n : of.nodes) {
+      const Node& node = forest_.nodes[n];
       for (const Segment::Arrival& wait : forest_.segment_of(node).waits) waits.insert(wait.step);
     }
-    for (int n : of.nodes) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
-      for (int effect : node.effects) {
+    for (NodeId n : of.nodes) {
+      const Node& node = forest_.nodes[n];
+      for (NodeId effect : node.effects) {
         // A message that no thread takes would stop its sender, sooner or later.
-        const Node& taker = forest_.nodes[static_cast<std::size_t>(effect)];
+        const Node& taker = forest_.nodes[effect];
         if (taker.release != Node::Release::message || taker.device.valid()) continue;
-        const int channel = step_at(taker.sends.front()).channels.front();
-        if (behaviours_.never_full[static_cast<std::size_t>(channel)]) continue;
+        const ChannelId channel = step_at(taker.sends.front()).channels.front();
+        if (behaviours_.never_full[channel]) continue;
         relies.push_back(forest_.thread_of(effect));
       }
     }
-    return std::all_of(waits.begin(), waits.end(), [&](int wait) {
+    return std::all_of(waits.begin(), waits.end(), [&](StepId wait) {
       return (wait == of.idle_wait && !goes_on_by_itself(of)) || comes(thread, wait, relies);
     });
   }
 
   /// Whether a wait ends: it gives up, or what it waits for has been asked for and is answered, if the server
   /// goes on.
-  bool comes(int thread, int wait, std::vector<int>& relies) const {
+  bool comes(ThreadId thread, StepId wait, std::vector<ThreadId>& relies) const {
     const Step& step = step_at(wait);
     if (step.within) return true;
     if (step.channels.size() != 1) return false;
-    const int answer = step.channels.front();
-    const Channel& channel = problem_.channels[static_cast<std::size_t>(answer)];
-    if (channel.answers < 0) return false;
+    const ChannelId answer = step.channels.front();
+    const Channel& channel = problem_.channels[answer];
+    if (!channel.answers.valid()) return false;
     if (!surely_asked(thread, wait, channel.answers, answer)) return false;
     if (channel.sender_device.valid()) return serves_all(problem_.devices[channel.sender_device]);
-    if (!behaviours_.never_full[static_cast<std::size_t>(answer)]) return false;
-    const int server = taker_of(channel.answers);
-    if (server < 0) return false;
+    if (!behaviours_.never_full[answer]) return false;
+    const ThreadId server = taker_of(channel.answers);
+    if (!server.valid()) return false;
     relies.push_back(server);
     return true;
   }
@@ -210,38 +203,34 @@ class Reliability {
   }
 
   bool goes_on_by_itself(const ThreadBehaviour& of) const {
-    return std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](int n) {
-      const Node& node = forest_.nodes[static_cast<std::size_t>(n)];
-      return forest_.sources[static_cast<std::size_t>(node.source)].kind == Source::Kind::loop &&
-             node.cause < 0;
+    return std::any_of(of.job_starts.begin(), of.job_starts.end(), [&](NodeId n) {
+      const Node& node = forest_.nodes[n];
+      return forest_.sources[node.source].kind == Source::Kind::loop && !node.cause.valid();
     });
   }
 
-  /// The only thread that receives a request, and at its idle wait; -1: there is none.
-  int taker_of(int request) const {
-    int server = -1;
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+  /// The only thread that receives a request, and at its idle wait, if there is one.
+  ThreadId taker_of(ChannelId request) const {
+    ThreadId server{};
+    for (const StepId s : problem_.steps.ids()) {
       const Step& step = problem_.steps[s];
       if (step.kind != Kind::wait) continue;
       if (std::find(step.channels.begin(), step.channels.end(), request) == step.channels.end()) continue;
-      const int owner = forest_.segments.owner(static_cast<int>(s));
-      if (owner < 0) continue;
-      if (server >= 0 ||
-          behaviours_.threads[static_cast<std::size_t>(owner)].idle_wait != static_cast<int>(s))
-        return -1;
+      const ThreadId owner = forest_.segments.owner(s);
+      if (!owner.valid()) continue;
+      if (server.valid() || behaviours_.threads[owner].idle_wait != s) return ThreadId{};
       server = owner;
     }
     return server;
   }
 
   /// Whether a wait of a block, or of one below it, may take the message, or give it up.
-  bool may_take(int block, int message) const {
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+  bool may_take(ThreadId block, ChannelId message) const {
+    for (const StepId s : problem_.steps.ids()) {
       const Step& step = problem_.steps[s];
       if (step.kind != Kind::wait) continue;
       if (std::find(step.channels.begin(), step.channels.end(), message) == step.channels.end()) continue;
-      for (int at = forest_.segments.owner(static_cast<int>(s)); at >= 0;
-           at = problem_.threads[static_cast<std::size_t>(at)].parent) {
+      for (ThreadId at = forest_.segments.owner(s); at.valid(); at = problem_.threads[at].parent) {
         if (at == block) return true;
       }
     }
@@ -250,12 +239,12 @@ class Reliability {
 
   /// Whether the thread has sent the request, and neither it nor a block of it has taken the answer, whenever
   /// it comes to the wait.
-  bool surely_asked(int thread, int wait, int request, int answer) const {
-    std::vector<int> open{entry_of(thread)};
-    for (std::size_t s = 0; s < problem_.steps.size(); ++s) {
+  bool surely_asked(ThreadId thread, StepId wait, ChannelId request, ChannelId answer) const {
+    std::vector<StepId> open{entry_of(thread)};
+    for (const StepId s : problem_.steps.ids()) {
       const Step& step = problem_.steps[s];
-      if (forest_.segments.owner(static_cast<int>(s)) != thread) continue;
-      const auto takes = [&](int block) { return may_take(block, answer); };
+      if (forest_.segments.owner(s) != thread) continue;
+      const auto takes = [&](ThreadId block) { return may_take(block, answer); };
       if (std::any_of(step.threads.begin(), step.threads.end(), takes)) open.push_back(step.next.front());
       if (step.kind != Kind::wait) continue;
       for (std::size_t arm = 0; arm < step.channels.size(); ++arm) {
@@ -264,7 +253,7 @@ class Reliability {
         if (step.within) open.push_back(step.next.back());
       }
     }
-    return !follow(problem_, open, [&](int at) {
+    return !follow(problem_, open, [&](StepId at) {
       if (at == wait) return Course::found;
       const Step& step = step_at(at);
       return step.kind == Kind::send && step.channels.front() == request ? Course::ends : Course::goes_on;
@@ -281,9 +270,9 @@ class Reliability {
 
 }  // namespace
 
-bool may_leave(const Problem& problem, int thread) {
-  return problem.threads[static_cast<std::size_t>(thread)].parent >= 0 &&
-         !recurrent(problem, {Beginning::Kind::entry, thread, -1, -1});
+bool may_leave(const Problem& problem, ThreadId thread) {
+  return problem.threads[thread].parent.valid() &&
+         !recurrent(problem, {Beginning::Kind::entry, thread, {}, -1});
 }
 
 Endurance::Threads threads_that_endure(const Problem& problem, const Forest& forest,

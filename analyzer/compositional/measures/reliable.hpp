@@ -10,6 +10,6 @@ Endurance::Threads threads_that_endure(const Problem& problem, const Forest& for
                                        const ThreadBehaviours& behaviours, const Times& times, bool steady);
 
 /// Whether a thread is a block that starts once in a skill's life and may end in any of its jobs.
-bool may_leave(const Problem& problem, int thread);
+bool may_leave(const Problem& problem, ThreadId thread);
 
 }  // namespace pal::analyzer::compositional

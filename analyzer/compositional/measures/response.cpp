@@ -13,48 +13,47 @@ Bound unknown(std::string why) {
 }
 
 /// The source of a device's events; -1: no thread waits for them.
-int source_of(const View& view, DeviceId device) {
-  for (std::size_t s = 0; s < view.forest.sources.size(); ++s) {
+SourceId source_of(const View& view, DeviceId device) {
+  for (const SourceId s : view.forest.sources.ids()) {
     const Source& of = view.forest.sources[s];
-    if (of.kind == Source::Kind::event && of.device == device) return static_cast<int>(s);
+    if (of.kind == Source::Kind::event && of.device == device) return s;
   }
-  return -1;
+  return SourceId{};
 }
 
 /// Whether events cannot overtake one another although several are on their way. They cannot if every thread
 /// that they meet serves them alone, in one job each, and if one thread answers.
-bool in_order(const View& view, const Requirement& requirement, int source) {
-  std::set<int> answering;
-  for (std::size_t i = 0; i < view.forest.nodes.size(); ++i) {
+bool in_order(const View& view, const Requirement& requirement, SourceId source) {
+  std::set<ThreadId> answering;
+  for (const NodeId i : view.forest.nodes.ids()) {
     if (view.forest.nodes[i].source != source) continue;
-    const int n = static_cast<int>(i);
-    const int thread = view.forest.thread_of(n);
-    if (view.behaviours.threads[static_cast<std::size_t>(thread)].job_starts.size() != 1) return false;
+    const NodeId n = i;
+    const ThreadId thread = view.forest.thread_of(n);
+    if (view.behaviours.threads[thread].job_starts.size() != 1) return false;
     for (const Segment::Passed& passed : view.forest.segment_of(view.forest.nodes[i]).steps) {
-      if (requirement.at[static_cast<std::size_t>(passed.step)]) answering.insert(thread);
+      if (requirement.at[passed.step]) answering.insert(thread);
     }
   }
   return answering.size() == 1;
 }
 
 /// Why events of a source may find their slot full.
-std::string overrun(const View& view, int source) {
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
-  for (int root : of.roots) {
-    const std::string& unbounded_reason =
-        view.times.unbounded_reason[static_cast<std::size_t>(view.forest.thread_of(root))];
+std::string overrun(const View& view, SourceId source) {
+  const Source& of = view.forest.sources[source];
+  for (NodeId root : of.roots) {
+    const std::string& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(root)];
     if (!unbounded_reason.empty()) return unbounded_reason;
   }
   return "nothing shows that an event of " + view.problem.devices[of.device].name +
          " is taken before the next one comes";
 }
 
-Bound to_event(const View& view, const Requirement& requirement, int source) {
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+Bound to_event(const View& view, const Requirement& requirement, SourceId source) {
+  const Source& of = view.forest.sources[source];
   if (of.roots.empty())
     return unknown("no thread waits for events of " + view.problem.devices[of.device].name);
-  const int root = of.roots.front();
-  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
+  const NodeId root = of.roots.front();
+  if (!view.times.no_overrun[source]) return unknown(overrun(view, source));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
   const Sum answer = propagation.node_value(root);
   if (!answer.bounded())
@@ -69,13 +68,12 @@ Bound to_event(const View& view, const Requirement& requirement, int source) {
 /// of the answer before. Of a request to several parties one may be made before another is answered.
 bool answered_in_turn(const View& view, const Requirement& requirement) {
   if (requirement.events.size() != 1) return false;
-  const int request = requirement.events.front();
-  const int answer = view.problem.channels[static_cast<std::size_t>(request)].answer;
-  if (answer < 0 || !view.problem.channels[static_cast<std::size_t>(answer)].sender_module.valid())
-    return false;
+  const ChannelId request = requirement.events.front();
+  const ChannelId answer = view.problem.channels[request].answer;
+  if (!answer.valid() || !view.problem.channels[answer].sender_module.valid()) return false;
   if (may_give_up(view.problem, request)) return false;
   const auto& steps = view.problem.steps;
-  for (std::size_t s = 0; s < steps.size(); ++s) {
+  for (const StepId s : steps.ids()) {
     const bool answers = steps[s].kind == Step::Kind::send && steps[s].channels.front() == answer;
     if (answers && !requirement.at[s]) return false;
   }
@@ -85,17 +83,16 @@ bool answered_in_turn(const View& view, const Requirement& requirement) {
 /// Each message is put at some instant of a job of its sender, and answered at another that the same source
 /// brings about. It must be answered before the next one can be put.
 Bound to_message(const View& view, const Requirement& requirement) {
-  const std::vector<bool> sends = sends_of_events(view.problem, requirement);
+  const Table<StepId, bool> sends = sends_of_events(view.problem, requirement);
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::nominal);
   Sum longest;
-  for (std::size_t s = 0; s < sends.size(); ++s) {
+  for (const StepId s : sends.ids()) {
     if (!sends[s]) continue;
-    const int send = static_cast<int>(s);
-    for (int n : nodes_with(view, send)) {
-      const int source = view.forest.nodes[static_cast<std::size_t>(n)].source;
-      const bool event = view.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::event;
-      if (event && !view.times.no_overrun[static_cast<std::size_t>(source)])
-        return unknown(overrun(view, source));
+    const StepId send = s;
+    for (NodeId n : nodes_with(view, send)) {
+      const SourceId source = view.forest.nodes[n].source;
+      const bool event = view.forest.sources[source].kind == Source::Kind::event;
+      if (event && !view.times.no_overrun[source]) return unknown(overrun(view, source));
       const Sum answered = propagation.sent_value(n, send);
       if (!answered.bounded())
         return unknown(propagation.why().empty() ? "a message may stay without a response"
@@ -110,14 +107,13 @@ Bound to_message(const View& view, const Requirement& requirement) {
 
 }  // namespace
 
-std::vector<bool> sends_of_events(const Problem& problem, const Requirement& requirement) {
-  std::vector<bool> sends(problem.steps.size());
+Table<StepId, bool> sends_of_events(const Problem& problem, const Requirement& requirement) {
+  Table<StepId, bool> sends(problem.steps.size());
   const bool by_device =
-      std::all_of(requirement.events.begin(), requirement.events.end(), [&problem](int channel) {
-        return problem.channels[static_cast<std::size_t>(channel)].sender_device.valid();
-      });
+      std::all_of(requirement.events.begin(), requirement.events.end(),
+                  [&problem](ChannelId channel) { return problem.channels[channel].sender_device.valid(); });
   if (by_device) return sends;  // no step sends them
-  for (std::size_t s = 0; s < sends.size(); ++s) {
+  for (const StepId s : sends.ids()) {
     const Step& step = problem.steps[s];
     sends[s] = step.kind == Step::Kind::send && requirement.is_event(step.channels.front());
   }
@@ -126,26 +122,26 @@ std::vector<bool> sends_of_events(const Problem& problem, const Requirement& req
 
 Bound response_bound(const View& view, const Requirement& requirement) {
   if (!requirement.device.valid()) return to_message(view, requirement);
-  const int source = source_of(view, requirement.device);
-  return source < 0 ? unknown(
-                          "a response to what a device answers has none, only one to an event, or to a "
-                          "message of a module")
-                    : to_event(view, requirement, source);
+  const SourceId source = source_of(view, requirement.device);
+  return !source.valid() ? unknown(
+                               "a response to what a device answers has none, only one to an event, or to a "
+                               "message of a module")
+                         : to_event(view, requirement, source);
 }
 
-bool always_comes(const View& view, int source, const std::vector<bool>& at) {
+bool always_comes(const View& view, SourceId source, const Table<StepId, bool>& at) {
   EventPropagation propagation(view, at, EventPropagation::Since::event);
-  const auto& roots = view.forest.sources[static_cast<std::size_t>(source)].roots;
+  const auto& roots = view.forest.sources[source].roots;
   return std::any_of(roots.begin(), roots.end(),
-                     [&](int root) { return propagation.node_value(root).bounded(); });
+                     [&](NodeId root) { return propagation.node_value(root).bounded(); });
 }
 
 Bound event_loss_bound(const View& view, const Requirement& requirement) {
-  const int source = source_of(view, requirement.device);
-  if (source < 0) return unknown("no thread waits for its events");
-  const Source& of = view.forest.sources[static_cast<std::size_t>(source)];
+  const SourceId source = source_of(view, requirement.device);
+  if (!source.valid()) return unknown("no thread waits for its events");
+  const Source& of = view.forest.sources[source];
   if (of.roots.empty()) return unknown("no thread waits for its events");
-  if (!view.times.no_overrun[static_cast<std::size_t>(source)]) return unknown(overrun(view, source));
+  if (!view.times.no_overrun[source]) return unknown(overrun(view, source));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
   return propagation.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(propagation.why());
 }

@@ -11,7 +11,7 @@ namespace {
 using Kind = Step::Kind;
 
 /// Whether two threads are blocks of one CONCURRENT.
-bool beside(const Problem& problem, int one, int other) {
+bool beside(const Problem& problem, ThreadId one, ThreadId other) {
   return std::any_of(problem.steps.begin(), problem.steps.end(), [one, other](const Step& step) {
     return std::count(step.threads.begin(), step.threads.end(), one) > 0 &&
            std::count(step.threads.begin(), step.threads.end(), other) > 0;
@@ -20,10 +20,10 @@ bool beside(const Problem& problem, int one, int other) {
 
 class Staleness {
  public:
-  Staleness(const View& view, ConditionId condition, int reader)
+  Staleness(const View& view, ConditionId condition, ThreadId reader)
       : view_(view), problem_(view.problem), condition_(condition), reader_(reader) {
     at_.resize(problem_.steps.size());
-    for (std::size_t s = 0; s < at_.size(); ++s) at_[s] = sets(static_cast<int>(s));
+    for (const StepId s : at_.ids()) at_[s] = sets(s);
     setters_ = owners(view, at_);
   }
 
@@ -34,34 +34,30 @@ class Staleness {
   }
 
  private:
-  const Step& step_at(int step) const { return problem_.steps[static_cast<std::size_t>(step)]; }
-  const ThreadBehaviour& behaviour(int thread) const {
-    return view_.behaviours.threads[static_cast<std::size_t>(thread)];
-  }
-  const Segment& segment(int n) const {
-    return view_.forest.segment_of(view_.forest.nodes[static_cast<std::size_t>(n)]);
-  }
-  bool sets(int step) const {
+  const Step& step_at(StepId step) const { return problem_.steps[step]; }
+  const ThreadBehaviour& behaviour(ThreadId thread) const { return view_.behaviours.threads[thread]; }
+  const Segment& segment(NodeId n) const { return view_.forest.segment_of(view_.forest.nodes[n]); }
+  bool sets(StepId step) const {
     return step_at(step).kind == Kind::set && step_at(step).condition == condition_;
   }
 
   /// A module may set a condition before its CONCURRENT, and then in a block.
   Bound several_setters() const {
     const Bound none{Sum::unbounded(), "several threads set the condition"};
-    int block = -1;
-    for (int setter : setters_) {
-      if (problem_.threads[static_cast<std::size_t>(setter)].parent < 0) continue;
-      if (block >= 0) return none;
+    ThreadId block{};
+    for (ThreadId setter : setters_) {
+      if (!problem_.threads[setter].parent.valid()) continue;
+      if (block.valid()) return none;
       block = setter;
     }
-    if (block < 0 || setters_.size() != 2) return none;
-    if (!setters_.contains(problem_.threads[static_cast<std::size_t>(block)].parent)) return none;
+    if (!block.valid() || setters_.size() != 2) return none;
+    if (!setters_.contains(problem_.threads[block].parent)) return none;
     // What the parent sets after its blocks only makes values younger, as does what it sets before.
     return distance_of_sets(block);
   }
 
-  Bound distance_of_sets(int setter) const {
-    const std::string& name = problem_.threads[static_cast<std::size_t>(setter)].name;
+  Bound distance_of_sets(ThreadId setter) const {
+    const std::string& name = problem_.threads[setter].name;
     const StatementOccurrences occurrences(view_, setter, at_);
     const bool lasts = outlasts(view_, setter, reader_);
     if (!lasts || !occurrences.in_every_job() || occurrences.in_jobs().empty())
@@ -80,15 +76,14 @@ class Staleness {
   }
 
   /// Until the first set in a job a value is as old as the skill, or as what was set before the jobs.
-  Sum until_first(int setter, const Sum& first) const {
-    const int parent = problem_.threads[static_cast<std::size_t>(setter)].parent;
-    const int above = parent < 0 ? setter : parent;
+  Sum until_first(ThreadId setter, const Sum& first) const {
+    const ThreadId parent = problem_.threads[setter].parent;
+    const ThreadId above = !parent.valid() ? setter : parent;
     Sum soonest = Sum::unbounded();
     Sum last;
-    for (int n : behaviour(above).nodes) {
-      const int source = view_.forest.nodes[static_cast<std::size_t>(n)].source;
-      const bool at_start =
-          view_.forest.sources[static_cast<std::size_t>(source)].kind == Source::Kind::start;
+    for (NodeId n : behaviour(above).nodes) {
+      const SourceId source = view_.forest.nodes[n].source;
+      const bool at_start = view_.forest.sources[source].kind == Source::Kind::start;
       if (!at_start || in_job(view_, n)) continue;
       for (const Segment::Passed& passed : segment(n).steps) {
         if (!sets(passed.step)) continue;
@@ -101,13 +96,13 @@ class Staleness {
     if (!soonest.bounded() || !first.bounded() || !sets_before_jobs(above)) return first;
     // Or the skill ends before the first of them.
     const AnalysisContext context{problem_, view_.forest, view_.behaviours};
-    for (int n : context.endings_before_idle(above)) last = greater(last, finish(view_, n));
+    for (NodeId n : context.endings_before_idle(above)) last = greater(last, finish(view_, n));
     return greater(last, first - soonest);
   }
 
   /// Every way from the beginning of a module to its first idle wait or CONCURRENT sets the condition.
-  bool sets_before_jobs(int thread) const {
-    return !follow(problem_, {problem_.threads[static_cast<std::size_t>(thread)].entry}, [&](int at) {
+  bool sets_before_jobs(ThreadId thread) const {
+    return !follow(problem_, {problem_.threads[thread].entry}, [&](StepId at) {
       if (sets(at)) return Course::ends;
       return at == behaviour(thread).idle_wait || step_at(at).kind == Kind::fork ? Course::found
                                                                                  : Course::goes_on;
@@ -117,34 +112,34 @@ class Staleness {
   const View& view_;
   const Problem& problem_;
   ConditionId condition_;
-  int reader_;
-  std::vector<bool> at_;  // the sets
-  std::set<int> setters_;
+  ThreadId reader_;
+  Table<StepId, bool> at_;  // the sets
+  std::set<ThreadId> setters_;
 };
 
 }  // namespace
 
-bool outlasts(const View& view, int thread, int reader) {
+bool outlasts(const View& view, ThreadId thread, ThreadId reader) {
   if (!goes_on(view, thread)) return false;
-  const auto behaviour = [&view](int of) { return view.behaviours.threads[static_cast<std::size_t>(of)]; };
+  const auto behaviour = [&view](ThreadId of) { return view.behaviours.threads[of]; };
   if (thread == reader || !behaviour(thread).may_be_cancelled) return true;
-  const Thread& lasting = view.problem.threads[static_cast<std::size_t>(thread)];
-  const Thread& reads = view.problem.threads[static_cast<std::size_t>(reader)];
+  const Thread& lasting = view.problem.threads[thread];
+  const Thread& reads = view.problem.threads[reader];
   // Blocks that end are over before those beside them are cancelled.
   if (lasting.can_end || !reads.can_end || !beside(view.problem, thread, reader)) return false;
   return !behaviour(lasting.parent).may_be_cancelled;
 }
 
-const Sum& replaced(const View& view, const StatementOccurrences& sets, int setter, int reader) {
-  const Thread& sets_it = view.problem.threads[static_cast<std::size_t>(setter)];
-  const Thread& reads_it = view.problem.threads[static_cast<std::size_t>(reader)];
+const Sum& replaced(const View& view, const StatementOccurrences& sets, ThreadId setter, ThreadId reader) {
+  const Thread& sets_it = view.problem.threads[setter];
+  const Thread& reads_it = view.problem.threads[reader];
   const bool gives_way = sets_it.processor == reads_it.processor &&
                          view.problem.processors[sets_it.processor].preemptive &&
                          reads_it.priority < sets_it.priority;
   return gives_way ? sets.released() : sets.latest();
 }
 
-Bound value_age(const View& view, ConditionId condition, int reader) {
+Bound value_age(const View& view, ConditionId condition, ThreadId reader) {
   return Staleness(view, condition, reader).run();
 }
 

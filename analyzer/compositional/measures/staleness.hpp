@@ -6,15 +6,15 @@
 namespace pal::analyzer::compositional {
 
 /// Greatest time since the set (or since time 0) whose value `reader` may read of `condition`.
-Bound value_age(const View& view, ConditionId condition, int reader);
+Bound value_age(const View& view, ConditionId condition, ThreadId reader);
 
 /// Whether `thread` continues with its jobs for as long as `reader` does.
-bool outlasts(const View& view, int thread, int reader);
+bool outlasts(const View& view, ThreadId thread, ThreadId reader);
 
 /// Until when `reader` may read what was set in the previous job, counted from the nominal instant of a job
 /// of `setter`. Usually it is until the next set. It is earlier, at the release of the setting segment, in
 /// one case: the reader runs on the same preemptive processor, and only when the setter has nothing to do (M.
 /// Dürr and others, 2019).
-const Sum& replaced(const View& view, const StatementOccurrences& sets, int setter, int reader);
+const Sum& replaced(const View& view, const StatementOccurrences& sets, ThreadId setter, ThreadId reader);
 
 }  // namespace pal::analyzer::compositional

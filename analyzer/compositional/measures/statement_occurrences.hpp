@@ -22,7 +22,7 @@ struct Way {
 /// The effects of the statements `at` in one thread that returns to its idle wait after every job.
 class StatementOccurrences {
  public:
-  StatementOccurrences(const View& view, int thread, const std::vector<bool>& at);
+  StatementOccurrences(const View& view, ThreadId thread, const Table<StepId, bool>& at);
 
   const std::vector<StepEffect>& in_jobs() const { return in_jobs_; }
   const std::vector<StepEffect>& before_jobs() const { return before_jobs_; }
@@ -51,25 +51,25 @@ class StatementOccurrences {
   Sum first_or_end(const Sum& effect) const;
 
  private:
-  Way from(int node, int step);
+  Way from(NodeId node, StepId step);
   /// The same from the results of the steps that follow. Unbounded in a cycle of steps.
-  Way way_from(int node, int step);
-  Way beyond_wait(int node, int wait);
-  Way begun(int node);
+  Way way_from(NodeId node, StepId step);
+  Way beyond_wait(NodeId node, StepId wait);
+  Way begun(NodeId node);
   /// The first step of a node's segment behind the wait that begins it; nothing: that wait is one of the
   /// statements.
-  std::optional<int> opening(int node) const;
-  void find_ends(int source);
+  std::optional<StepId> opening(NodeId node) const;
+  void find_ends(SourceId source);
   void merge(Way& into, const Way& other) const;
 
   const View& view_;
-  int thread_;
-  const std::vector<bool>& at_;
-  std::vector<bool> reachable_;  // by step: one of the statements can still come
-  bool begins_again_;            // a block of a CONCURRENT that comes again
+  ThreadId thread_;
+  const Table<StepId, bool>& at_;
+  Table<StepId, bool> reachable_;  // by step: one of the statements can still come
+  bool begins_again_;              // a block of a CONCURRENT that comes again
   std::vector<StepEffect> in_jobs_;
   std::vector<StepEffect> before_jobs_;
-  std::map<std::pair<int, int>, Way> known_;
+  std::map<std::pair<NodeId, StepId>, Way> known_;
   bool in_every_job_ = false;
   bool may_skip_ = false;
   Sum latest_;

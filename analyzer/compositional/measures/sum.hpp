@@ -12,7 +12,7 @@ namespace pal::analyzer::compositional {
 /// One term of a sum.
 struct Term {
   enum class Kind {
-    latest,       // effect of `step` in `node` at the latest; of its last step: `step` is -1
+    latest,       // effect of `step` in `node` at the latest; of its last step: without `step`
     since_event,  // the same, counted from the event itself
     since_cause,  // the same, counted from the latest release of `cause`
     earliest,     // and at the earliest
@@ -22,11 +22,11 @@ struct Term {
     said,         // `what`
   };
   Kind kind = Kind::said;
-  int node = -1;  // said: a node of the thread that does it; -1: none does
-  int step = -1;
-  int source = -1;
+  NodeId node{};  // said: a node of the thread that does it; -1: none does
+  StepId step{};
+  SourceId source{};
   std::string what;
-  int cause = -1;  // node
+  NodeId cause{};  // node
 };
 
 /// A time or a difference of times, with the terms it is made of. Saturates at `never`, which has no terms.

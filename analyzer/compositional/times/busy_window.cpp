@@ -24,19 +24,18 @@ Nanoseconds least_window(Nanoseconds fixed, double share, double carried) {
 
 }  // namespace
 
-int BusyWindows::add(Transaction transaction) {
-  const int index = static_cast<int>(transactions_.size());
+TransactionId BusyWindows::add(Transaction transaction) {
+  const TransactionId index(transactions_.size());
   by_processor_.resize(preemptive_.size());
   std::set<ProcessorId> processors;
-  for (std::size_t t = 0; t < transaction.tasks.size(); ++t) {
+  for (const TaskId t : transaction.tasks.ids()) {
     auto& groups = by_processor_[transaction.tasks[t].processor];
     const Task& task = transaction.tasks[t];
     if (processors.insert(task.processor).second) {
-      const int first = static_cast<int>(t);
-      groups.push_back({index, task.priority, {}, {}, first, transaction.period, task.cost, task.jitter});
+      groups.push_back({index, task.priority, {}, {}, t, transaction.period, task.cost, task.jitter});
     }
     groups.back().priority = std::max(groups.back().priority, task.priority);
-    groups.back().tasks.push_back(static_cast<int>(t));
+    groups.back().tasks.push_back(t);
     const double cost = static_cast<double>(task.cost);
     const bool once = transaction.period == never;
     groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
@@ -47,14 +46,13 @@ int BusyWindows::add(Transaction transaction) {
     const auto place = std::upper_bound(groups.begin(), groups.end() - 1, groups.back(), above);
     std::rotate(place, groups.end() - 1, groups.end());
   }
-  transactions_.push_back(std::move(transaction));
-  return index;
+  return transactions_.push_back(std::move(transaction));
 }
 
-void BusyWindows::set_jitter(int transaction, int task, Nanoseconds jitter, Nanoseconds most) {
-  Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
+void BusyWindows::set_jitter(TransactionId transaction, TaskId task, Nanoseconds jitter, Nanoseconds most) {
+  Transaction& of = transactions_[transaction];
   of.set_jitter(task, jitter, most);
-  const Task& changed = of.tasks[static_cast<std::size_t>(task)];
+  const Task& changed = of.tasks[task];
   auto& groups = by_processor_[changed.processor];
   const auto before = [&](const Group& group, int priority) {
     return group.priority != priority ? group.priority > priority : group.transaction < transaction;
@@ -64,16 +62,16 @@ void BusyWindows::set_jitter(int transaction, int task, Nanoseconds jitter, Nano
     place->jitter = changed.jitter;
 }
 
-Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
+Nanoseconds BusyWindows::of_scenario(const Group& group, TaskId scenario, const Asked& asked, int priority,
                                      Nanoseconds length, Shares* shares) const {
-  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
-  const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
+  const Transaction& of = transactions_[group.transaction];
+  const Task& first = of.tasks[scenario];
   const auto released = [&](const auto& task, Nanoseconds due) {
     return asked.drifting ? releases(of.period, task.jitter, length) : count(of, task.jitter, due, length);
   };
   Tally tally(of, group.transaction, shares);
-  for (int t : group.tasks) {
-    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+  for (TaskId t : group.tasks) {
+    const Task& task = of.tasks[t];
     if (t == asked.task || task.priority < priority || task.cost == 0) continue;
     if (!counts(asked.asker, group.transaction, t)) continue;
     const Nanoseconds due = phase(of, first, task.offset);
@@ -89,12 +87,12 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, int scenario, const Ask
 }
 
 bool BusyWindows::drifts(const Group& group, const Task* asker, int priority) const {
-  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  const Transaction& of = transactions_[group.transaction];
   if (of.regular || of.period == never) return false;
   Nanoseconds soonest = never;
   Nanoseconds latest = 0;
-  for (int t : group.tasks) {
-    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+  for (TaskId t : group.tasks) {
+    const Task& task = of.tasks[t];
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
     const Nanoseconds offset =
         task.among < 0 ? task.offset : of.alternatives[static_cast<std::size_t>(task.among)].offset;
@@ -104,12 +102,12 @@ bool BusyWindows::drifts(const Group& group, const Task* asker, int priority) co
   return latest > plus(soonest, of.period);
 }
 
-bool BusyWindows::drifts_from(const Group& group, int task) const {
-  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+bool BusyWindows::drifts_from(const Group& group, TaskId task) const {
+  const Transaction& of = transactions_[group.transaction];
   if (of.regular) return false;
-  const Task& self = of.tasks[static_cast<std::size_t>(task)];
-  return std::any_of(group.tasks.begin(), group.tasks.end(), [&](int t) {
-    const Task& other = of.tasks[static_cast<std::size_t>(t)];
+  const Task& self = of.tasks[task];
+  return std::any_of(group.tasks.begin(), group.tasks.end(), [&](TaskId t) {
+    const Task& other = of.tasks[t];
     if (t == task || other.priority < self.priority || other.cost == 0 ||
         !counts(&self, group.transaction, t))
       return false;
@@ -121,13 +119,13 @@ bool BusyWindows::drifts_from(const Group& group, int task) const {
 /// Of the worst of a transaction's scenarios.
 Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
                                   Shares* shares) const {
-  const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+  const Transaction& of = transactions_[group.transaction];
   const bool alone = of.period == never || drifts(group, asker, priority);
   Nanoseconds most = 0;
-  int worst = -1;
+  TaskId worst{};
   Tally one_by_one(of, group.transaction, shares);
-  for (int t : group.tasks) {
-    const Task& task = of.tasks[static_cast<std::size_t>(t)];
+  for (TaskId t : group.tasks) {
+    const Task& task = of.tasks[t];
     if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
     if (alone) {
       one_by_one.add(t, releases(of.period, task.jitter, length));
@@ -135,17 +133,17 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int pri
     }
     if (group.tasks.size() > many_tasks && stops()) return never;
     const Nanoseconds work = of_scenario(group, t, {asker}, priority, length);
-    if (worst < 0 || work > most) worst = t;
+    if (!worst.valid() || work > most) worst = t;
     most = std::max(most, work);
   }
   if (alone)
     return one_by_one.total([&](const Alternatives& all) { return releases(of.period, all.jitter, length); });
-  if (shares != nullptr && worst >= 0) of_scenario(group, worst, {asker}, priority, length, shares);
+  if (shares != nullptr && worst.valid()) of_scenario(group, worst, {asker}, priority, length, shares);
   return most;
 }
 
-Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
-                                   Nanoseconds length, Shares* shares) const {
+Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, TransactionId own, const Task* asker,
+                                   int priority, Nanoseconds length, Shares* shares) const {
   Nanoseconds work = 0;
   for (const Group& group : groups) {
     if (group.priority < priority) break;
@@ -164,19 +162,20 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, int own, co
   return work;
 }
 
-Nanoseconds BusyWindows::of_siblings(int transaction, int task, Nanoseconds length, Shares* shares) const {
-  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
-  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+Nanoseconds BusyWindows::of_siblings(TransactionId transaction, TaskId task, Nanoseconds length,
+                                     Shares* shares) const {
+  const Transaction& of = transactions_[transaction];
+  const Task& self = of.tasks[task];
   Tally tally(of, transaction, shares);
-  for (const int t : group_of(transaction, self.processor)->tasks) {
-    const Task& other = of.tasks[static_cast<std::size_t>(t)];
+  for (const TaskId t : group_of(transaction, self.processor)->tasks) {
+    const Task& other = of.tasks[t];
     if (t == task || other.cost == 0 || other.priority < self.priority) continue;
     if (counts(&self, transaction, t) && !comes_after(of, self, t, length)) tally.add(t, 1);
   }
   return tally.total([](const Alternatives&) { return Nanoseconds{1}; });
 }
 
-BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const {
+BusyWindows::Load BusyWindows::load_of(TransactionId transaction, const Task& self) const {
   struct Longest {
     double share = 0;
     Nanoseconds cost = 0;
@@ -205,11 +204,11 @@ BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const 
       add(once, group.shares.front(), group.cost, group.jitter);
       continue;
     }
-    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
+    const Transaction& of = transactions_[group.transaction];
     const bool once = of.period == never;
     longest.assign(of.alternatives.size(), {});
     for (std::size_t t = 0; t < group.tasks.size(); ++t) {
-      const Task& task = of.tasks[static_cast<std::size_t>(group.tasks[t])];
+      const Task& task = of.tasks[group.tasks[t]];
       if (task.priority < self.priority || task.cost == 0) continue;
       if (!counts(&self, group.transaction, group.tasks[t])) continue;
       load.bounded = load.bounded && task.cost < never && (once || task.jitter < never);
@@ -225,10 +224,9 @@ BusyWindows::Load BusyWindows::load_of(int transaction, const Task& self) const 
   return load;
 }
 
-BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nanoseconds part,
+BusyWindows::Critical BusyWindows::critical_once(TransactionId transaction, TaskId task, Nanoseconds part,
                                                  Nanoseconds blocking, Since since, const Load& load) const {
-  const Task& self =
-      transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)];
+  const Task& self = transactions_[transaction].tasks[task];
   const auto& groups = by_processor_[self.processor];
   const bool preemptive = preemptive_[self.processor];
   const Nanoseconds fixed = blocking + (preemptive ? part : 0);
@@ -238,7 +236,7 @@ BusyWindows::Critical BusyWindows::critical_once(int transaction, int task, Nano
                                   of_others(groups, transaction, &self, self.priority, window));
     if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
-      return {released + window + (preemptive ? 0 : part), window, -1, 1};
+      return {released + window + (preemptive ? 0 : part), window, TaskId{}, 1};
     }
     if (next > longest_window) break;
     window = next;
@@ -261,7 +259,8 @@ Nanoseconds BusyWindows::busy(ProcessorId processor) const {
 
 std::vector<Share> BusyWindows::work(ProcessorId processor, Nanoseconds busy) const {
   Shares shares;
-  of_others(by_processor_[processor], -1, nullptr, std::numeric_limits<int>::min(), busy, &shares);
+  of_others(by_processor_[processor], TransactionId{}, nullptr, std::numeric_limits<int>::min(), busy,
+            &shares);
   return shares;
 }
 
@@ -270,16 +269,16 @@ Nanoseconds BusyWindows::window(ProcessorId processor, int priority, Nanoseconds
   const auto& groups = by_processor_[processor];
   for (const Group& group : groups) {
     if (group.priority < priority) break;
-    const Transaction& of = transactions_[static_cast<std::size_t>(group.transaction)];
-    for (int t : group.tasks) {
-      const Task& task = of.tasks[static_cast<std::size_t>(t)];
+    const Transaction& of = transactions_[group.transaction];
+    for (TaskId t : group.tasks) {
+      const Task& task = of.tasks[t];
       if (task.priority >= priority && (task.cost >= never || (task.jitter >= never && of.period != never)))
         return never;
     }
   }
   Nanoseconds length = cost;
   for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
-    const Nanoseconds next = plus(cost, of_others(groups, -1, nullptr, priority, length));
+    const Nanoseconds next = plus(cost, of_others(groups, TransactionId{}, nullptr, priority, length));
     if (next <= length) return length;
     if (next > longest_window) break;
     length = next;
@@ -287,10 +286,10 @@ Nanoseconds BusyWindows::window(ProcessorId processor, int priority, Nanoseconds
   return never;
 }
 
-BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
-                                            Since since) const {
-  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
-  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId task, Nanoseconds part,
+                                            Nanoseconds blocking, Since since) const {
+  const Transaction& of = transactions_[transaction];
+  const Task& self = of.tasks[task];
   if (blocking >= never || self.jitter >= never) return {never};
   const auto& groups = by_processor_[self.processor];
   const bool preemptive = preemptive_[self.processor];
@@ -310,8 +309,8 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
     if (fresh) place->second = found();
     return place->second;
   };
-  for (int scenario : own.tasks) {
-    const Task& first = of.tasks[static_cast<std::size_t>(scenario)];
+  for (TaskId scenario : own.tasks) {
+    const Task& first = of.tasks[scenario];
     if (first.priority < self.priority || (first.cost == 0 && scenario != task)) continue;
     if (scenario != task && (drifting || !counts(&self, transaction, scenario))) continue;
     const Nanoseconds due = phase(of, first, self.offset);
@@ -351,25 +350,25 @@ BusyWindows::Critical BusyWindows::critical(int transaction, int task, Nanosecon
   return latest;
 }
 
-Nanoseconds BusyWindows::finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
-                                Since since) const {
+Nanoseconds BusyWindows::finish(TransactionId transaction, TaskId task, Nanoseconds part,
+                                Nanoseconds blocking, Since since) const {
   return critical(transaction, task, part, blocking, since).finish;
 }
 
-FinishBreakdown BusyWindows::breakdown(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
-                                       Since since) const {
-  const Transaction& of = transactions_[static_cast<std::size_t>(transaction)];
-  const Task& self = of.tasks[static_cast<std::size_t>(task)];
+FinishBreakdown BusyWindows::breakdown(TransactionId transaction, TaskId task, Nanoseconds part,
+                                       Nanoseconds blocking, Since since) const {
+  const Transaction& of = transactions_[transaction];
+  const Task& self = of.tasks[task];
   const auto& groups = by_processor_[self.processor];
   const Critical worst = critical(transaction, task, part, blocking, since);
   FinishBreakdown breakdown;
   breakdown.blocking = blocking;
   of_others(groups, transaction, &self, self.priority, worst.length, &breakdown.others);
-  if (worst.scenario < 0) {
+  if (!worst.scenario.valid()) {
     of_siblings(transaction, task, worst.length, &breakdown.others);
     return breakdown;
   }
-  const Nanoseconds due = phase(of, of.tasks[static_cast<std::size_t>(worst.scenario)], self.offset);
+  const Nanoseconds due = phase(of, of.tasks[worst.scenario], self.offset);
   const Nanoseconds earlier = worst.job - 1 + (self.jitter + due) / of.period;
   const Group& own = *group_of(transaction, self.processor);
   const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,
@@ -382,7 +381,7 @@ FinishBreakdown BusyWindows::breakdown(int transaction, int task, Nanoseconds pa
   return breakdown;
 }
 
-const BusyWindows::Group* BusyWindows::group_of(int transaction, ProcessorId processor) const {
+const BusyWindows::Group* BusyWindows::group_of(TransactionId transaction, ProcessorId processor) const {
   for (const Group& group : by_processor_[processor]) {
     if (group.transaction == transaction) return &group;
   }

@@ -42,17 +42,16 @@ class BusyWindows {
   void go_on() { stop_ = {}; }
 
   /// Adds a transaction; its tasks' jitter, and what counts for them, may change later, nothing else.
-  int add(Transaction transaction);
-  void set_jitter(int transaction, int task, Nanoseconds jitter, Nanoseconds most);
-  void set_without(int transaction, int task, std::vector<std::pair<int, int>> without) {
-    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].without =
-        std::move(without);
+  TransactionId add(Transaction transaction);
+  void set_jitter(TransactionId transaction, TaskId task, Nanoseconds jitter, Nanoseconds most);
+  void set_without(TransactionId transaction, TaskId task,
+                   std::vector<std::pair<TransactionId, TaskId>> without) {
+    transactions_[transaction].tasks[task].without = std::move(without);
   }
-  void set_separations(int transaction, int task, std::vector<Separation> separations) {
-    transactions_[static_cast<std::size_t>(transaction)].tasks[static_cast<std::size_t>(task)].separations =
-        std::move(separations);
+  void set_separations(TransactionId transaction, TaskId task, std::vector<Separation> separations) {
+    transactions_[transaction].tasks[task].separations = std::move(separations);
   }
-  const Transaction& transaction(int index) const { return transactions_[static_cast<std::size_t>(index)]; }
+  const Transaction& transaction(TransactionId id) const { return transactions_[id]; }
 
   /// How long after the occurrence, or the release, the first `part` of the task's cost is done at the
   /// latest. `blocking` is the longest time for which work of lower priority keeps the processor. `never`: no
@@ -60,12 +59,12 @@ class BusyWindows {
   ///
   /// Work of the same priority counts as if it went first. What is released at the very instant at which the
   /// work ends comes before that end: PAL leaves the order at one instant open.
-  Nanoseconds finish(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+  Nanoseconds finish(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                      Since since = Since::occurrence) const;
 
   /// Adds up to finish(), with `part` and, since the occurrence, the latest release; for a finish that is
   /// bounded.
-  FinishBreakdown breakdown(int transaction, int task, Nanoseconds part, Nanoseconds blocking,
+  FinishBreakdown breakdown(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                             Since since = Since::occurrence) const;
 
   /// How long after the release of the first of `chain` the first `part` of the last one's cost is done at
@@ -75,9 +74,11 @@ class BusyWindows {
   ///
   /// All of them work at the least of their priorities, and others delay them once together (J. Schlatow and
   /// R. Ernst, Response-time analysis for task chains in communicating threads, RTAS 2016).
-  Nanoseconds joint_finish(int transaction, const std::vector<int>& chain, Nanoseconds part) const;
+  Nanoseconds joint_finish(TransactionId transaction, const std::vector<TaskId>& chain,
+                           Nanoseconds part) const;
   /// What else than the chain's own work adds up to a joint_finish() that is bounded.
-  std::vector<Share> joint_breakdown(int transaction, const std::vector<int>& chain, Nanoseconds part) const;
+  std::vector<Share> joint_breakdown(TransactionId transaction, const std::vector<TaskId>& chain,
+                                     Nanoseconds part) const;
 
   /// How long `cost` takes at most for a thread of `priority` that has the processor. When it begins, nothing
   /// of higher priority is left to do.
@@ -93,12 +94,12 @@ class BusyWindows {
  private:
   /// Tasks of one transaction on one processor.
   struct Group {
-    int transaction;
+    TransactionId transaction;
     int priority;  // the greatest of them
-    std::vector<int> tasks;
+    std::vector<TaskId> tasks;
     std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
     // The first task, which mostly is alone: windows go through all groups of a processor.
-    int first = -1;
+    TaskId first{};
     Nanoseconds period = 0;
     Nanoseconds cost = 0;
     Nanoseconds jitter = 0;
@@ -117,7 +118,7 @@ class BusyWindows {
   /// occurrence at `occurrence`, counted from the beginning of the window, and of later ones.
   struct Asked {
     const Task* asker = nullptr;  // whose `without` does not count
-    int task = -1;
+    TaskId task{};
     bool precedes = false;
     Nanoseconds occurrence = 0;
     bool drifting = false;  // drifts_from() the task
@@ -127,41 +128,42 @@ class BusyWindows {
   struct Critical {
     Nanoseconds finish = 0;
     Nanoseconds length = 0;  // until the part is done (preemptive), or begins (not preemptive)
-    int scenario = -1;       // task whose release begins the window; -1: its transaction occurs once
+    TaskId scenario{};       // task whose release begins the window; -1: its transaction occurs once
     Nanoseconds job = 0;
   };
   using Shares = std::vector<Share>;
 
   /// Work in a window; if `shares` is given, also what it is made of.
-  Nanoseconds of_scenario(const Group& group, int scenario, const Asked& asked, int priority,
+  Nanoseconds of_scenario(const Group& group, TaskId scenario, const Asked& asked, int priority,
                           Nanoseconds length, Shares* shares = nullptr) const;
   Nanoseconds of_group(const Group& group, const Task* asker, int priority, Nanoseconds length,
                        Shares* shares) const;
   /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
-  Nanoseconds of_others(const std::vector<Group>& groups, int own, const Task* asker, int priority,
+  Nanoseconds of_others(const std::vector<Group>& groups, TransactionId own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
   /// Whether tasks can come nearer together than occurrences a period apart allow. This needs occurrences
   /// that are sometimes further apart. And one of the tasks must come more than a period later after its
   /// occurrence than another. Then each counts by itself.
   bool drifts(const Group& group, const Task* asker, int priority) const;
   /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
-  bool drifts_from(const Group& group, int task) const;
-  Load load_of(int transaction, const Task& self) const;
+  bool drifts_from(const Group& group, TaskId task) const;
+  Load load_of(TransactionId transaction, const Task& self) const;
   /// Tasks of a transaction that occurs once, which may come before the end of a window of one of them.
-  Nanoseconds of_siblings(int transaction, int task, Nanoseconds length, Shares* shares) const;
-  Critical critical(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since) const;
-  Critical critical_once(int transaction, int task, Nanoseconds part, Nanoseconds blocking, Since since,
-                         const Load& load) const;
-  const Group* group_of(int transaction, ProcessorId processor) const;
+  Nanoseconds of_siblings(TransactionId transaction, TaskId task, Nanoseconds length, Shares* shares) const;
+  Critical critical(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
+                    Since since) const;
+  Critical critical_once(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
+                         Since since, const Load& load) const;
+  const Group* group_of(TransactionId transaction, ProcessorId processor) const;
 
   /// A chain of tasks, taken as one.
   struct JointTasks {
-    int transaction = -1;
-    std::vector<int> tasks;
+    TransactionId transaction{};
+    std::vector<TaskId> tasks;
     int priority = 0;      // the least of them
     Nanoseconds cost = 0;  // of all
   };
-  JointTasks joint_tasks(int transaction, std::vector<int> chain) const;
+  JointTasks joint_tasks(TransactionId transaction, std::vector<TaskId> chain) const;
   /// Work of other tasks of its transaction in a window; unless `in_whole`, until the last task of the chain
   /// is done.
   Nanoseconds of_own(const JointTasks& joint, Nanoseconds length, bool in_whole,
@@ -173,7 +175,7 @@ class BusyWindows {
 
   Table<ProcessorId, bool> preemptive_;
   std::function<bool()> stop_;
-  std::vector<Transaction> transactions_;
+  Table<TransactionId, Transaction> transactions_;
   Table<ProcessorId, std::vector<Group>> by_processor_;  // the greatest priority first
 };
 

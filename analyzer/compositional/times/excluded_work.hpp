@@ -27,27 +27,26 @@ class ExcludedWork {
   /// - All that recurs and counts is released only after that work, in every run.
   /// - The processor is preemptive, and the work has a lower priority than all that recurs and counts. So
   ///   nothing of it was waiting while that work ran.
-  std::vector<int> of(int node, bool done_before_next, bool in_turn) const;
+  std::vector<NodeId> of(NodeId node, bool done_before_next, bool in_turn) const;
   /// By processor.
-  const std::vector<int>& nodes_on(ProcessorId processor) const { return nodes_on_[processor]; }
+  const std::vector<NodeId>& nodes_on(ProcessorId processor) const { return nodes_on_[processor]; }
 
  private:
   using Bits = std::vector<std::uint64_t>;
 
-  bool comes_later(int node, int other) const;
-  bool never_overlap(int node, int other, bool done_before_next, bool in_turn) const;
-  bool is_once_with(int node, int other) const;
-  bool recurs(int node) const;
-  bool is_before(int before, const Bits& set) const;
+  bool comes_later(NodeId node, NodeId other) const;
+  bool never_overlap(NodeId node, NodeId other, bool done_before_next, bool in_turn) const;
+  bool recurs(NodeId node) const;
+  bool is_before(NodeId before, const Bits& set) const;
   /// The nodes of a processor that are among these.
-  Bits set_of(ProcessorId processor, const std::vector<int>& nodes) const;
+  Bits set_of(ProcessorId processor, const std::vector<NodeId>& nodes) const;
 
   AnalysisContext context_;
-  Table<ProcessorId, std::vector<int>> nodes_on_;
-  std::vector<std::size_t> place_;  // by node: in nodes_on_
-  std::vector<Bits> after_;         // by node: those of its processor that are released only after it is done
+  Table<ProcessorId, std::vector<NodeId>> nodes_on_;
+  Table<NodeId, std::size_t> place_;  // in nodes_on_
+  Table<NodeId, Bits> after_;         // those of its processor that are released only after it is done
   std::shared_ptr<const Order> order_;
-  std::vector<std::vector<int>> never_together_;  // by node
+  Table<NodeId, std::vector<NodeId>> never_together_;
 };
 
 }  // namespace pal::analyzer::compositional

@@ -7,11 +7,12 @@
 namespace pal::analyzer::compositional {
 
 /// The latest instant at which a thread is idle for the first time, or the skill has ended.
-Nanoseconds first_idle(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread);
+Nanoseconds first_idle(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes,
+                       ThreadId thread);
 
 /// Latest arrival of a node at a wait or a fork.
-Nanoseconds latest_arrival(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
-                           int step);
+Nanoseconds latest_arrival(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes, NodeId node,
+                           StepId step);
 
 /// Fills in no_overrun, longest_gap and first.
 void find_inter_arrivals(const AnalysisContext& context, Times& times);

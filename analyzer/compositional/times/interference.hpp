@@ -13,72 +13,75 @@ class Interference {
  public:
   /// Registers each node as a task of its source's transaction; the offset is its earliest release. Must not
   /// be used after `stop` has returned true.
-  Interference(const AnalysisContext& context, const std::vector<NodeTimes>& nodes,
+  Interference(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes,
                const std::function<bool()>& stop);
 
   /// Sets the release jitter of the node.
-  void announce(int node, const NodeTimes& times);
+  void announce(NodeId node, const NodeTimes& times);
   /// A bound of the release jitter, however late a node's causes are. One message in each slot and one in
   /// each thread can be queued on the way to it.
-  Nanoseconds greatest_jitter(int node) const;
+  Nanoseconds greatest_jitter(NodeId node) const;
   /// The same for alternatives taken together, whose paths may share slots and threads.
-  Nanoseconds piled_up(const std::vector<int>& alternatives) const;
+  Nanoseconds piled_up(const std::vector<NodeId>& alternatives) const;
   /// Removes interference between nodes that never overlap. `done_before_next`, by thread: each job ends
   /// before the next is released, so jobs of the thread do not delay one another. `in_turn`, by source: all
   /// that an occurrence triggers ends before the next occurrence. So its nodes that follow or exclude one
   /// another do not delay one another.
-  void find_order(const std::vector<bool>& done_before_next, const std::vector<bool>& in_turn,
+  void find_order(const Table<ThreadId, bool>& done_before_next, const Table<SourceId, bool>& in_turn,
                   const std::function<bool()>& stop);
   /// How long threads occupy a processor that is not preemptive once they have it. By thread:
   /// `done_before_next`, each job ends before the next is released; `blocked`, it may be blocked in a send.
-  void find_bursts(const std::vector<NodeTimes>& nodes, const std::vector<bool>& done_before_next,
-                   const std::vector<bool>& blocked);
+  void find_bursts(const Table<NodeId, NodeTimes>& nodes, const Table<ThreadId, bool>& done_before_next,
+                   const Table<ThreadId, bool>& blocked);
   /// The longest blocking of the node by threads of lower priority, if its processor is not preemptive.
-  Nanoseconds blocking(int node) const;
+  Nanoseconds blocking(NodeId node) const;
   /// How long after the source's nominal instant, or the node's release, the first `part` of the node's work
   /// is done at the latest.
-  Nanoseconds finish(int node, Nanoseconds part, Nanoseconds blocking, Since since = Since::occurrence) const;
+  Nanoseconds finish(NodeId node, Nanoseconds part, Nanoseconds blocking,
+                     Since since = Since::occurrence) const;
   /// What goes into finish() besides the latest release and the work itself.
-  FinishBreakdown breakdown(int node, Nanoseconds part, Since since = Since::occurrence) const;
+  FinishBreakdown breakdown(NodeId node, Nanoseconds part, Since since = Since::occurrence) const;
   /// The same for nodes of one occurrence that keep a processor busy one after the other (joint_chain()). The
   /// time counts from the release of the first one to `part` of the last one.
-  Nanoseconds joint_finish(const std::vector<int>& chain, Nanoseconds part) const;
-  std::vector<Share> joint_breakdown(const std::vector<int>& chain, Nanoseconds part) const;
+  Nanoseconds joint_finish(const std::vector<NodeId>& chain, Nanoseconds part) const;
+  std::vector<Share> joint_breakdown(const std::vector<NodeId>& chain, Nanoseconds part) const;
   /// The thread of lower priority that blocks the node longest.
-  int blocking_thread(int node) const;
-  int node_of(int transaction, int task) const {
-    return nodes_of_[static_cast<std::size_t>(transaction)][static_cast<std::size_t>(task)];
-  }
+  ThreadId blocking_thread(NodeId node) const;
+  NodeId node_of(TransactionId transaction, TaskId task) const { return nodes_of_[transaction][task]; }
   const BusyWindows& windows() const { return windows_; }
   SinceCause since_cause() const { return {context_, order_}; }
   /// Its numbers are final: `stop` is not asked any more.
   void go_on() { windows_.go_on(); }
 
  private:
-  void precede(const AnalysisContext& context, int node, std::vector<Transaction>& transactions) const;
-  void exclude(int node, bool done_before_next, bool in_turn);
-  void separate(int node, const std::set<int>& excluded);
+  /// A transaction for each source.
+  TransactionId transaction_of(NodeId node) const {
+    return TransactionId::of(context_.node(node).source.value);
+  }
+  void precede(const AnalysisContext& context, NodeId node, Table<SourceId, Transaction>& transactions) const;
+  void exclude(NodeId node, bool done_before_next, bool in_turn);
+  void separate(NodeId node, const std::set<NodeId>& excluded);
   template <class JobsOf>
-  Nanoseconds work_of_thread(int thread, const JobsOf& jobs_of) const;
-  Nanoseconds burst(int thread, const std::vector<NodeTimes>& nodes, bool done_before_next) const;
-  bool pauses(int thread) const;
-  std::vector<int> tasks_of(const std::vector<int>& nodes) const;
+  Nanoseconds work_of_thread(ThreadId thread, const JobsOf& jobs_of) const;
+  Nanoseconds burst(ThreadId thread, const Table<NodeId, NodeTimes>& nodes, bool done_before_next) const;
+  bool pauses(ThreadId thread) const;
+  std::vector<TaskId> tasks_of(const std::vector<NodeId>& nodes) const;
 
   AnalysisContext context_;
   BusyWindows windows_;
-  std::vector<int> task_;                            // by node
-  std::vector<std::vector<int>> nodes_of_;           // by transaction and task
-  Table<ProcessorId, std::vector<int>> threads_on_;  // by processor
-  std::vector<Nanoseconds> burst_;                   // by thread
+  Table<NodeId, TaskId> task_;
+  Table<TransactionId, Table<TaskId, NodeId>> nodes_of_;
+  Table<ProcessorId, std::vector<ThreadId>> threads_on_;  // by processor
+  Table<ThreadId, Nanoseconds> burst_;                    // by thread
   std::shared_ptr<const Order> order_;
   ExcludedWork excluded_;
   SinceCause since_cause_;
-  std::vector<bool> done_before_next_;  // by thread, as given
-  std::vector<bool> in_turn_;           // by source, as given
-  std::vector<bool> pauses_;            // by thread: it is not free-running, or always waits in each job
+  Table<ThreadId, bool> done_before_next_;  // by thread, as given
+  Table<SourceId, bool> in_turn_;           // as given
+  Table<ThreadId, bool> pauses_;            // by thread: it is not free-running, or always waits in each job
 };
 
 /// How long a cancelled block, and the blocks that it has started, may take to finish what they have begun.
-Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, int block);
+Nanoseconds stops_within(const Problem& problem, const BusyWindows& windows, ThreadId block);
 
 }  // namespace pal::analyzer::compositional

@@ -14,12 +14,12 @@ class Chains : private AnalysisContext {
  public:
   Chains(const AnalysisContext& context, const Times& times) : AnalysisContext(context), times_(times) {}
 
-  std::vector<int> to(int last) const {
-    std::vector<int> chain{last};
+  std::vector<NodeId> to(NodeId last) const {
+    std::vector<NodeId> chain{last};
     const pan::Processor& on = problem.processors[thread_of(last).processor];
     if (!on.preemptive || source(last).period == never) return chain;
     while (chain.size() < most_in_chain && follows_at_once(chain.front())) {
-      const int cause = node(chain.front()).cause;
+      const NodeId cause = node(chain.front()).cause;
       if (!sends_at_once(cause)) break;
       chain.insert(chain.begin(), cause);
     }
@@ -28,26 +28,26 @@ class Chains : private AnalysisContext {
   }
 
  private:
-  Nanoseconds earliest(int n) const { return times_.nodes[static_cast<std::size_t>(n)].earliest; }
-  bool is_bounded(int thread) const {
-    const auto t = static_cast<std::size_t>(thread);
+  Nanoseconds earliest(NodeId n) const { return times_.nodes[n].earliest; }
+  bool is_bounded(ThreadId thread) const {
+    const ThreadId t = thread;
     return times_.unbounded_reason[t].empty() && !times_.blocked[t];
   }
 
   /// Whether a node on its cause's processor is released by its cause's send itself, if its thread waits.
-  bool follows_at_once(int n) const {
+  bool follows_at_once(NodeId n) const {
     const Node& of = node(n);
     if (of.release != Node::Release::message || of.device.valid() || way(n).worst != 0) return false;
     if (thread_of(n).processor != thread_of(of.cause).processor) return false;
-    const int thread = forest.thread_of(n);
+    const ThreadId thread = forest.thread_of(n);
     if (!is_bounded(thread)) return false;
-    if (!behaviours.previous[static_cast<std::size_t>(n)].empty()) return true;  // goes_on() looks there
+    if (!behaviours.previous[n].empty()) return true;  // goes_on() looks there
     return job_start_of(n) == n && is_done_before_next(*this, times_.nodes, thread) &&
            first_idle(*this, times_.nodes, thread) <= earliest(n) && is_free_after_job(thread, earliest(n));
   }
 
   /// Whether none of a node's sends finds its slot full.
-  bool sends_at_once(int n) const {
+  bool sends_at_once(NodeId n) const {
     if (!is_bounded(forest.thread_of(n))) return false;
     const auto& steps = segment(n).steps;
     return std::all_of(steps.begin(), steps.end(), [&](const Segment::Passed& passed) {
@@ -56,9 +56,9 @@ class Chains : private AnalysisContext {
   }
 
   /// Whether no send of a thread's previous job keeps it after `from`, in the job that comes then.
-  bool is_free_after_job(int thread, Nanoseconds from) const {
+  bool is_free_after_job(ThreadId thread, Nanoseconds from) const {
     const auto& nodes = behaviour_of(thread).nodes;
-    return std::all_of(nodes.begin(), nodes.end(), [&](int n) {
+    return std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) {
       const auto& steps = segment(n).steps;
       return std::all_of(steps.begin(), steps.end(), [&](const Segment::Passed& passed) {
         const Nanoseconds until = held_until(*this, times_.nodes, n, passed.step);
@@ -68,9 +68,9 @@ class Chains : private AnalysisContext {
   }
 
   /// Whether threads that wait within their jobs come to these waits within the chain.
-  bool goes_on(const std::vector<int>& chain) const {
+  bool goes_on(const std::vector<NodeId>& chain) const {
     for (std::size_t i = 1; i < chain.size(); ++i) {
-      for (int before : behaviours.previous[static_cast<std::size_t>(chain[i])]) {
+      for (NodeId before : behaviours.previous[chain[i]]) {
         if (std::find(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(i), before) ==
             chain.begin() + static_cast<std::ptrdiff_t>(i))
           return false;
@@ -84,7 +84,7 @@ class Chains : private AnalysisContext {
 
 }  // namespace
 
-std::vector<int> joint_chain(const AnalysisContext& context, const Times& times, int node) {
+std::vector<NodeId> joint_chain(const AnalysisContext& context, const Times& times, NodeId node) {
   return Chains(context, times).to(node);
 }
 

@@ -24,25 +24,23 @@ class SinceEvents : private AnalysisContext {
         made_(times.nodes),
         releases_(*this, made_, times.nodes, interference),
         shared_(context.forest.sources.size()) {
-    for (std::size_t n = 0; n < made_.size(); ++n) {
-      const bool event = source(static_cast<int>(n)).kind == Source::Kind::event;
-      chains_.push_back(event && made_[n].latest < never ? joint_chain(*this, times, static_cast<int>(n))
-                                                         : std::vector<int>{});
-      if (chains_.back().size() > 1)
-        shared_[static_cast<std::size_t>(node(static_cast<int>(n)).source)] = true;
+    for (const NodeId n : made_.ids()) {
+      const bool event = source(n).kind == Source::Kind::event;
+      chains_.push_back(event && made_[n].latest < never ? joint_chain(*this, times, n)
+                                                         : std::vector<NodeId>{});
+      if (chains_.back().size() > 1) shared_[node(n).source] = true;
     }
   }
 
-  std::vector<NodeTimes> run() {
+  Table<NodeId, NodeTimes> run() {
     for (int iteration = 0; iteration < most_event_rounds; ++iteration) {
       bool changed = false;
-      for (std::size_t i = 0; i < made_.size(); ++i) {
-        const int n = static_cast<int>(i);
+      for (const NodeId n : made_.ids()) {
         // Without jitter, and without segments that share a window, the ways are no shorter than the times
         // from the nominal instant.
-        const bool late = source(n).kind == Source::Kind::event &&
-                          (source(n).jitter > 0 || shared_[static_cast<std::size_t>(node(n).source)]);
-        if (late && made_[i].latest < never) changed = lower(n) || changed;
+        const bool late =
+            source(n).kind == Source::Kind::event && (source(n).jitter > 0 || shared_[node(n).source]);
+        if (late && made_[n].latest < never) changed = lower(n) || changed;
       }
       if (!changed) break;
     }
@@ -50,8 +48,8 @@ class SinceEvents : private AnalysisContext {
   }
 
  private:
-  bool lower(int n) {
-    NodeTimes& mine = made_[static_cast<std::size_t>(n)];
+  bool lower(NodeId n) {
+    NodeTimes& mine = made_[n];
     const NodeTimes before = mine;
     const Segment& of = segment(n);
     mine.latest = std::min(mine.latest, releases_.latest(n, times_.unbounded_reason, times_.blocked).at);
@@ -74,7 +72,7 @@ class SinceEvents : private AnalysisContext {
   }
 
   /// Latest end of the first `part` of a node's work after its release.
-  Nanoseconds from_release(int n, Nanoseconds part) {
+  Nanoseconds from_release(NodeId n, Nanoseconds part) {
     if (segment(n).steps.empty()) return 0;
     const auto [place, fresh] = known_.emplace(std::pair{n, part}, 0);
     if (fresh) place->second = interference_.finish(n, part, interference_.blocking(n), Since::release);
@@ -82,13 +80,13 @@ class SinceEvents : private AnalysisContext {
   }
 
   /// The same through the segments that share a window with the node.
-  Nanoseconds from_chain(int n, Nanoseconds part) {
+  Nanoseconds from_chain(NodeId n, Nanoseconds part) {
     Nanoseconds soonest = never;
-    std::vector<int> chain = chains_[static_cast<std::size_t>(n)];
+    std::vector<NodeId> chain = chains_[n];
     for (; chain.size() > 1; chain.erase(chain.begin())) {
       const auto [place, fresh] = joint_.emplace(std::tuple{n, chain.size(), part}, 0);
       if (fresh) place->second = interference_.joint_finish(chain, part);
-      const Nanoseconds released = made_[static_cast<std::size_t>(chain.front())].latest;
+      const Nanoseconds released = made_[chain.front()].latest;
       soonest = std::min(soonest, plus(released, place->second));
     }
     return soonest;
@@ -96,18 +94,19 @@ class SinceEvents : private AnalysisContext {
 
   const Times& times_;
   const Interference& interference_;
-  std::vector<NodeTimes> made_;
+  Table<NodeId, NodeTimes> made_;
   Releases releases_;
-  std::vector<std::vector<int>> chains_;                                    // by node: joint_chain()
-  std::vector<bool> shared_;                                                // by source: it has such chains
-  std::map<std::pair<int, Nanoseconds>, Nanoseconds> known_;                // by node and part
-  std::map<std::tuple<int, std::size_t, Nanoseconds>, Nanoseconds> joint_;  // by node, length of chain, part
+  Table<NodeId, std::vector<NodeId>> chains_;                    // by node: joint_chain()
+  Table<SourceId, bool> shared_;                                 // by source: it has such chains
+  std::map<std::pair<NodeId, Nanoseconds>, Nanoseconds> known_;  // by node and part
+  std::map<std::tuple<NodeId, std::size_t, Nanoseconds>, Nanoseconds>
+      joint_;  // by node, length of chain, part
 };
 
 }  // namespace
 
-std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times,
-                                    const Interference& interference) {
+Table<NodeId, NodeTimes> since_events(const AnalysisContext& context, const Times& times,
+                                      const Interference& interference) {
   return SinceEvents(context, times, interference).run();
 }
 

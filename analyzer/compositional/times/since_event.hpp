@@ -9,7 +9,7 @@ namespace pal::analyzer::compositional {
 /// release. Segments that share a window (joint_chain()) count together from the release of the first. The
 /// result is at most the time from the event's nominal instant, which is earlier. For all other nodes:
 /// `times.nodes`.
-std::vector<NodeTimes> since_events(const AnalysisContext& context, const Times& times,
-                                    const Interference& interference);
+Table<NodeId, NodeTimes> since_events(const AnalysisContext& context, const Times& times,
+                                      const Interference& interference);
 
 }  // namespace pal::analyzer::compositional

@@ -10,14 +10,14 @@ namespace {
 using Kind = Step::Kind;
 
 /// Latest effect of the take that begins a node.
-Nanoseconds taken(const std::vector<NodeTimes>& nodes, int node) {
-  return nodes[static_cast<std::size_t>(node)].effects.front();
+Nanoseconds taken(const Table<NodeId, NodeTimes>& nodes, NodeId node) {
+  return nodes[node].effects.front();
 }
 
 /// Whether a thread waits without a limit in its jobs.
-bool waits_for_others(const AnalysisContext& context, int thread) {
+bool waits_for_others(const AnalysisContext& context, ThreadId thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
-  return std::any_of(of.nodes.begin(), of.nodes.end(), [&](int n) {
+  return std::any_of(of.nodes.begin(), of.nodes.end(), [&](NodeId n) {
     const Segment& segment = context.segment(n);
     return context.in_job(n) &&
            (!segment.forks.empty() ||
@@ -29,32 +29,31 @@ bool waits_for_others(const AnalysisContext& context, int thread) {
 
 /// When a job of the thread is done at the latest, and when the next may be due at the earliest, after the
 /// nominal instant of the job's source.
-Nanoseconds done(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+Nanoseconds done(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes, ThreadId thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
   Nanoseconds last = 0;
-  for (int n : of.nodes) {
-    if (context.in_job(n)) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  for (NodeId n : of.nodes) {
+    if (context.in_job(n)) last = std::max(last, nodes[n].finish);
   }
   if (!waits_for_others(context, thread)) return last;
   // The threads that it has set to work, and those that end the skill, may leave it waiting till then.
-  for (int n :
-       context.behaviours.endings[static_cast<std::size_t>(context.node(of.job_starts.front()).source)]) {
-    if (context.nearest(n, thread) >= 0) last = std::max(last, nodes[static_cast<std::size_t>(n)].finish);
+  for (NodeId n : context.behaviours.endings[context.node(of.job_starts.front()).source]) {
+    if (context.nearest(n, thread).valid()) last = std::max(last, nodes[n].finish);
   }
   return last;
 }
 
-Nanoseconds next_due(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
-  const std::vector<int>& job_starts = context.behaviour_of(thread).job_starts;
+Nanoseconds next_due(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes, ThreadId thread) {
+  const std::vector<NodeId>& job_starts = context.behaviour_of(thread).job_starts;
   Nanoseconds soonest = never;
-  for (int n : job_starts) soonest = std::min(soonest, nodes[static_cast<std::size_t>(n)].earliest);
+  for (NodeId n : job_starts) soonest = std::min(soonest, nodes[n].earliest);
   return plus(context.source(job_starts.front()).period, soonest);
 }
 
 /// Why a thread that begins jobs in several ways has no bound.
-std::string why_in_several_ways(const AnalysisContext& context, int thread) {
+std::string why_in_several_ways(const AnalysisContext& context, ThreadId thread) {
   std::vector<std::string> clients;
-  for (int n : context.behaviour_of(thread).job_starts) {
+  for (NodeId n : context.behaviour_of(thread).job_starts) {
     const Beginning& begins = context.segment(n).beginning;
     if (begins.kind != Beginning::Kind::arm) continue;
     const ChannelId channel = context.step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
@@ -68,29 +67,30 @@ std::string why_in_several_ways(const AnalysisContext& context, int thread) {
   return "serves " + std::to_string(clients.size()) + " clients, " + names + ", and waits within its jobs";
 }
 
-bool sent_by(const Node& taker, int send) {
+bool sent_by(const Node& taker, StepId send) {
   return std::find(taker.sends.begin(), taker.sends.end(), send) != taker.sends.end();
 }
 
 }  // namespace
 
-bool take_in_time(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
+bool take_in_time(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes, NodeId node,
                   Nanoseconds put) {
   const Nanoseconds period = context.source(node).period;
   return taken(nodes, node) < (period == never ? never : plus(period, put));
 }
 
-bool is_done_before_next(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int thread) {
+bool is_done_before_next(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes,
+                         ThreadId thread) {
   const ThreadBehaviour& behaviours = context.behaviour_of(thread);
   if (behaviours.job_starts.empty()) return true;
   if (!behaviours.one_job) return false;
   const Source& of = context.source(behaviours.job_starts.front());
-  const bool itself = context.node(behaviours.job_starts.front()).cause < 0;
+  const bool itself = !context.node(behaviours.job_starts.front()).cause.valid();
   if (of.kind == Source::Kind::loop && of.thread == thread && itself) return true;
   return of.period == never || done(context, nodes, thread) < next_due(context, nodes, thread);
 }
 
-Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, int node, int wait) {
+Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, NodeId node, StepId wait) {
   const Segment& of = context.segment(node);
   Nanoseconds latest = 0;
   for (std::size_t s = 0; s < of.steps.size(); ++s) {
@@ -100,14 +100,14 @@ Nanoseconds sent_before(const AnalysisContext& context, const NodeTimes& times, 
   return latest;
 }
 
-Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTimes>& nodes, int node,
-                       int send) {
+Nanoseconds held_until(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes, NodeId node,
+                       StepId send) {
   const Nanoseconds period = context.source(node).period;
   if (context.step_at(send).kind != Kind::send || period == never) return 0;
-  const int channel = context.step_at(send).channels.front();
-  if (context.behaviours.never_full[static_cast<std::size_t>(channel)]) return 0;
+  const ChannelId channel = context.step_at(send).channels.front();
+  if (context.behaviours.never_full[channel]) return 0;
   Nanoseconds latest = 0;
-  for (int effect : context.node(node).effects) {
+  for (NodeId effect : context.node(node).effects) {
     const Node& taker = context.node(effect);
     if (taker.device.valid() || !sent_by(taker, send)) continue;
     const Nanoseconds end = taken(nodes, effect);
@@ -117,19 +117,17 @@ Nanoseconds held_until(const AnalysisContext& context, const std::vector<NodeTim
 }
 
 Slots::Slots(const AnalysisContext& context) : context_(context), puts_(context.problem.channels.size()) {
-  for (std::size_t i = 0; i < context.forest.nodes.size(); ++i) {
-    const int n = static_cast<int>(i);
+  for (const NodeId n : context.forest.nodes.ids()) {
     for (const Segment::Passed& passed : context.segment(n).steps) {
       const Step& step = context.step_at(passed.step);
-      if (step.kind == Kind::send)
-        puts_[static_cast<std::size_t>(step.channels.front())].push_back({n, passed.step});
+      if (step.kind == Kind::send) puts_[step.channels.front()].push_back({n, passed.step});
     }
   }
   for (const std::vector<StepEffect>& puts : puts_) exclusive_.push_back(are_exclusive(context, puts));
 }
 
 /// Whether every message of the channel is taken before the next is put.
-bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) const {
+bool Slots::is_free(const Table<NodeId, NodeTimes>& nodes, ChannelId channel) const {
   const Channel& of = context_.problem.channels[channel];
   if (of.receiver_device.valid() && !of.served) return true;
   if (context_.behaviours.never_full[channel]) return true;
@@ -141,8 +139,7 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
   bool one_node = true;
   for (const StepEffect& put : puts) {
     const Segment& segment = context_.segment(put.node);
-    soonest = std::min(soonest, nodes[static_cast<std::size_t>(put.node)].earliest +
-                                    segment.steps[place_of(segment, put.step)].best);
+    soonest = std::min(soonest, nodes[put.node].earliest + segment.steps[place_of(segment, put.step)].best);
     one_node = one_node && put.node == puts.front().node;
   }
   return std::all_of(puts.begin(), puts.end(),
@@ -151,10 +148,10 @@ bool Slots::is_free(const std::vector<NodeTimes>& nodes, std::size_t channel) co
 
 /// Whether a put of a job is taken before the put of the next job, which comes at `soonest` at the earliest.
 /// Also true if it is known what that put waits for.
-bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
+bool Slots::is_taken_in_time(const Table<NodeId, NodeTimes>& nodes, StepEffect put, Nanoseconds soonest,
                              bool may_hold) const {
   bool known = false;
-  for (int effect : context_.node(put.node).effects) {
+  for (NodeId effect : context_.node(put.node).effects) {
     if (!sent_by(context_.node(effect), put.step)) continue;
     known = true;
     const bool held = may_hold && may_be_held(nodes, put, effect);
@@ -164,16 +161,16 @@ bool Slots::is_taken_in_time(const std::vector<NodeTimes>& nodes, StepEffect put
 }
 
 /// Whether it is known what a wait for the slot does: the send ends its thread's only kind of job.
-bool Slots::may_be_held(const std::vector<NodeTimes>& nodes, StepEffect put, int taker) const {
+bool Slots::may_be_held(const Table<NodeId, NodeTimes>& nodes, StepEffect put, NodeId taker) const {
   const ThreadBehaviour& of = context_.behaviour_of(context_.forest.thread_of(put.node));
   return taken(nodes, taker) < never && of.job_starts.size() == 1 && !of.waits_within &&
          context_.job_start_of(put.node) == of.job_starts.front() &&
          context_.step_at(put.step).next.front() == of.idle_wait;
 }
 
-std::vector<int> Slots::takers_of(StepEffect put) const {
-  std::vector<int> threads;
-  for (int effect : context_.node(put.node).effects) {
+std::vector<ThreadId> Slots::takers_of(StepEffect put) const {
+  std::vector<ThreadId> threads;
+  for (NodeId effect : context_.node(put.node).effects) {
     if (sent_by(context_.node(effect), put.step)) threads.push_back(context_.forest.thread_of(effect));
   }
   return threads;
@@ -181,7 +178,7 @@ std::vector<int> Slots::takers_of(StepEffect put) const {
 
 std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times) const {
   std::vector<UnboundedThread> found;
-  for (std::size_t c = 0; c < puts_.size(); ++c) {
+  for (const ChannelId c : puts_.ids()) {
     if (is_free(times.nodes, c)) continue;
     for (const StepEffect& put : puts_[c]) {
       const StatementId statement = context_.step_at(put.step).statement;
@@ -192,22 +189,19 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
            takers_of(put)});
     }
   }
-  for (std::size_t t = 0; t < context_.problem.threads.size(); ++t) {
+  for (const ThreadId t : context_.problem.threads.ids()) {
     const ThreadBehaviour& of = context_.behaviours.threads[t];
     if (!of.waits_within || of.job_starts.empty() || of.asked_by_one) continue;
     if (!of.one_job) {
-      found.push_back({static_cast<int>(t), false, why_in_several_ways(context_, static_cast<int>(t)), {}});
-    } else if (!is_done_before_next(context_, times.nodes, static_cast<int>(t))) {
-      const Nanoseconds last = done(context_, times.nodes, static_cast<int>(t));
-      const Nanoseconds next = next_due(context_, times.nodes, static_cast<int>(t));
+      found.push_back({t, false, why_in_several_ways(context_, t), {}});
+    } else if (!is_done_before_next(context_, times.nodes, t)) {
+      const Nanoseconds last = done(context_, times.nodes, t);
+      const Nanoseconds next = next_due(context_, times.nodes, t);
       const std::string how_long = last >= never
                                        ? ""
                                        : ": a job may last until " + to_text(Duration(last)) +
                                              ", and the next may be due at " + to_text(Duration(next));
-      found.push_back({static_cast<int>(t),
-                       false,
-                       "may still be waiting within one job when the next is due" + how_long,
-                       {}});
+      found.push_back({t, false, "may still be waiting within one job when the next is due" + how_long, {}});
     }
   }
   return found;

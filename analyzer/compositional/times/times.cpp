@@ -20,21 +20,20 @@ constexpr int every_priority = std::numeric_limits<int>::max();
 constexpr int no_priority = std::numeric_limits<int>::min();
 
 /// The nodes with their earliest releases, and as if nothing ever had to wait.
-std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vector<bool>& at,
-                                  const std::function<bool()>& stop) {
-  std::vector<NodeTimes> nodes(context.forest.nodes.size());
-  const std::vector<Nanoseconds> earliest = earliest_releases(context, stop);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const Segment& of = context.segment(static_cast<int>(n));
+Table<NodeId, NodeTimes> unhindered(const AnalysisContext& context, const Table<StepId, bool>& at,
+                                    const std::function<bool()>& stop) {
+  Table<NodeId, NodeTimes> nodes(context.forest.nodes.size());
+  const Table<NodeId, Nanoseconds> earliest = earliest_releases(context, stop);
+  for (const NodeId n : nodes.ids()) {
+    const Segment& of = context.segment(n);
     NodeTimes& mine = nodes[n];
     mine.earliest = mine.latest = earliest[n];
     mine.effects.assign(of.steps.size(), NodeTimes::unknown);
     mine.arrivals.assign(of.waits.size(), 0);
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       const Step& step = context.step_at(of.steps[s].step);
-      const bool asked = at[static_cast<std::size_t>(of.steps[s].step)] || step.kind == Kind::send ||
-                         step.kind == Kind::set || step.kind == Kind::wait || step.kind == Kind::complete ||
-                         may_match_nothing(step);
+      const bool asked = at[of.steps[s].step] || step.kind == Kind::send || step.kind == Kind::set ||
+                         step.kind == Kind::wait || step.kind == Kind::complete || may_match_nothing(step);
       if (asked) mine.effects[s] = 0;
     }
     mine.worked = mine.effects;
@@ -47,7 +46,7 @@ std::vector<NodeTimes> unhindered(const AnalysisContext& context, const std::vec
 /// the argument that the least solution bounds every run is in docs/internals/compositional.md).
 class Solver : private AnalysisContext {
  public:
-  Solver(const AnalysisContext& context, const std::vector<bool>& at, const std::function<bool()>& stop)
+  Solver(const AnalysisContext& context, const Table<StepId, bool>& at, const std::function<bool()>& stop)
       : AnalysisContext(context),
         stop_(stop),
         nodes_(unhindered(context, at, stop)),
@@ -57,9 +56,9 @@ class Solver : private AnalysisContext {
   Times run() {
     times_.unbounded_reason.resize(problem.threads.size());
     times_.blocked.assign(problem.threads.size(), false);
-    for (std::size_t t = 0; t < problem.threads.size(); ++t)
+    for (const ThreadId t : problem.threads.ids())
       times_.unbounded_reason[t] = behaviours.threads[t].unbounded_reason;
-    since_.assign(problem.threads.size(), -1);
+    since_.assign(problem.threads.size(), {});
     const Slots slots(*this);
     do {
       solve();
@@ -75,13 +74,13 @@ class Solver : private AnalysisContext {
   }
 
  private:
-  NodeTimes& times(int n) { return nodes_[static_cast<std::size_t>(n)]; }
+  NodeTimes& times(NodeId n) { return nodes_[n]; }
 
-  Nanoseconds latest_release(int n) const {
+  Nanoseconds latest_release(NodeId n) const {
     return releases_.latest(n, times_.unbounded_reason, times_.blocked).at;
   }
 
-  bool update(int n) {
+  bool update(NodeId n) {
     NodeTimes& mine = times(n);
     const NodeTimes before = mine;
     mine.latest = std::max(mine.latest, latest_release(n));
@@ -115,9 +114,9 @@ class Solver : private AnalysisContext {
   }
 
   /// Whether one of its sends may have to wait for longer than is known: its taker may be on any processor.
-  bool held_longer(int n) const {
+  bool held_longer(NodeId n) const {
     const Segment& of = segment(n);
-    const NodeTimes& mine = nodes_[static_cast<std::size_t>(n)];
+    const NodeTimes& mine = nodes_[n];
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;
       if (held_until(*this, nodes_, n, of.steps[s].step) > mine.effects[s]) return true;
@@ -133,16 +132,14 @@ class Solver : private AnalysisContext {
   }
 
   void solve() {
-    for (std::size_t n = 0; n < forest.nodes.size(); ++n)
-      interference_.announce(static_cast<int>(n), nodes_[n]);
+    for (const NodeId n : nodes_.ids()) interference_.announce(n, nodes_[n]);
     Table<ProcessorId, int> dirty(problem.processors.size(), every_priority);  // delays_up_to()
     for (int iteration = 0; iteration < most_rounds; ++iteration) {
       find_overlaps(dirty);
       Table<ProcessorId, int> now = dirty;
       dirty.assign(dirty.size(), no_priority);
       bool changed = false;
-      for (std::size_t i = 0; i < forest.nodes.size(); ++i) {
-        const int n = static_cast<int>(i);
+      for (const NodeId n : nodes_.ids()) {
         if (stop_ && stop_()) {
           times_.interrupted = true;
           return;
@@ -161,31 +158,32 @@ class Solver : private AnalysisContext {
       if (!changed) return;
     }
     // Times that go on rising have no bound: give them up, and see what is left.
-    for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
-      NodeTimes& mine = times(static_cast<int>(n));
+    for (const NodeId n : nodes_.ids()) {
+      NodeTimes& mine = times(n);
       mine.latest = mine.finish = never;
       for (Nanoseconds& each : mine.effects) each = each == NodeTimes::unknown ? each : never;
       mine.worked = mine.effects;
       mine.arrivals.assign(mine.arrivals.size(), never);
-      interference_.announce(static_cast<int>(n), mine);
+      interference_.announce(n, mine);
     }
   }
 
   /// Tells the interference what does not overlap by now. `dirty`: where it is less than before, which may
   /// delay any thread there.
   void find_overlaps(Table<ProcessorId, int>& dirty) {
-    std::vector<bool> done_before_next;
-    for (std::size_t t = 0; t < behaviours.threads.size(); ++t)
-      done_before_next.push_back(is_done_before_next(*this, nodes_, static_cast<int>(t)));
-    std::vector<bool> in_turn(forest.sources.size(), true);
-    for (std::size_t n = 0; n < forest.nodes.size(); ++n) {
-      const auto source = static_cast<std::size_t>(forest.nodes[n].source);
+    Table<ThreadId, bool> done_before_next;
+    for (const ThreadId t : behaviours.threads.ids())
+      done_before_next.push_back(is_done_before_next(*this, nodes_, t));
+    Table<SourceId, bool> in_turn(forest.sources.size(), true);
+    for (const NodeId n : forest.nodes.ids()) {
+      const SourceId source = forest.nodes[n].source;
       const Nanoseconds period = forest.sources[source].period;
       if (period < never && nodes_[n].finish >= period) in_turn[source] = false;
     }
-    for (std::size_t n = 0; n < forest.nodes.size() && !in_turn_.empty(); ++n) {
-      const auto source = static_cast<std::size_t>(forest.nodes[n].source);
-      const ProcessorId processor = thread_of(static_cast<int>(n)).processor;
+    for (const NodeId n : nodes_.ids()) {
+      if (in_turn_.empty()) break;
+      const SourceId source = forest.nodes[n].source;
+      const ProcessorId processor = thread_of(n).processor;
       if (in_turn_[source] != in_turn[source]) dirty[processor] = every_priority;
     }
     interference_.find_order(done_before_next, in_turn, stop_);
@@ -196,12 +194,12 @@ class Solver : private AnalysisContext {
   /// Whether something is found that the times do not count with yet.
   bool finds_unbounded_threads(const Slots& slots) {
     bool found = false;
-    const auto unbounded_reason = [this](int thread) -> std::string& {
-      return times_.unbounded_reason[static_cast<std::size_t>(thread)];
+    const auto unbounded_reason = [this](ThreadId thread) -> std::string& {
+      return times_.unbounded_reason[thread];
     };
     std::vector<Slots::UnboundedThread> fresh;
     for (Slots::UnboundedThread& each : slots.unbounded_threads(times_)) {
-      const auto thread = static_cast<std::size_t>(each.thread);
+      const ThreadId thread = each.thread;
       found = found || unbounded_reason(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
       if (each.blocked) times_.blocked[thread] = true;
       if (!unbounded_reason(each.thread).empty()) continue;
@@ -209,9 +207,8 @@ class Solver : private AnalysisContext {
       fresh.push_back(std::move(each));
     }
     for (const Slots::UnboundedThread& each : fresh) {
-      for (int taker : each.takers) {
-        if (taker != each.thread && !unbounded_reason(taker).empty())
-          since_[static_cast<std::size_t>(each.thread)] = taker;
+      for (ThreadId taker : each.takers) {
+        if (taker != each.thread && !unbounded_reason(taker).empty()) since_[each.thread] = taker;
       }
     }
     return found;
@@ -219,30 +216,28 @@ class Solver : private AnalysisContext {
 
   /// Adds the original reason to each reason that follows from another.
   void name_roots() {
-    const std::vector<std::string> own = times_.unbounded_reason;
-    for (std::size_t t = 0; t < own.size(); ++t) {
-      std::set<int> seen{static_cast<int>(t)};
-      int at = static_cast<int>(t);
-      for (int next = since_[t]; next >= 0 && seen.insert(next).second;
-           next = since_[static_cast<std::size_t>(next)])
+    const Table<ThreadId, std::string> own = times_.unbounded_reason;
+    for (const ThreadId t : own.ids()) {
+      std::set<ThreadId> seen{t};
+      ThreadId at = t;
+      for (ThreadId next = since_[t]; next.valid() && seen.insert(next).second; next = since_[next])
         at = next;
-      if (at != static_cast<int>(t))
-        times_.unbounded_reason[t] += ", since " + own[static_cast<std::size_t>(at)];
+      if (at != t) times_.unbounded_reason[t] += ", since " + own[at];
     }
   }
 
   const std::function<bool()>& stop_;
-  std::vector<NodeTimes> nodes_;
+  Table<NodeId, NodeTimes> nodes_;
   Interference interference_;
   Releases releases_;
   Times times_;
-  std::vector<bool> in_turn_;  // by source, as it was last found
-  std::vector<int> since_;     // by thread: the thread that makes it unbounded; -1: none
+  Table<SourceId, bool> in_turn_;    // by source, as it was last found
+  Table<ThreadId, ThreadId> since_;  // the thread that makes it unbounded
 };
 
 }  // namespace
 
-std::size_t place_of(const Segment& segment, int step) {
+std::size_t place_of(const Segment& segment, StepId step) {
   for (std::size_t s = 0; s < segment.steps.size(); ++s) {
     if (segment.steps[s].step == step) return s;
   }
@@ -250,21 +245,21 @@ std::size_t place_of(const Segment& segment, int step) {
 }
 
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
-               const std::vector<bool>& at, const std::function<bool()>& stop) {
+               const Table<StepId, bool>& at, const std::function<bool()>& stop) {
   return Solver({problem, forest, behaviours}, at, stop).run();
 }
 
-Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step) {
-  const std::size_t place = place_of(forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]), step);
-  const auto& effects = nodes[static_cast<std::size_t>(node)].effects;
+Nanoseconds latest_effect(const Forest& forest, const Table<NodeId, NodeTimes>& nodes, NodeId node,
+                          StepId step) {
+  const std::size_t place = place_of(forest.segment_of(forest.nodes[node]), step);
+  const auto& effects = nodes[node].effects;
   return place < effects.size() && effects[place] != NodeTimes::unknown ? effects[place] : never;
 }
 
-Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step) {
-  const Segment& segment = forest.segment_of(forest.nodes[static_cast<std::size_t>(node)]);
+Nanoseconds earliest_effect(const Forest& forest, const Times& times, NodeId node, StepId step) {
+  const Segment& segment = forest.segment_of(forest.nodes[node]);
   const std::size_t place = place_of(segment, step);
-  return times.nodes[static_cast<std::size_t>(node)].earliest +
-         (place < segment.steps.size() ? segment.steps[place].best : 0);
+  return times.nodes[node].earliest + (place < segment.steps.size() ? segment.steps[place].best : 0);
 }
 
 }  // namespace pal::analyzer::compositional

@@ -36,40 +36,41 @@ struct Due {
   };
   Nanoseconds at = 0;  // `never`: no bound
   By by = By::source;
-  int node = -1;
-  int step = -1;
+  NodeId node{};
+  StepId step{};
   Nanoseconds after = 0;
 };
 
 class Interference;
 
 struct Times {
-  std::vector<NodeTimes> nodes;
+  Table<NodeId, NodeTimes> nodes;
   /// The same counted from the event itself, which may come after its nominal instant; of what no event
   /// brings about they are those of `nodes`.
-  std::vector<NodeTimes> since_event;
+  Table<NodeId, NodeTimes> since_event;
   /// By thread: why its times are unbounded; empty if they are bounded.
-  std::vector<std::string> unbounded_reason;
-  std::vector<bool> blocked;  // by thread: it may be blocked in a send
+  Table<ThreadId, std::string> unbounded_reason;
+  Table<ThreadId, bool> blocked;  // by thread: it may be blocked in a send
   /// By source: each event is received before the next can come.
-  std::vector<bool> no_overrun;
+  Table<SourceId, bool> no_overrun;
   /// By source: greatest inter-arrival time, and latest first occurrence after time 0; `never`: unbounded.
-  std::vector<Due> longest_gap;
-  std::vector<Due> first;
+  Table<SourceId, Due> longest_gap;
+  Table<SourceId, Due> first;
   std::shared_ptr<const Interference> interference;  // with the jitter found
   bool interrupted = false;
 };
 
 /// `at`: further steps whose times are needed.
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
-               const std::vector<bool>& at, const std::function<bool()>& stop);
+               const Table<StepId, bool>& at, const std::function<bool()>& stop);
 
 /// Where a segment has a step; the number of its steps: it has not.
-std::size_t place_of(const Segment& segment, int step);
+std::size_t place_of(const Segment& segment, StepId step);
 
 /// Latest effect of `step` in a node; `never` if there is no bound, or it is not one of its steps.
-Nanoseconds latest_effect(const Forest& forest, const std::vector<NodeTimes>& nodes, int node, int step);
+Nanoseconds latest_effect(const Forest& forest, const Table<NodeId, NodeTimes>& nodes, NodeId node,
+                          StepId step);
 /// And its earliest.
-Nanoseconds earliest_effect(const Forest& forest, const Times& times, int node, int step);
+Nanoseconds earliest_effect(const Forest& forest, const Times& times, NodeId node, StepId step);
 
 }  // namespace pal::analyzer::compositional

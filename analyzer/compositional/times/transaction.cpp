@@ -4,28 +4,28 @@
 
 namespace pal::analyzer::compositional {
 
-void Transaction::exclude(std::vector<int> among, Nanoseconds piled) {
+void Transaction::exclude(std::vector<TaskId> among, Nanoseconds piled) {
   const int index = static_cast<int>(alternatives.size());
   Alternatives made{std::move(among), piled, never, 0};
-  for (int t : made.tasks) {
-    Task& task = tasks[static_cast<std::size_t>(t)];
+  for (TaskId t : made.tasks) {
+    Task& task = tasks[t];
     task.among = index;
     made.offset = std::min(made.offset, task.offset);
   }
   alternatives.push_back(std::move(made));
-  for (int t : alternatives.back().tasks) set_jitter(t, tasks[static_cast<std::size_t>(t)].jitter, never);
+  for (TaskId t : alternatives.back().tasks) set_jitter(t, tasks[t].jitter, never);
 }
 
-void Transaction::set_jitter(int task, Nanoseconds jitter, Nanoseconds most) {
-  Task& of = tasks[static_cast<std::size_t>(task)];
+void Transaction::set_jitter(TaskId task, Nanoseconds jitter, Nanoseconds most) {
+  Task& of = tasks[task];
   of.jitter = std::min(jitter, most);
   of.piles_up = jitter > most;
   if (of.among < 0) return;
   Alternatives& all = alternatives[static_cast<std::size_t>(of.among)];
   all.jitter = 0;
   bool piles_up = false;
-  for (int t : all.tasks) {
-    const Task& each = tasks[static_cast<std::size_t>(t)];
+  for (TaskId t : all.tasks) {
+    const Task& each = tasks[t];
     const Nanoseconds late = each.piles_up ? 0 : each.jitter;
     all.jitter = std::max(all.jitter, plus(each.offset - all.offset, late));
     piles_up = piles_up || each.piles_up;
@@ -33,17 +33,17 @@ void Transaction::set_jitter(int task, Nanoseconds jitter, Nanoseconds most) {
   if (piles_up) all.jitter = plus(all.jitter, all.piled);
 }
 
-bool follows(const Transaction& of, int before, int task) {
-  const auto& followers = of.tasks[static_cast<std::size_t>(before)].followers;
+bool follows(const Transaction& of, TaskId before, TaskId task) {
+  const auto& followers = of.tasks[before].followers;
   return std::binary_search(followers.begin(), followers.end(), task);
 }
 
-bool comes_after(const Transaction& of, const Task& self, int other, Nanoseconds length) {
+bool comes_after(const Transaction& of, const Task& self, TaskId other, Nanoseconds length) {
   const auto found =
       std::lower_bound(self.separations.begin(), self.separations.end(), other,
-                       [](const Separation& separation, int task) { return separation.task < task; });
+                       [](const Separation& separation, TaskId task) { return separation.task < task; });
   if (found == self.separations.end() || found->task != other) return false;
-  const Task& cause = of.tasks[static_cast<std::size_t>(found->cause)];
+  const Task& cause = of.tasks[found->cause];
   if (cause.jitter >= never || self.jitter >= never) return false;
   const Nanoseconds since = self.offset + self.jitter - cause.offset - cause.jitter;
   return found->least > plus(std::max<Nanoseconds>(0, since), length);

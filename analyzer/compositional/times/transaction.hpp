@@ -9,12 +9,18 @@
 
 namespace pal::analyzer::compositional {
 
+/// In BusyWindows.
+using TransactionId = Id<struct TransactionTag>;
+
+/// In Transaction::tasks.
+using TaskId = Id<struct TaskTag>;
+
 /// A task of the same transaction that is released no sooner than `least` after `cause`. What passes from the
 /// release of `cause` until that of the task whose separation this is, is at most what passes between their
 /// latest instants.
 struct Separation {
-  int task = -1;
-  int cause = -1;
+  TaskId task{};
+  TaskId cause{};
   Nanoseconds least = 0;
 };
 
@@ -27,9 +33,9 @@ struct Task {
   Nanoseconds offset = 0;
   Nanoseconds jitter = 0;
   /// Tasks of its transaction that come only after it is done, of the same occurrence; ascending.
-  std::vector<int> followers{};
+  std::vector<TaskId> followers{};
   /// Transactions and tasks whose work does not count in its windows; ascending.
-  std::vector<std::pair<int, int>> without{};
+  std::vector<std::pair<TransactionId, TaskId>> without{};
   /// If its transaction occurs once: tasks that may come after its own work; ascending.
   std::vector<Separation> separations{};
   int among = -1;         // of its transaction's alternatives; -1: none
@@ -38,7 +44,7 @@ struct Task {
 
 /// Tasks on one processor, of one priority. Each occurrence releases at most one of them.
 struct Alternatives {
-  std::vector<int> tasks;
+  std::vector<TaskId> tasks;
   Nanoseconds piled = 0;   // what the jitter counts besides if one of them piles up
   Nanoseconds offset = 0;  // of the soonest
   Nanoseconds jitter = 0;  // from then to the latest release of any
@@ -48,27 +54,27 @@ struct Alternatives {
 struct Transaction {
   Nanoseconds period = 0;
   bool regular = false;  // exactly so far apart
-  std::vector<Task> tasks;
+  Table<TaskId, Task> tasks;
   std::vector<Alternatives> alternatives;
 
   /// Makes alternatives of tasks that are none yet. `piled`: a period for each that can have piled up on the
   /// way to any of them.
-  void exclude(std::vector<int> tasks, Nanoseconds piled);
+  void exclude(std::vector<TaskId> tasks, Nanoseconds piled);
   /// `most`: what the jitter counts as if it is greater.
-  void set_jitter(int task, Nanoseconds jitter, Nanoseconds most);
+  void set_jitter(TaskId task, Nanoseconds jitter, Nanoseconds most);
 };
 
 /// Whether a task's work counts in windows of `asker`.
-inline bool counts(const Task* asker, int transaction, int task) {
+inline bool counts(const Task* asker, TransactionId transaction, TaskId task) {
   return asker == nullptr || asker->without.empty() ||
          !std::binary_search(asker->without.begin(), asker->without.end(), std::pair{transaction, task});
 }
 
 /// Whether `task` comes, in one occurrence, only after `before` is done.
-bool follows(const Transaction& of, int before, int task);
+bool follows(const Transaction& of, TaskId before, TaskId task);
 
 /// Whether `other`, of a transaction that occurs once, is released later than `length` after `self`.
-bool comes_after(const Transaction& of, const Task& self, int other, Nanoseconds length);
+bool comes_after(const Transaction& of, const Task& self, TaskId other, Nanoseconds length);
 
 /// A window begins with `scenario`'s release after its whole jitter. In this window, when the next release of
 /// what is released from `offset` on is due: in (0, period].
@@ -93,8 +99,8 @@ inline Nanoseconds releases(Nanoseconds period, Nanoseconds jitter, Nanoseconds 
 
 /// What a task brings to a window.
 struct Share {
-  int transaction = -1;
-  int task = -1;
+  TransactionId transaction{};
+  TaskId task{};
   Nanoseconds jobs = 0;
   Nanoseconds work = 0;
 };
@@ -104,11 +110,11 @@ struct Share {
 class Tally {
  public:
   /// `shares`: where to add what it is made of, or null.
-  Tally(const Transaction& of, int transaction, std::vector<Share>* shares)
+  Tally(const Transaction& of, TransactionId transaction, std::vector<Share>* shares)
       : of_(of), transaction_(transaction), shares_(shares) {}
 
-  void add(int task, Nanoseconds jobs) {
-    const Task& added = of_.tasks[static_cast<std::size_t>(task)];
+  void add(TaskId task, Nanoseconds jobs) {
+    const Task& added = of_.tasks[task];
     const Share share{transaction_, task, jobs, work_of(jobs, added.cost)};
     if (added.among < 0) return count(share);
     add_alternative(added, share);
@@ -140,7 +146,7 @@ class Tally {
   void together(const Among& of, Nanoseconds jobs);
 
   const Transaction& of_;
-  int transaction_;
+  TransactionId transaction_;
   std::vector<Share>* shares_;
   std::vector<Among> among_;
   Nanoseconds work_ = 0;

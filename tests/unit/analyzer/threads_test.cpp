@@ -72,7 +72,7 @@ TEST_CASE("each thread that executes a module has one set of its blocks, named a
   for (const pan::SkillThread& thread : pan::threads_of(made->specification.skills.front(), 100)) {
     CHECK(found.insert(thread.name).second);
     const Thread& same = named(*made->problem, thread.name);
-    CHECK((same.parent >= 0) == thread.parent.has_value());
+    CHECK((same.parent.valid()) == thread.parent.has_value());
   }
   CHECK(found == all);
   CHECK(pan::threads_of(made->specification.skills.front(), 5).size() > 5);
@@ -103,18 +103,18 @@ TEST_CASE("each CONCURRENT begins blocks of its own in the clone without shared 
   const auto made = test::sound_skill(skill("  CM1\n" + once + "  CM1\n", inner));
   const Problem& problem = *made->problem;
   const Problem cloned = compositional::clone_shared_blocks(problem);
-  std::vector<int> begun(cloned.threads.size());
+  Table<ThreadId, int> begun(cloned.threads.size());
   for (const Step& step : cloned.steps) {
-    for (int block : step.threads) ++begun[static_cast<std::size_t>(block)];
+    for (ThreadId block : step.threads) ++begun[block];
   }
-  for (std::size_t t = 0; t < cloned.threads.size(); ++t) {
-    CHECK(begun[t] == (cloned.threads[t].parent < 0 ? 0 : 1));
-    CHECK(cloned.threads[t].parent < static_cast<int>(t));
+  for (const ThreadId t : cloned.threads.ids()) {
+    CHECK(begun[t] == (!cloned.threads[t].parent.valid() ? 0 : 1));
+    CHECK(cloned.threads[t].parent < t);
   }
   // Five times CM1, each with its own block and two sets of those of CM2: 5 * ( 1 + 2 * 2 ), SM1 and its two.
   CHECK(cloned.threads.size() == 28);
   REQUIRE(cloned.requirements.front().at.size() == cloned.steps.size());
-  for (std::size_t s = 0; s < cloned.steps.size(); ++s) {
+  for (const StepId s : cloned.steps.ids()) {
     const StatementId statement = cloned.steps[s].statement;
     const bool works = statement.valid() && cloned.statements[statement].text == "work";
     CHECK(cloned.requirements.front().at[s] == works);

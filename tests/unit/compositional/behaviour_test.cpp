@@ -12,7 +12,7 @@ TEST_CASE("a thread that waits, works and waits again does jobs") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
   for (const char* name : {"LS1", "SM1"}) {
     const ThreadBehaviour& thread = stages.context.behaviour_of(stages.thread(name));
-    CHECK(thread.idle_wait >= 0);
+    CHECK(thread.idle_wait.valid());
     CHECK(thread.job_starts.size() == 1);
     CHECK(thread.unbounded_reason.empty());
     CHECK(thread.one_job);
@@ -22,11 +22,11 @@ TEST_CASE("a thread that waits, works and waits again does jobs") {
 
 TEST_CASE("what a thread does before its first job is early") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
-  const int sm1 = stages.thread("SM1");
+  const ThreadId sm1 = stages.thread("SM1");
   int early = 0;
-  for (const int n : stages.context.behaviour_of(sm1).nodes) {
-    if (stages.behaviours.early[static_cast<std::size_t>(n)]) ++early;
+  for (const NodeId n : stages.context.behaviour_of(sm1).nodes) {
+    if (stages.behaviours.early[n]) ++early;
   }
   CHECK(early == 1);
-  CHECK_FALSE(stages.behaviours.early[static_cast<std::size_t>(stages.job("SM1"))]);
+  CHECK_FALSE(stages.behaviours.early[stages.job("SM1")]);
 }

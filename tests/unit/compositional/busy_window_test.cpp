@@ -5,6 +5,7 @@
 
 using pal::analyzer::ProcessorId;
 using namespace pal::analyzer::compositional;
+using pal::analyzer::Nanoseconds;
 
 namespace {
 
@@ -32,21 +33,21 @@ BusyWindows three_tasks(bool preemptive) {
 
 TEST_CASE("response times of three periodic tasks are those of the recurrence") {
   const BusyWindows windows = three_tasks(true);
-  CHECK(windows.finish(0, 0, 1, 0) == 1);
-  CHECK(windows.finish(1, 0, 2, 0) == 3);
-  CHECK(windows.finish(2, 0, 3, 0) == 10);
+  CHECK(windows.finish(TransactionId{0}, TaskId{0}, 1, 0) == 1);
+  CHECK(windows.finish(TransactionId{1}, TaskId{0}, 2, 0) == 3);
+  CHECK(windows.finish(TransactionId{2}, TaskId{0}, 3, 0) == 10);
 }
 
 TEST_CASE("without preemption, work of lower priority blocks once") {
   const BusyWindows windows = three_tasks(false);
-  CHECK(windows.finish(0, 0, 1, 3) == 4);
+  CHECK(windows.finish(TransactionId{0}, TaskId{0}, 1, 3) == 4);
 }
 
 TEST_CASE("an overloaded processor has no busy window") {
   BusyWindows windows({true});
   windows.add(periodic(4, 3, 2));
   windows.add(periodic(6, 2, 1));
-  CHECK(windows.finish(1, 0, 2, 0) == never);
+  CHECK(windows.finish(TransactionId{1}, TaskId{0}, 2, 0) == never);
   CHECK(windows.busy(ProcessorId{0}) == never);
 }
 
@@ -54,25 +55,25 @@ TEST_CASE("release jitter of one task delays another by one more job") {
   BusyWindows windows({true});
   windows.add(periodic(10, 2, 2));
   windows.add(periodic(20, 5, 1));
-  CHECK(windows.finish(1, 0, 5, 0) == 7);
-  windows.set_jitter(0, 0, 4, never);
-  CHECK(windows.finish(1, 0, 5, 0) == 9);
+  CHECK(windows.finish(TransactionId{1}, TaskId{0}, 5, 0) == 7);
+  windows.set_jitter(TransactionId{0}, TaskId{0}, 4, never);
+  CHECK(windows.finish(TransactionId{1}, TaskId{0}, 5, 0) == 9);
 }
 
 TEST_CASE("what does not count for a task does not delay it") {
   BusyWindows windows({true});
   windows.add(periodic(10, 2, 2));
   windows.add(periodic(20, 5, 1));
-  windows.set_without(1, 0, {{0, 0}});
-  CHECK(windows.finish(1, 0, 5, 0) == 5);
+  windows.set_without(TransactionId{1}, TaskId{0}, {{TransactionId{0}, TaskId{0}}});
+  CHECK(windows.finish(TransactionId{1}, TaskId{0}, 5, 0) == 5);
 }
 
 TEST_CASE("the breakdown of a finish adds up to it") {
   const BusyWindows windows = three_tasks(true);
-  const FinishBreakdown parts = windows.breakdown(2, 0, 3, 0);
+  const FinishBreakdown parts = windows.breakdown(TransactionId{2}, TaskId{0}, 3, 0);
   Nanoseconds sum = 3 + parts.blocking - parts.done_before;
   for (const Share& share : parts.others) sum += share.work;
-  CHECK(sum == windows.finish(2, 0, 3, 0));
+  CHECK(sum == windows.finish(TransactionId{2}, TaskId{0}, 3, 0));
 }
 
 TEST_CASE("the longest busy period is the first instant at which all work is done") {
@@ -96,8 +97,8 @@ BusyWindows two_stages(Nanoseconds jitter) {
   BusyWindows windows({true});
   windows.add(chain);
   windows.add(periodic(1000, 68, 3));
-  windows.set_jitter(0, 0, jitter, never);
-  windows.set_jitter(0, 1, jitter + 68, never);
+  windows.set_jitter(TransactionId{0}, TaskId{0}, jitter, never);
+  windows.set_jitter(TransactionId{0}, TaskId{1}, jitter + 68, never);
   return windows;
 }
 
@@ -105,22 +106,22 @@ BusyWindows two_stages(Nanoseconds jitter) {
 
 TEST_CASE("tasks that follow one another at once are delayed once together") {
   const BusyWindows windows = two_stages(0);
-  CHECK(windows.finish(0, 1, 31, 0) == 211);
-  CHECK(windows.joint_finish(0, {0, 1}, 31) == 143);
-  CHECK(windows.joint_finish(0, {0, 1}, 11) == 123);
-  const auto shares = windows.joint_breakdown(0, {0, 1}, 31);
+  CHECK(windows.finish(TransactionId{0}, TaskId{1}, 31, 0) == 211);
+  CHECK(windows.joint_finish(TransactionId{0}, {TaskId{0}, TaskId{1}}, 31) == 143);
+  CHECK(windows.joint_finish(TransactionId{0}, {TaskId{0}, TaskId{1}}, 11) == 123);
+  const auto shares = windows.joint_breakdown(TransactionId{0}, {TaskId{0}, TaskId{1}}, 31);
   REQUIRE(shares.size() == 1);
-  CHECK(shares[0].transaction == 1);
+  CHECK(shares[0].transaction == TransactionId{1});
   CHECK(shares[0].work == 68);
 }
 
 TEST_CASE("no joint bound if the next occurrence may come before the window ends") {
-  CHECK(two_stages(856).joint_finish(0, {0, 1}, 31) == 143);
-  CHECK(two_stages(857).joint_finish(0, {0, 1}, 31) == never);
+  CHECK(two_stages(856).joint_finish(TransactionId{0}, {TaskId{0}, TaskId{1}}, 31) == 143);
+  CHECK(two_stages(857).joint_finish(TransactionId{0}, {TaskId{0}, TaskId{1}}, 31) == never);
 }
 
 TEST_CASE("without preemption, tasks have no joint bound") {
   BusyWindows windows({false});
   windows.add(periodic(1000, 44, 2));
-  CHECK(windows.joint_finish(0, {0}, 44) == never);
+  CHECK(windows.joint_finish(TransactionId{0}, {TaskId{0}}, 44) == never);
 }

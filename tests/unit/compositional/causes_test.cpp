@@ -13,22 +13,21 @@ using pal::test::Stages;
 TEST_CASE("the source of an event has the segments that its message leads to") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
   REQUIRE(stages.forest.refusal.empty());
-  const int looks = stages.job("LS1");
-  const int works = stages.job("SM1");
+  const NodeId looks = stages.job("LS1");
+  const NodeId works = stages.job("SM1");
   const Source& source = stages.context.source(looks);
   CHECK(source.kind == Source::Kind::event);
   CHECK(source.period == 20 * ms);
-  CHECK(source.roots == std::vector<int>{looks});
+  CHECK(source.roots == std::vector<NodeId>{looks});
   CHECK(stages.context.node(works).cause == looks);
   CHECK(stages.context.node(works).release == Node::Release::message);
   CHECK(stages.forest.cause_in(works, stages.thread("LS1")) == looks);
-  CHECK(stages.forest.cause_in(looks, stages.thread("SM1")) == -1);
+  CHECK(!stages.forest.cause_in(looks, stages.thread("SM1")).valid());
 }
 
 TEST_CASE("a cause stands before its effects") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
-  for (std::size_t n = 0; n < stages.forest.nodes.size(); ++n)
-    CHECK(stages.forest.nodes[n].cause < static_cast<int>(n));
+  for (const NodeId n : stages.forest.nodes.ids()) CHECK(stages.forest.nodes[n].cause < n);
 }
 
 TEST_CASE("the start of a module is a source that occurs once") {

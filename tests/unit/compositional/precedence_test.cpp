@@ -14,7 +14,7 @@ using pal::test::Stages;
 
 namespace {
 
-bool has(const std::vector<int>& nodes, int node) {
+bool has(const std::vector<NodeId>& nodes, NodeId node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
 }
 
@@ -22,10 +22,10 @@ bool has(const std::vector<int>& nodes, int node) {
 
 TEST_CASE("within one occurrence a segment never overlaps with its cause") {
   const Stages stages(chain("    work\n    SPC( pc-high )"));
-  const int looks = stages.job("LS1");
-  const int works = stages.job("SM1");
+  const NodeId looks = stages.job("LS1");
+  const NodeId works = stages.job("SM1");
   const auto apart = never_together(stages.problem, stages.forest, pal::test::goes_on);
-  CHECK(has(apart[static_cast<std::size_t>(works)], looks));
+  CHECK(has(apart[works], looks));
 }
 
 TEST_CASE("a cause and its effect are no alternatives") {
@@ -42,7 +42,7 @@ TEST_CASE("effects of two branches of a job are exclusive, effects in a row are 
       ( pc-high = FALSE ):
         rest
     END CASE)"));
-  const int job = stages.job("SM1");
+  const NodeId job = stages.job("SM1");
   std::vector<StepEffect> effects;
   for (const Segment::Passed& passed : stages.context.segment(job).steps) {
     if (stages.context.step_at(passed.step).kind == Step::Kind::activity)

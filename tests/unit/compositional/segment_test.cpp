@@ -53,15 +53,14 @@ TEST_CASE("steps of two branches never come in a row, steps of one do") {
         rest
     END CASE)"));
   const Segment& works = segment_of_job(stages, "SM1");
-  std::vector<int> activities;
+  std::vector<StepId> activities;
   for (const Segment::Passed& passed : works.steps) {
-    if (stages.problem.steps[static_cast<std::size_t>(passed.step)].kind == Step::Kind::activity)
-      activities.push_back(passed.step);
+    if (stages.problem.steps[passed.step].kind == Step::Kind::activity) activities.push_back(passed.step);
   }
   REQUIRE(activities.size() == 3);
   CHECK(any_in_row(stages.problem, works, activities));
   CHECK_FALSE(any_in_row(stages.problem, works, {activities[1], activities[2]}));
-  const std::vector<bool> after = steps_after(stages.problem, works, activities[0]);
-  CHECK(after[static_cast<std::size_t>(activities[1])]);
-  CHECK_FALSE(after[static_cast<std::size_t>(activities[0])]);
+  const pal::Table<StepId, bool> after = steps_after(stages.problem, works, activities[0]);
+  CHECK(after[activities[1]]);
+  CHECK_FALSE(after[activities[0]]);
 }

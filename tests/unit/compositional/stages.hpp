@@ -24,20 +24,21 @@ struct Stages {
         problem(skill->problem.value()),
         forest(analyzer::compositional::forest_of(problem, goes_on)),
         behaviours(analyzer::compositional::thread_behaviours_of(problem, forest, goes_on)),
-        times(analyzer::compositional::times_of(problem, forest, behaviours,
-                                                std::vector<bool>(problem.steps.size(), true), goes_on)),
+        times(analyzer::compositional::times_of(
+            problem, forest, behaviours, pal::Table<analyzer::StepId, bool>(problem.steps.size(), true),
+            goes_on)),
         context{problem, forest, behaviours} {}
   Stages(const Stages&) = delete;
 
-  int thread(const std::string& name) const {
-    for (std::size_t i = 0; i < problem.threads.size(); ++i) {
-      if (problem.threads[i].name == name) return static_cast<int>(i);
+  analyzer::ThreadId thread(const std::string& name) const {
+    for (const analyzer::ThreadId i : problem.threads.ids()) {
+      if (problem.threads[i].name == name) return i;
     }
-    return -1;
+    return analyzer::ThreadId{};
   }
   /// The only node of a thread's jobs.
-  int job(const std::string& name) const {
-    return behaviours.threads[static_cast<std::size_t>(thread(name))].job_starts.at(0);
+  analyzer::compositional::NodeId job(const std::string& name) const {
+    return behaviours.threads[thread(name)].job_starts.at(0);
   }
 
   std::unique_ptr<Skill> skill;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 using namespace pal::analyzer::compositional;
+using pal::analyzer::Nanoseconds;
 
 TEST_CASE("a closed window of a whole period has two releases") {
   CHECK(releases(10, 0, 9) == 1);
@@ -43,14 +44,14 @@ TEST_CASE("alternatives bring the longest of them once an occurrence") {
     of.tasks.push_back(task);
   }
   std::vector<Share> shares;
-  Tally apart(of, 0, &shares);
-  apart.add(0, 4);
-  apart.add(1, 4);
+  Tally apart(of, TransactionId{0}, &shares);
+  apart.add(TaskId{0}, 4);
+  apart.add(TaskId{1}, 4);
   CHECK(apart.total([](const Alternatives&) { return Nanoseconds{4}; }) == 20);
 
-  of.exclude({0, 1}, 0);
-  Tally together(of, 0, nullptr);
-  together.add(0, 4);
-  together.add(1, 4);
+  of.exclude({TaskId{0}, TaskId{1}}, 0);
+  Tally together(of, TransactionId{0}, nullptr);
+  together.add(TaskId{0}, 4);
+  together.add(TaskId{1}, 4);
   CHECK(together.total([](const Alternatives&) { return Nanoseconds{4}; }) == 12);
 }

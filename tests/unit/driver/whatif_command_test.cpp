@@ -21,7 +21,10 @@ bool says(const Answer& answer, const std::string& text) {
 TEST_CASE("slack: fails as things are, not known, not looked for") {
   const Answer fails = pal::test::pal({"whatif", read_first, "-e", cell});
   CHECK(fails.status == ExitStatus::not_met);
-  CHECK(says(fails, "none              'fresh-force' does not hold as things are"));
+  CHECK(says(fails, "'fresh-force' does not hold as things are, so no worst time may grow."));
+  CHECK_FALSE(says(fails, "may grow by"));
+  CHECK(says(fails, "'fresh-force', 10 ms allowed: before fails 35.35 ms, after holds 7.3 ms"));
+  CHECK(says(fails, "3 other requirements hold as before"));
 
   // Ended before anything was decided: nothing is said to fail.
   const Answer ended = pal::test::pal({"whatif", touch, "-e", cell, "--timeout", "1ns"});
@@ -29,6 +32,16 @@ TEST_CASE("slack: fails as things are, not known, not looked for") {
   CHECK(says(ended, "not known"));
   CHECK(says(ended, "is undecided as things are"));
   CHECK_FALSE(says(ended, "does not hold"));
+}
+
+TEST_CASE("a remedy of the environment is said in words and as options") {
+  const std::string example = std::string(PAL_SOURCE_DIR) + "/examples/two_processors/";
+  const Answer answer =
+      pal::test::pal({"whatif", example + "two_processors.pal", "-e", example + "one_processor.pal"});
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(says(answer,
+             "1. add processor P1 and place SM1 on P1: --set 'PROCESSOR P1' --set 'SM1.processor = P1'"));
+  CHECK(says(answer, "'answer', 1 ms allowed: before fails 6 ms, after holds 0 ms"));
 }
 
 TEST_CASE("the fewest processors are claimed only for the priorities that were tried") {
