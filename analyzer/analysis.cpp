@@ -85,11 +85,14 @@ void look_for_long_run(const Problem& problem, const Requirement& requirement, c
   if (found) confront(problem, requirement, std::move(*found), verdict);
 }
 
+/// So many steps of walks take less time than a class: nothing is compared.
+constexpr std::size_t walked_per_class = 3;
+
 /// What has to meet within a short time is seldom met by times that are drawn.
 void look_by_walks(const Problem& problem, const Requirement& requirement, const Options& options,
                    Verdict& verdict) {
   ZoneWalkOptions how;
-  how.steps = std::min(how.steps, options.max_states);
+  how.steps = std::min(walked_per_class * glance(problem), options.max_states);
   how.stop = options.stop;
   auto found = walk_zones(problem, requirement, how);
   if (found) confront(problem, requirement, std::move(*found), verdict);
