@@ -77,7 +77,7 @@ Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
 std::optional<Nanoseconds> Bracket::next(Nanoseconds tolerance, Nanoseconds ceiling, bool explores) {
   const Nanoseconds end = lower_end(ceiling);
   if (end - holds_ > tolerance) {
-    if (hurried_ && *hurried_ < end) {
+    if (hurried_ && !fails_ && *hurried_ < end) {
       // Less may be easier to decide. Then the same again.
       again_ = !again_;
       return again_ || *hurried_ - holds_ <= tolerance ? *hurried_ : middle(holds_, *hurried_);
@@ -119,8 +119,7 @@ void Bracket::hear(Nanoseconds extra, const Ruling& ruling) {
                      : std::pair(extra, extra);
     if (extra < end_before) above_.reset();
   }
-  if (hurried_ && (extra == *hurried_ || holds_ >= *hurried_ || (fails_ && *fails_ <= *hurried_)))
-    hurried_.reset();
+  if (hurried_ && (extra == *hurried_ || holds_ >= *hurried_)) hurried_.reset();
   assert(!fails_ || holds_ < *fails_);
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 using Is = Verdict::State;
 
-/// Seconds for each figure in the first round, and for all of them; by how much longer each next one is.
+/// Seconds for each figure in the first two rounds, for all of them in the first one at most, and by how much
+/// longer each further round is.
 constexpr double first_share = 0.5;
 constexpr double first_round = 8;
 constexpr double longer_share = 3;
@@ -36,7 +37,8 @@ Round round_of(std::size_t number, std::size_t skipped, std::size_t figures, con
   const bool stepped = step < std::size(classes_of_rounds);
   round.classes = stepped ? std::min(classes_of_rounds[step], options.max_states) : options.max_states;
   round.last_classes = round.classes >= options.max_states && step > 0;
-  round.seconds = std::min(first_share, first_round / static_cast<double>(figures));
+  round.seconds = first_share;
+  if (number == 0) round.seconds = std::min(first_share, first_round / static_cast<double>(figures));
   for (std::size_t n = 1; n < number; ++n) round.seconds *= longer_share;
   return round;
 }
