@@ -164,10 +164,19 @@ class RemedySearch {
     double score = 0;
   };
 
-  /// Those that bring things nearer, the best first; the best one is kept as the nearest.
+  /// Whether something that holds as things are does not hold any more.
+  bool breaks(const std::vector<Verdict>& after) const {
+    for (std::size_t r = 0; r < after.size(); ++r) {
+      if (made_.before[r].state == Is::holds && after[r].state != Is::holds) return true;
+    }
+    return false;
+  }
+
+  /// Those that bring things nearer, the best first. The best one that breaks nothing is kept as the nearest.
   std::vector<Helper> helpers(const std::vector<CandidateId>& all) {
     const double as_it_is = total(made_.before);
     std::vector<Helper> helping;
+    double nearest = as_it_is;
     for (const CandidateId id : all) {
       if (stopped()) break;
       const auto problem = problem_with({id}, network_with({id}));
@@ -180,9 +189,10 @@ class RemedySearch {
         if (!enough()) made_.found.push_back({{id}, std::move(after)});
         continue;
       }
-      if (helping.empty() ||
-          std::all_of(helping.begin(), helping.end(), [&](const Helper& each) { return score < each.score; }))
+      if (score < nearest && !breaks(after)) {
+        nearest = score;
         made_.nearest = Remedy{{id}, std::move(after)};
+      }
       helping.push_back({id, score});
     }
     std::stable_sort(helping.begin(), helping.end(),

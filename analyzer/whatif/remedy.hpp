@@ -29,7 +29,8 @@ struct Remedies {
   std::vector<Candidate> candidates;
   /// With each of these everything holds; all have the same number of changes, the least that does.
   std::vector<Remedy> found;
-  /// Where none is found: the one that comes nearest, if any comes nearer than things are.
+  /// Where none is found: the one that comes nearest and breaks nothing that holds, if any comes nearer than
+  /// things are.
   std::optional<Remedy> nearest;
   std::size_t tried = 0;
   bool complete = true;  // the time sufficed for all that was meant to be tried

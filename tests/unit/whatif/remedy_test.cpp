@@ -56,6 +56,21 @@ TEST_CASE("if no change suffices, the nearest one is shown") {
   CHECK(remedies.nearest->after.front().bound < remedies.before.front().bound);
 }
 
+TEST_CASE("the nearest change breaks nothing that holds") {
+  // With a higher priority the answer comes sooner, but then it delays heavy.
+  std::string text = test::two_chains("1 ms");
+  text.insert(text.find("END SKILL"),
+              "  REQUIREMENT steady : RESPONSE FROM tock OF SD1 TO heavy AT MOST 5 ms\n");
+  RemedyOptions how;
+  how.most_changes = 1;
+  const Remedies remedies = remedies_of(*test::sound_skill(text), how);
+  CHECK(remedies.found.empty());
+  REQUIRE(remedies.nearest);
+  REQUIRE(remedies.before.back().state == Is::holds);
+  CHECK(remedies.nearest->after.back().state == Is::holds);
+  CHECK(remedies.nearest->after.front().bound < remedies.before.front().bound);
+}
+
 TEST_CASE("a program that cannot be changed in this way is passed over") {
   const auto skill = test::sound_skill(test::two_chains("4 ms"));
   std::size_t asked = 0;
