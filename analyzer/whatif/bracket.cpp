@@ -69,7 +69,7 @@ Nanoseconds Bracket::middle(Nanoseconds low, Nanoseconds high) const {
 
 Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
   const Nanoseconds extra = ceiling - 1 - from <= step_ ? ceiling - 1 : from + step_;
-  step_ = step_ < ceiling / longer_ ? step_ * longer_ : ceiling;
+  if (step_ < ceiling / longer_) step_ *= longer_;
   return extra;
 }
 
