@@ -82,7 +82,11 @@ class Writer {
       }
       case Term::Kind::since_cause: {
         const NodeId cause = std::exchange(from_, term.cause);
-        if (each.amount == instant(nominal_, term) - begun()) until(nominal_, term.node, term.step);
+        if (each.amount == instant(nominal_, term) - begun()) {
+          until(nominal_, term.node, term.step);
+        } else {
+          say(each.amount, actor(term.node), "at the latest, until " + place(term), statement(term));
+        }
         from_ = cause;
         return;
       }
