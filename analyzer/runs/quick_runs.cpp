@@ -35,12 +35,12 @@ Simulation run_by_chance(const Machine& machine, std::uint64_t seed, std::size_t
   return simulate(machine, how);
 }
 
-/// The run that pal simulate makes of this seed, unless it has more events.
-Simulation run_of_extremes(const Machine& machine, std::uint64_t seed, std::size_t events,
-                           const std::function<bool()>& stop) {
+Simulation long_run(const Machine& machine, Times times, std::uint64_t seldom, std::uint64_t seed,
+                    std::size_t events, const std::function<bool()>& stop) {
   SimulationOptions how;
-  how.times = Times::extremes;
+  how.times = times;
   how.seed = seed;
+  how.seldom = seldom;
   how.until = usual_length;
   how.max_events = events;
   how.stop = stop;
@@ -48,18 +48,17 @@ Simulation run_of_extremes(const Machine& machine, std::uint64_t seed, std::size
   return simulate(machine, how);
 }
 
+/// The run that pal simulate makes of this seed, unless it has more events.
+Simulation run_of_extremes(const Machine& machine, std::uint64_t seed, std::size_t events,
+                           const std::function<bool()>& stop) {
+  return long_run(machine, Times::extremes, SimulationOptions().seldom, seed, events, stop);
+}
+
 /// A run in which loops go on for long. So the phases of devices that drift meet in many ways in one run.
 Simulation steady_run(const Machine& machine, std::uint64_t seed, std::size_t events,
                       const std::function<bool()>& stop) {
-  SimulationOptions how;
-  how.times = seed % 2 == 1 ? Times::worst : Times::extremes;
-  how.seed = seed;
-  how.seldom = seldom_in_steady_runs;
-  how.until = usual_length;
-  how.max_events = events;
-  how.stop = stop;
-  how.record = false;
-  return simulate(machine, how);
+  const Times times = seed % 2 == 1 ? Times::worst : Times::extremes;
+  return long_run(machine, times, seldom_in_steady_runs, seed, events, stop);
 }
 
 bool is_beyond(const Requirement& requirement, const Measurement& made) {
