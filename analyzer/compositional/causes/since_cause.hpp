@@ -11,8 +11,8 @@
 
 namespace pal::analyzer::compositional {
 
-/// From the release of one node until that of another, far less time may pass than from the start of the
-/// skill: how late both are for the same reason does not matter.
+/// Times counted so do not contain what makes both the cause and the node late. They may be far shorter than
+/// times that count from the start of the skill.
 class SinceCause {
  public:
   SinceCause(const AnalysisContext& context, std::shared_ptr<const Order> order)

@@ -21,9 +21,9 @@ class ExcludedWork {
   /// ends before the next is released. `in_turn`: all that an occurrence of its source triggers ends before
   /// the next occurrence.
   ///
-  /// What comes later never counts. Work that is over before the node is released does not count either, if
-  /// it cannot have held up other work that counts: what comes once counts in full anyway. Of what recurs,
-  /// more may be waiting after such work than a window holds, except in two cases.
+  /// What comes later never counts. Work that is over before the node is released may have held up other
+  /// work. Other work that comes once counts in full anyway. Of work that recurs, more may be waiting then
+  /// than a window holds. So what is over is left out in two cases.
   /// - All that recurs and counts is released only after that work, in every run.
   /// - The processor is preemptive, and the work has a lower priority than all that recurs and counts. So
   ///   nothing of it was waiting while that work ran.
