@@ -66,7 +66,8 @@ ProgramChanges::ProgramChanges(const Selection& selection, const pan::Network& s
 void ProgramChanges::propose(const syntax::Tree& tree, const pan::Network& skill) {
   const std::string_view text = sources_.text(tree.file);
   std::vector<rewrite::Rewriting> proposed = rewrite::read_after_wait(tree, text);
-  for (rewrite::Rewriting& each : rewrite::ask_ahead(tree, text)) proposed.push_back(std::move(each));
+  for (auto& more : {rewrite::set_after_wait(tree, text), rewrite::ask_ahead(tree, text)})
+    proposed.insert(proposed.end(), more.begin(), more.end());
   for (rewrite::Rewriting& each : proposed) {
     if (!has_module(skill, each.module) || overlap(each.edits)) continue;
     const std::string& file = sources_.name(tree.file);

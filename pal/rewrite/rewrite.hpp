@@ -24,6 +24,11 @@ struct Rewriting {
 /// `text`: of the tree's file.
 std::vector<Rewriting> read_after_wait(const syntax::Tree& tree, std::string_view text);
 
+/// For places where a sensor's answer is taken and a condition set from it just before a wait for a message:
+/// the wait moves in front of all that, and of the request for the answer. So the condition does not grow old
+/// during the wait.
+std::vector<Rewriting> set_after_wait(const syntax::Tree& tree, std::string_view text);
+
 /// For loops that request something and then wait for it: the first request moves before the loop, and each
 /// next one behind the wait. The server then works meanwhile: a courier.
 std::vector<Rewriting> ask_ahead(const syntax::Tree& tree, std::string_view text);

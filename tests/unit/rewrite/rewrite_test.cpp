@@ -103,6 +103,54 @@ TEST_CASE(
   CHECK(rewrite::read_after_wait(parsed.tree, parsed.sources.text(parsed.file)).empty());
 }
 
+TEST_CASE("a wait behind sensing comes before the request") {
+  const Parsed parsed(
+      "  REPEAT\n"
+      "    TXM( request depth from Level )\n"
+      "    WTM( depth from Level )\n"
+      "    filter\n"
+      "    SPC( wet )\n"
+      "    SPC( warm )\n"
+      "    WTM( tick from Axis )\n"
+      "    lower\n"
+      "  UNTIL( wet )\n");
+  const auto found = rewrite::set_after_wait(parsed.tree, parsed.sources.text(parsed.file));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].title == "wait for tick before sensing wet, warm");
+  CHECK(parsed.after(found[0]) == module_with("  REPEAT\n"
+                                              "    WTM( tick from Axis )\n"
+                                              "    TXM( request depth from Level )\n"
+                                              "    WTM( depth from Level )\n"
+                                              "    filter\n"
+                                              "    SPC( wet )\n"
+                                              "    SPC( warm )\n"
+                                              "    lower\n"
+                                              "  UNTIL( wet )\n"));
+}
+
+TEST_CASE("a wait moves before the wait for what comes unasked, and not where nothing is set from it") {
+  const Parsed parsed(
+      "  TXM( request other from Level )\n"
+      "  WTM( depth from Level )\n"
+      "  SPC( wet )\n"
+      "  WTM( tick from Axis )\n"
+      "  WTM( tock from Axis )\n"
+      "  SPC( dry = TRUE )\n"
+      "  REPEAT\n"
+      "    SPC( dry )\n"
+      "    WTM( tick from Axis )\n"
+      "  UNTIL( forever )\n");
+  const auto found = rewrite::set_after_wait(parsed.tree, parsed.sources.text(parsed.file));
+  REQUIRE(found.size() == 1);
+  CHECK(
+      parsed.after(found[0]).starts_with("Skill Module: SM1\nBEGIN\n"
+                                         "  TXM( request other from Level )\n"
+                                         "  WTM( tick from Axis )\n"
+                                         "  WTM( depth from Level )\n"
+                                         "  SPC( wet )\n"
+                                         "  WTM( tock from Axis )\n"));
+}
+
 TEST_CASE("courier: a request before the loop, and one behind each answer") {
   const Parsed parsed(
       "  REPEAT\n"
