@@ -37,7 +37,7 @@ class Question {
   /// False: the changes are wrong.
   bool answer(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer) {
     auto problem = problem_of(skill, environment, session_);
-    if (!problem) return true;
+    if (!problem || session_.diagnostics.has_errors()) return true;
     answer.skill = problem->skill;
     answer.environment = problem->environment;
     for (const auto& requirement : problem->requirements) answer.requirements.push_back(requirement.name);
