@@ -19,6 +19,9 @@ constexpr Nanoseconds longer_steps_of_loads = 4;
 /// The least first step.
 constexpr Nanoseconds least_step = 1'000;
 
+/// By how much the growth gets greater with which a failure is looked for.
+constexpr Nanoseconds failure_steps = 4;
+
 /// Such a part of a time is near enough at first.
 constexpr Nanoseconds rough = 32;
 
@@ -69,7 +72,7 @@ Nanoseconds Bracket::middle(Nanoseconds low, Nanoseconds high) const {
 
 Nanoseconds Bracket::step_up(Nanoseconds from, Nanoseconds ceiling) {
   const Nanoseconds extra = ceiling - 1 - from <= step_ ? ceiling - 1 : from + step_;
-  if (step_ < ceiling / longer_) step_ *= longer_;
+  step_ *= step_ < ceiling / longer_ ? longer_ : step_ < ceiling / 2 ? 2 : 1;
   return extra;
 }
 
@@ -139,6 +142,22 @@ void Bracket::sharpen(RequirementChecker& checker, const Effort& effort) {
   }
 }
 
+/// By bounds and single runs, with ever greater growths. Exploring one that is much too great may take all
+/// the time, and a run shows at once that it fails.
+void Bracket::look_for_failure(RequirementChecker& checker, const Effort& effort, Nanoseconds ceiling) {
+  while (!fails_ && looked_up_to_ < ceiling - 1 && !effort.over()) {
+    const Nanoseconds from = std::max(looked_up_to_, holds_);
+    const Nanoseconds step = std::max(from, std::max(scaling_.longest(), least_step)) * (failure_steps - 1);
+    const Nanoseconds extra = ceiling - 1 - from <= step ? ceiling - 1 : from + step;
+    if (extra <= holds_) return;
+    const auto problem = checker.problem(scaling_.by(extra));
+    const Ruling ruling = problem ? checker.ask(*problem, requirements_, {0, effort.stop}) : Ruling{};
+    if (ruling.state == Is::undecided && effort.over()) return;
+    if (ruling.state != Is::undecided) hear(extra, ruling);
+    looked_up_to_ = extra;
+  }
+}
+
 void Bracket::narrow(RequirementChecker& checker, const Effort& effort, Precision precision,
                      Nanoseconds ceiling) {
   if (requirements_.empty()) return;
@@ -146,6 +165,7 @@ void Bracket::narrow(RequirementChecker& checker, const Effort& effort, Precisio
   classes_ = effort.classes;
   // Without exploration what bounds do not show is not shown to hold: only what fails is looked for.
   if (effort.classes == 0 && ceiling - holds_ > 1) undecided_ = {holds_ + 1, holds_ + 1};
+  if (effort.classes > 0 && precision == Precision::exact) look_for_failure(checker, effort, ceiling);
   while (!effort.over()) {
     const auto extra = next(tolerance(precision), ceiling, effort.classes > 0);
     if (!extra) return;

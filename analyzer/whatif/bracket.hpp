@@ -45,12 +45,14 @@ class Bracket {
   Nanoseconds step_up(Nanoseconds from, Nanoseconds ceiling);
   Nanoseconds middle(Nanoseconds low, Nanoseconds high) const;
   void hear(Nanoseconds extra, const Ruling& ruling);
+  void look_for_failure(RequirementChecker& checker, const Effort& effort, Nanoseconds ceiling);
   void sharpen(RequirementChecker& checker, const Effort& effort);
 
   const Scaling& scaling_;
   const RequirementIds requirements_;
   const Nanoseconds longer_;  // by how much steps get longer
   Nanoseconds step_;
+  Nanoseconds looked_up_to_ = 0;  // for a failure
   Nanoseconds holds_ = 0;
   std::optional<Nanoseconds> fails_;
   RequirementId failing_;

@@ -10,9 +10,6 @@ namespace {
 
 using Is = Verdict::State;
 
-/// More would take longer to try than they spare.
-constexpr std::size_t most_refutations = 12;
-
 /// So many classes decide most skills at once; of larger ones cheaper answers are asked first.
 constexpr std::size_t few_classes = 20'000;
 
@@ -23,10 +20,6 @@ std::vector<Verdict> bounds_of(const Problem& problem, const RequirementIds& req
   for (const RequirementId r : requirements) asked.requirements.push_back(problem.requirements[r.index()]);
   options.addends = false;
   return analyze_compositionally(asked, options).verdicts;
-}
-
-bool contains(const RequirementIds& all, RequirementId one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
 }
 
 }  // namespace
@@ -56,10 +49,11 @@ std::optional<Problem> RequirementChecker::problem(const pan::Environment& envir
 
 RequirementId RequirementChecker::refuted(const Problem& problem, const RequirementIds& requirements,
                                           const std::function<bool()>& stop) {
-  for (const Refutation& known : refutations_) {
+  for (const auto& known : refutations_->runs()) {
     if (stop && stop()) return {};
-    if (contains(requirements, known.requirement) && refutes(problem, known.requirement, known.witness, stop))
-      return known.requirement;
+    const RequirementId r = known->requirement;
+    const bool asked = std::find(requirements.begin(), requirements.end(), r) != requirements.end();
+    if (asked && refutes(problem, r, known->witness, stop)) return r;
   }
   return {};
 }
@@ -72,25 +66,6 @@ bool RequirementChecker::bounded(const Problem& problem, const RequirementIds& r
 
 bool RequirementChecker::has_zeno_run(const Problem& problem) {
   return find_zeno_run(problem, {options_.max_states, options_.stop, {}, &workers_}).found.has_value();
-}
-
-RequirementIds RequirementChecker::in_order(const RequirementIds& requirements) const {
-  RequirementIds order;
-  for (const RequirementId r : failed_) {
-    if (contains(requirements, r)) order.push_back(r);
-  }
-  for (const RequirementId r : requirements) {
-    if (!contains(order, r)) order.push_back(r);
-  }
-  return order;
-}
-
-void RequirementChecker::remember(RequirementId requirement, std::optional<Witness> witness) {
-  std::erase(failed_, requirement);
-  failed_.insert(failed_.begin(), requirement);
-  if (!witness) return;
-  refutations_.insert(refutations_.begin(), {requirement, std::move(*witness)});
-  if (refutations_.size() > most_refutations) refutations_.pop_back();
 }
 
 void RequirementChecker::explore(const Problem& problem, Progress& progress, const Options& options) {
@@ -142,7 +117,8 @@ Ruling RequirementChecker::ruling_of(const Problem& problem, Progress progress, 
     if (look.found || (!look.excluded && effort.over()))
       return {Is::undecided, progress.order.empty() ? RequirementId() : progress.order.front(), {}};
   }
-  if (failing) remember(progress.order[*failing], std::move(progress.decisions[*failing].witness));
+  if (failing)
+    refutations_->remember(progress.order[*failing], std::move(progress.decisions[*failing].witness));
   return ruling;
 }
 
@@ -151,7 +127,7 @@ Ruling RequirementChecker::ask(const Problem& problem, const RequirementIds& req
   if (const RequirementId broken = refuted(problem, requirements, effort.stop); broken.valid())
     return {Is::fails, broken, {}};
   Progress progress;
-  progress.order = in_order(requirements);
+  progress.order = refutations_->in_order(requirements);
   progress.decisions.resize(progress.order.size());
   progress.explored.resize(progress.order.size());
   const std::vector<Verdict> bounds = bounds_of(problem, progress.order, options_);

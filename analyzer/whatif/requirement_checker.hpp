@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "analyzer/whatif/decide.hpp"
+#include "analyzer/whatif/refutations.hpp"
 #include "pal/pan/environment.hpp"
 #include "pal/pan/network.hpp"
 
@@ -35,7 +37,19 @@ struct Effort {
 class RequirementChecker {
  public:
   RequirementChecker(const pan::Network& network, const Options& options)
-      : network_(network), options_(options), workers_(options.threads) {}
+      : network_(network),
+        options_(options),
+        workers_(options.threads),
+        refutations_(std::make_shared<Refutations>()) {}
+
+  /// One to ask at the same time as `other`, with so many `threads`. Both know what either finds.
+  RequirementChecker(const RequirementChecker& other, unsigned threads)
+      : network_(other.network_),
+        options_(other.options_),
+        workers_(threads),
+        refutations_(other.refutations_) {
+    options_.threads = threads;
+  }
 
   /// Nothing: the environment is no model (a time is too long, …).
   std::optional<Problem> problem(const pan::Environment& environment) const;
@@ -59,24 +73,17 @@ class RequirementChecker {
   const Options& options() const { return options_; }
 
  private:
-  struct Refutation {
-    RequirementId requirement;
-    Witness witness;
-  };
   /// A question on its way: what each requirement came to by now, in the order of asking.
   struct Progress;
 
-  RequirementIds in_order(const RequirementIds& requirements) const;
   void explore(const Problem& problem, Progress& progress, const Effort& effort);
   void explore(const Problem& problem, Progress& progress, const Options& options);
   Ruling ruling_of(const Problem& problem, Progress progress, const Effort& effort);
-  void remember(RequirementId requirement, std::optional<Witness> witness);
 
   const pan::Network& network_;
   Options options_;
   Workers workers_;
-  std::vector<Refutation> refutations_;  // the last ones first
-  RequirementIds failed_;                // the last first
+  std::shared_ptr<Refutations> refutations_;
 };
 
 /// All of a problem.

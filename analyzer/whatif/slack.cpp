@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
+#include <thread>
 
-#include "analyzer/whatif/bracket.hpp"
+#include "analyzer/whatif/figure_search.hpp"
+#include "analyzer/zones/workers.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -51,93 +54,47 @@ Effort effort_of(const Round& round, const Options& options, double part = 1) {
           [stop = options.stop, clock = options.clock, end] { return (stop && stop()) || clock() > end; }};
 }
 
-/// The search for the slack of one figure, or of all together.
-class FigureSearch {
- public:
-  FigureSearch(const pan::Environment& environment, std::vector<std::string> names, const Problem& problem)
-      : scaling_(environment, std::move(names)),
-        timed_(scaling_, requirements_that(problem, false), false),
-        loads_(scaling_, requirements_that(problem, true), true),
-        unbounded_(scaling_.most() + 1),
-        step_(std::max<Nanoseconds>(scaling_.longest(), 1'000)) {}
+/// So many figures have their turns at the same time: each may take the memory of one exploration.
+constexpr unsigned most_at_once = 4;
 
-  /// Looks for the greatest growth that bounds alone show to hold. Goes on where the last effort ended.
-  void bound(RequirementChecker& checker, const RequirementIds& all, const Effort& effort) {
-    const Nanoseconds before = bounded_;
-    while (unbounded_ - bounded_ > 1 && !effort.over()) {
-      const bool looking = unbounded_ > scaling_.most();
-      const Nanoseconds up = scaling_.most() - bounded_ <= step_ ? scaling_.most() : bounded_ + step_;
-      const Nanoseconds extra = looking ? up : bounded_ + (unbounded_ - bounded_) / 2;
-      const auto problem = checker.problem(scaling_.by(extra));
-      (problem && checker.bounded(*problem, all) ? bounded_ : unbounded_) = extra;
-      step_ = step_ < scaling_.most() / 100 ? step_ * 100 : scaling_.most();
-    }
-    if (bounded_ == before) return;
-    const auto problem = checker.problem(scaling_.by(bounded_));
-    if (!problem || checker.has_zeno_run(*problem)) return;
-    timed_.hold(bounded_);
-    loads_.hold(bounded_);
-  }
-
-  /// Loads have half of the time, and what the others leave; these have what loads leave.
-  void narrow(RequirementChecker& checker, const Effort& half, const Effort& whole, Precision precision) {
-    timed_.narrow(checker, half, precision, ceiling_of(loads_));
-    loads_.narrow(checker, whole, precision, ceiling_of(timed_));
-    timed_.narrow(checker, whole, precision, ceiling_of(loads_));
-  }
-
-  bool exact() const { return holds() == scaling_.most() || (fails() && *fails() - holds() == 1); }
-  /// What this round could decide is decided.
-  bool exhausted() const {
-    return exact() || (timed_.exhausted(ceiling_of(loads_)) && loads_.exhausted(ceiling_of(timed_)));
-  }
-
-  void tell(Slack& slack) const {
-    slack.holds = Duration(holds());
-    slack.unlimited = holds() == scaling_.most();
-    if (fails()) slack.fails = Duration(*fails());
-    const bool timed_says = fails() ? timed_.fails() == fails() : timed_.holds() == holds();
-    const bool loads_only = timed_.requirements().empty();
-    slack.requirement = (timed_says && !loads_only ? timed_ : loads_).requirement();
-  }
-
- private:
-  static RequirementIds requirements_that(const Problem& problem, bool are_loads) {
-    RequirementIds chosen;
-    for (const RequirementId r : requirements_of(problem)) {
-      const bool load = problem.requirements[r.index()].measure == Requirement::Measure::load;
-      if (load == are_loads) chosen.push_back(r);
-    }
-    return chosen;
-  }
-
-  /// What is of no interest to the others: something fails there.
-  Nanoseconds ceiling_of(const Bracket& bracket) const {
-    return bracket.fails().value_or(scaling_.most() + 1);
-  }
-
-  Nanoseconds holds() const {
-    if (timed_.requirements().empty())
-      return loads_.requirements().empty() ? scaling_.most() : loads_.holds();
-    return loads_.requirements().empty() ? timed_.holds() : std::min(timed_.holds(), loads_.holds());
-  }
-  std::optional<Nanoseconds> fails() const {
-    if (!timed_.fails() || !loads_.fails()) return timed_.fails() ? timed_.fails() : loads_.fails();
-    return std::min(timed_.fails(), loads_.fails());
-  }
-
-  const Scaling scaling_;
-  Bracket timed_;
-  Bracket loads_;
-  Nanoseconds bounded_ = 0;  // holds by bounds alone
-  Nanoseconds unbounded_;    // does not; beyond the greatest growth: not looked for
-  Nanoseconds step_;
+/// How the threads are shared between figures.
+struct Sharing {
+  unsigned at_once = 1;  // figures that have their turns at the same time
+  unsigned threads = 0;  // of each; 0: one for each core
 };
+
+/// Without a clock one figure after the other, so that the answers are always the same.
+Sharing sharing_of(std::size_t open, const Options& options) {
+  if (!options.clock) return {1, options.threads};
+  const unsigned all =
+      std::max(1U, options.threads == 0 ? std::thread::hardware_concurrency() : options.threads);
+  const unsigned at_once = std::min({all, most_at_once, static_cast<unsigned>(open)});
+  return {at_once, all / at_once};
+}
+
+/// For several threads: asks one at a time whether to stop, and what time it is.
+Options one_at_a_time(const Options& given) {
+  const auto mutex = std::make_shared<std::mutex>();
+  Options options = given;
+  if (given.stop) {
+    options.stop = [mutex, stop = given.stop] {
+      const std::lock_guard lock(*mutex);
+      return stop();
+    };
+  }
+  if (given.clock) {
+    options.clock = [mutex, clock = given.clock] {
+      const std::lock_guard lock(*mutex);
+      return clock();
+    };
+  }
+  return options;
+}
 
 /// All figures, round by round.
 class Rounds {
  public:
-  Rounds(std::vector<Slack>& slacks, RequirementChecker& checker, const SlackObserver& observer)
+  Rounds(std::vector<Slack>& slacks, const RequirementChecker& checker, const SlackObserver& observer)
       : slacks_(slacks), checker_(checker), observer_(observer) {}
 
   void add(std::unique_ptr<FigureSearch> search) { searches_.push_back(std::move(search)); }
@@ -145,11 +102,13 @@ class Rounds {
   /// `skipped`: rounds that are left out.
   void run(const RequirementIds& all, std::size_t skipped) {
     for (std::size_t number = 0; settled_ < slacks_.size() && !checker_.stopped(); ++number) {
+      const Sharing sharing = sharing_of(slacks_.size() - settled_, checker_.options());
       const Round round = round_of(number, skipped, slacks_.size(), checker_.options());
-      for (std::size_t n = 0; n < slacks_.size(); ++n) {
-        if (!searches_[n] || checker_.stopped()) continue;
-        turn(n, round, all, number == 0);
-      }
+      Workers(sharing.at_once).each(slacks_.size(), 1, [&](std::size_t n) {
+        if (!searches_[n] || checker_.stopped()) return;
+        RequirementChecker checker(checker_, sharing.threads);
+        turn(n, checker, round, all, number == 0);
+      });
     }
     for (std::size_t n = 0; n < slacks_.size(); ++n) {
       if (!searches_[n]) continue;
@@ -159,12 +118,14 @@ class Rounds {
   }
 
  private:
-  void turn(std::size_t n, const Round& round, const RequirementIds& all, bool first) {
+  void turn(std::size_t n, RequirementChecker& checker, const Round& round, const RequirementIds& all,
+            bool first) {
     FigureSearch& search = *searches_[n];
-    const Effort half = effort_of(round, checker_.options(), 0.5);
-    const Effort whole = effort_of(round, checker_.options());
-    search.bound(checker_, all, half);
-    search.narrow(checker_, half, whole, first ? Precision::rough : Precision::exact);
+    const Effort half = effort_of(round, checker.options(), 0.5);
+    const Effort whole = effort_of(round, checker.options());
+    search.bound(checker, all, half);
+    search.narrow(checker, half, whole, first ? Precision::rough : Precision::exact);
+    const std::lock_guard lock(mutex_);
     const bool settled = search.exact() || (round.last_classes && !first && search.exhausted());
     if (settled) {
       search.tell(slacks_[n]);
@@ -176,9 +137,10 @@ class Rounds {
   }
 
   std::vector<Slack>& slacks_;
-  RequirementChecker& checker_;
+  const RequirementChecker& checker_;
   const SlackObserver& observer_;
   std::vector<std::unique_ptr<FigureSearch>> searches_;  // by slack; null: settled
+  std::mutex mutex_;                                     // of what is told, and of what is settled
   std::size_t settled_ = 0;
 };
 
@@ -207,7 +169,7 @@ RulingNow ruling_now(RequirementChecker& checker, const Problem& problem, const 
 
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
                           const Options& options, const SlackObserver& observer) {
-  RequirementChecker checker(network, options);
+  RequirementChecker checker(network, one_at_a_time(options));
   const auto problem = checker.problem(environment);
   if (!problem) return {};
 

@@ -31,7 +31,7 @@ struct Slack {
   bool exact() const { return unlimited || (holds && fails && *fails - *holds == Duration(1)); }
 };
 
-/// To watch the search. Called by the thread that called slacks().
+/// To watch the search. Called by one thread at a time.
 struct SlackObserver {
   /// Nothing more is looked for of this one: it is exact, or cannot be decided. Not called of those that the
   /// end of the time leaves open.
@@ -47,7 +47,7 @@ struct SlackObserver {
 ///
 /// Works in rounds. The first round asks only what bounds and single runs decide. Each next round explores
 /// more. With Options::clock it gives each open figure half a second, then three times as much. So all have a
-/// first answer soon.
+/// first answer soon. Then up to four figures are looked at by as many of the threads at the same time.
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
                           const Options& options, const SlackObserver& observer = {});
 

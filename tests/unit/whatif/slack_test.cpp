@@ -62,6 +62,23 @@ TEST_CASE("with a clock the answers are the same, round by round") {
   }
 }
 
+TEST_CASE("with a clock several threads look at figures at the same time") {
+  const auto skill = test::sound_skill(test::two_chains("9 ms"));
+  Options alone;
+  alone.clock = [] { return 0.0; };
+  alone.threads = 1;
+  Options together = alone;
+  together.threads = 3;
+  const auto one = slacks_of(*skill, alone);
+  const auto three = slacks_of(*skill, together);
+  REQUIRE(one.size() == three.size());
+  for (std::size_t n = 0; n < one.size(); ++n) {
+    INFO(one[n].figure);
+    CHECK(one[n].holds == three[n].holds);
+    CHECK(one[n].fails == three[n].fails);
+  }
+}
+
 TEST_CASE("a search that ends after its first round has both sides of a slack") {
   const auto skill = test::sound_skill(test::two_chains("9 ms"));
   std::size_t turns = 0;
