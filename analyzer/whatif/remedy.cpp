@@ -8,50 +8,22 @@
 
 #include "analyzer/whatif/figures.hpp"
 #include "analyzer/whatif/requirement_checker.hpp"
+#include "analyzer/whatif/trial.hpp"
 
 namespace pal::analyzer {
 namespace {
 
 using Is = Verdict::State;
 
-/// Most changes either do it at once or break something at once.
-constexpr std::size_t classes_of_trial = 20'000;
-
-/// Seconds of one trial, and of the verdicts on what was found: classes end most trials, time only where
-/// others have the processors.
-constexpr double seconds_of_trial = 4;
-constexpr double seconds_of_verdicts = 15;
+/// For how short each time must become; the rest is for other changes.
+constexpr double seconds_of_short_enough = 15;
 
 /// So many of those that help are tried in twos, and in threes.
 constexpr std::size_t most_in_twos = 10;
 constexpr std::size_t most_in_threes = 7;
 
-/// What is without bound is so far from its limit: in limits.
-constexpr double far_off = 10;
-
 /// A change helps if it brings things nearer by such a part.
 constexpr double helpful = 0.98;
-
-Options within(const Options& given, double seconds) {
-  Options options = given;
-  options.addends = false;
-  if (!given.clock) return options;
-  double end = given.clock() + seconds;
-  if (given.deadline) end = std::min(end, *given.deadline);
-  options.deadline = end;
-  options.stop = [stop = given.stop, clock = given.clock, end] { return (stop && stop()) || clock() > end; };
-  return options;
-}
-
-/// By how much a requirement is missed, in limits; 0: it holds.
-double missed(const Verdict& verdict) {
-  if (verdict.state == Is::holds) return 0;
-  const auto value = verdict.state == Is::fails ? attained(verdict) : verdict.bound;
-  if (!value) return far_off;
-  const double limit = std::max<double>(1, static_cast<double>(verdict.limit.count()));
-  const double over = static_cast<double>((*value - verdict.limit).count()) * (verdict.at_least ? -1 : 1);
-  return std::clamp(over / limit, 0.001, far_off);
-}
 
 class RemedySearch {
  public:
@@ -60,8 +32,10 @@ class RemedySearch {
       : network_(network), environment_(environment), network_of_(network_of), options_(options), how_(how) {}
 
   Remedies run(const Problem& problem, std::size_t programs) {
-    made_.before = verdicts_on(problem, options_.max_states, seconds_of_verdicts);
-    if (total(made_.before) == 0) return std::move(made_);
+    made_.before = verdicts_on(problem, options_, options_.max_states, seconds_of_verdicts);
+    if (missed(made_.before, made_.before) == 0) return std::move(made_);
+    made_.short_enough =
+        short_enough_times(network_, environment_, made_.before, within(options_, seconds_of_short_enough));
     for (std::size_t number = 0; number < programs; ++number)
       made_.candidates.push_back({{}, ProgramChangeId(number)});
     for (ChangeTexts& changes : candidates_for(problem, environment_))
@@ -78,22 +52,6 @@ class RemedySearch {
  private:
   bool stopped() const { return options_.stop && options_.stop(); }
   bool enough() const { return made_.found.size() >= how_.most_found || stopped(); }
-
-  std::vector<Verdict> verdicts_on(const Problem& problem, std::size_t classes, double seconds) const {
-    Options options = within(options_, seconds);
-    options.max_states = std::min(classes, options_.max_states);
-    return analyze(problem, AnalysisChoice::automatic, options).verdicts;
-  }
-
-  /// How far off everything is together. What says nothing as things are is no fault of a change.
-  double total(const std::vector<Verdict>& verdicts) const {
-    double sum = 0;
-    for (std::size_t r = 0; r < verdicts.size(); ++r) {
-      const bool vacuous = verdicts[r].state == Is::never && made_.before[r].state == Is::never;
-      if (!vacuous) sum += missed(verdicts[r]);
-    }
-    return sum;
-  }
 
   /// Two changes of one thing are none together.
   bool exclude_each_other(const std::vector<CandidateId>& together) const {
@@ -155,8 +113,8 @@ class RemedySearch {
     const Ruling ruling = judge_of(*network).ask(*problem, requirements_of(*problem),
                                                  {std::min(classes_of_trial, trial.max_states), trial.stop});
     if (ruling.state != Is::holds) return;
-    Remedy remedy{together, verdicts_on(*problem, options_.max_states, seconds_of_verdicts)};
-    if (total(remedy.after) == 0) made_.found.push_back(std::move(remedy));
+    Remedy remedy{together, verdicts_on(*problem, options_, options_.max_states, seconds_of_verdicts)};
+    if (missed(remedy.after, made_.before) == 0) made_.found.push_back(std::move(remedy));
   }
 
   struct Helper {
@@ -174,15 +132,15 @@ class RemedySearch {
 
   /// Those that bring things nearer, the best first. The best one that breaks nothing is kept as the nearest.
   std::vector<Helper> helpers(const std::vector<CandidateId>& all) {
-    const double as_it_is = total(made_.before);
+    const double as_it_is = missed(made_.before, made_.before);
     std::vector<Helper> helping;
     double nearest = as_it_is;
     for (const CandidateId id : all) {
       if (stopped()) break;
       const auto problem = problem_with({id}, network_with({id}));
       if (!problem) continue;
-      std::vector<Verdict> after = verdicts_on(*problem, classes_of_trial, seconds_of_trial);
-      const double score = total(after);
+      std::vector<Verdict> after = verdicts_on(*problem, options_, classes_of_trial, seconds_of_trial);
+      const double score = missed(after, made_.before);
       if (score >= as_it_is * helpful) continue;
       if (score == 0) {
         // A whole analysis decides more than the quick trial did.

@@ -9,6 +9,7 @@
 #include "analyzer/analysis.hpp"
 #include "analyzer/whatif/candidates.hpp"
 #include "analyzer/whatif/ids.hpp"
+#include "analyzer/whatif/short_enough.hpp"
 
 namespace pal::analyzer {
 
@@ -32,6 +33,8 @@ struct Remedies {
   /// Where none is found: the one that comes nearest and breaks nothing that holds, if any comes nearer than
   /// things are.
   std::optional<Remedy> nearest;
+  /// Times that alone would be short enough.
+  std::vector<ShortEnough> short_enough;
   std::size_t tried = 0;
   bool complete = true;  // the time sufficed for all that was meant to be tried
 };

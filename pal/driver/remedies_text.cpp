@@ -91,10 +91,18 @@ std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::Remedy& rem
   return out + verdict_lines(*answer.remedies, remedy);
 }
 
-}  // namespace
+std::string short_enough_lines(const analyzer::Remedies& remedies) {
+  if (remedies.short_enough.empty()) return "";
+  std::string out = "  With one time shorter all requirements hold; each of these suffices:\n";
+  for (const analyzer::ShortEnough& each : remedies.short_enough) {
+    const std::string enough = to_text(each.enough);
+    out += fmt::format("       {}: {} instead of {}: --set '{} = {}'\n", each.figure, enough,
+                       to_text(each.time), each.figure, enough);
+  }
+  return out;
+}
 
-std::string remedies_text(const WhatIfAnswer& answer) {
-  if (!answer.remedies) return "";
+std::string tried_lines(const WhatIfAnswer& answer) {
   const analyzer::Remedies& remedies = *answer.remedies;
   if (remedies.tried == 0 && remedies.found.empty()) return "";
   const std::string ended = remedies.complete ? "" : "; the time ended before all were";
@@ -114,6 +122,12 @@ std::string remedies_text(const WhatIfAnswer& answer) {
   for (const analyzer::Remedy& remedy : remedies.found)
     out += remedy_lines(answer, remedy, fmt::format("{:>3}. ", ++number));
   return out;
+}
+
+}  // namespace
+
+std::string remedies_text(const WhatIfAnswer& answer) {
+  return answer.remedies ? tried_lines(answer) + short_enough_lines(*answer.remedies) : "";
 }
 
 }  // namespace pal::driver

@@ -59,6 +59,13 @@ Json remedies_row(const WhatIfAnswer& answer) {
   Json row{{"tried", remedies.tried}, {"complete", remedies.complete}, {"found", Json::array()}};
   for (const analyzer::Remedy& remedy : remedies.found) row["found"].push_back(remedy_row(answer, remedy));
   row["nearest"] = remedies.nearest ? remedy_row(answer, *remedies.nearest) : Json();
+  row["short_enough"] = Json::array();
+  for (const analyzer::ShortEnough& each : remedies.short_enough)
+    row["short_enough"].push_back({{"figure", each.figure},
+                                   {"best_ns", each.time.best.count()},
+                                   {"worst_ns", each.time.worst.count()},
+                                   {"enough_best_ns", each.enough.best.count()},
+                                   {"enough_worst_ns", each.enough.worst.count()}});
   return row;
 }
 
