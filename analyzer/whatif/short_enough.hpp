@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/verdict/verdict.hpp"
+#include "analyzer/exact/exact.hpp"
 #include "analyzer/whatif/figures.hpp"
 
 namespace pal::analyzer {

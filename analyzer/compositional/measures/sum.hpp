@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/compositional/causes/ids.hpp"
 #include "analyzer/compositional/saturating.hpp"
 
 namespace pal::analyzer::compositional {

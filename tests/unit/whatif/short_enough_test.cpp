@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "analyzer/analysis.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/whatif/two_chains.hpp"
 
