@@ -5,6 +5,7 @@
 
 #include "pal/driver/measure_text.hpp"
 #include "pal/driver/whatif_answer.hpp"
+#include "pal/support/duration_text.hpp"
 
 namespace pal::driver {
 namespace {
