@@ -20,26 +20,17 @@ bool is_reserved(std::size_t type) {
 /// Reserved words that begin, divide or end a statement: where these stand, so does a statement's boundary.
 bool is_boundary(std::size_t type) {
   switch (type) {
-    case Parser::WTM:
-    case Parser::TXM:
-    case Parser::SPC:
-    case Parser::RPC:
-    case Parser::CASE:
-    case Parser::REPEAT:
     case Parser::UNTIL:
-    case Parser::CONCURRENT:
     case Parser::BEGIN:
     case Parser::END:
     case Parser::END_CASE:
     case Parser::END_CONCURRENT:
     case Parser::END_WTM:
-    case Parser::EXECUTE:
-    case Parser::DO:
     case Parser::ELSE:
     case antlr4::Token::EOF:
       return true;
     default:
-      return false;
+      return begins_statement(type);
   }
 }
 

@@ -28,23 +28,6 @@ bool is_contextual(std::size_t type) {
   return type >= Parser::ACTIVITY && type < Parser::LEFT;
 }
 
-bool begins_statement(std::size_t type) {
-  switch (type) {
-    case Parser::WTM:
-    case Parser::TXM:
-    case Parser::SPC:
-    case Parser::RPC:
-    case Parser::CASE:
-    case Parser::REPEAT:
-    case Parser::CONCURRENT:
-    case Parser::EXECUTE:
-    case Parser::DO:
-      return true;
-    default:
-      return false;
-  }
-}
-
 const std::map<std::size_t, std::string>& signs() {
   static const std::map<std::size_t, std::string> table{{Parser::LEFT, "'('"},
                                                         {Parser::RIGHT, "')'"},
@@ -70,6 +53,23 @@ const std::map<std::size_t, std::string>& signs() {
 }
 
 }  // namespace
+
+bool begins_statement(std::size_t type) {
+  switch (type) {
+    case Parser::WTM:
+    case Parser::TXM:
+    case Parser::SPC:
+    case Parser::RPC:
+    case Parser::CASE:
+    case Parser::REPEAT:
+    case Parser::CONCURRENT:
+    case Parser::EXECUTE:
+    case Parser::DO:
+      return true;
+    default:
+      return false;
+  }
+}
 
 std::string spelling_of_type(std::size_t type) {
   const auto found = signs().find(type);

@@ -23,6 +23,9 @@ std::string spelling_of_type(std::size_t type);
 /// The same without quotes, as it is written: "UNTIL", "END", "(".
 std::string word_of_type(std::size_t type);
 
+/// Whether this kind of token is a keyword that a statement begins with.
+bool begins_statement(std::size_t type);
+
 /// The keyword among `types` of which `word` is most likely a misspelling.
 std::optional<std::size_t> keyword_like(const std::string& word, const std::set<std::size_t>& types);
 
