@@ -33,7 +33,7 @@ struct Remedies {
   /// Where none is found: the one that comes nearest and breaks nothing that holds, if any comes nearer than
   /// things are.
   std::optional<Remedy> nearest;
-  /// Times that alone would be short enough.
+  /// By requirement that does not hold.
   std::vector<ShortEnough> short_enough;
   std::size_t tried = 0;
   bool complete = true;  // the time sufficed for all that was meant to be tried

@@ -1,5 +1,6 @@
 #include "analyzer/whatif/short_enough.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "analyzer/whatif/requirement_checker.hpp"
@@ -7,6 +8,8 @@
 
 namespace pal::analyzer {
 namespace {
+
+using Is = Verdict::State;
 
 /// The time between two that are tried: three digits of the time as it is.
 Nanoseconds grid_of(Nanoseconds worst) {
@@ -21,13 +24,18 @@ class ShortEnoughSearch {
                     const std::vector<Verdict>& before, const Options& options)
       : environment_(environment), before_(before), options_(options), checker_(network, options) {}
 
-  std::optional<ShortEnough> search(const Figure& figure) {
+  /// For this requirement to hold, and all that holds as things are.
+  std::optional<ShortEnough> search(RequirementId requirement, const Figure& figure) {
+    asked_ = {requirement};
+    for (std::size_t r = 0; r < before_.size(); ++r) {
+      if (before_[r].state == Is::holds) asked_.emplace_back(r);
+    }
     const Interval time = figure.time;
     if (time.worst.count() == 0) return std::nullopt;
     for (const Interval shortest : {Interval{time.best, time.best}, Interval{Duration(0), Duration(0)}}) {
       if (shortest.worst == time.worst || !holds(figure.name, shortest)) continue;
       const Interval enough = longest(figure, shortest);
-      if (confirmed(figure.name, enough)) return ShortEnough{figure.name, time, enough};
+      if (confirmed(figure.name, enough)) return ShortEnough{requirement, figure.name, time, enough};
     }
     return std::nullopt;
   }
@@ -60,20 +68,22 @@ class ShortEnoughSearch {
     if (!problem) return false;
     const Options trial = within(options_, seconds_of_trial);
     const std::size_t classes = std::min(classes_of_trial, trial.max_states);
-    return checker_.ask(*problem, requirements_of(*problem), {classes, trial.stop}).state ==
-           Verdict::State::holds;
+    return checker_.ask(*problem, asked_, {classes, trial.stop}).state == Is::holds;
   }
 
   bool confirmed(const std::string& figure, const Interval& time) const {
     const auto problem = problem_with(figure, time);
     if (!problem || problem->requirements.size() != before_.size()) return false;
-    return missed(verdicts_on(*problem, options_, options_.max_states, seconds_of_verdicts), before_) == 0;
+    const auto after = verdicts_on(*problem, options_, options_.max_states, seconds_of_verdicts);
+    return std::all_of(asked_.begin(), asked_.end(),
+                       [&after](RequirementId r) { return after[r.index()].state == Is::holds; });
   }
 
   const pan::Environment& environment_;
   const std::vector<Verdict>& before_;
   const Options& options_;
   RequirementChecker checker_;
+  RequirementIds asked_;
 };
 
 }  // namespace
@@ -82,9 +92,12 @@ std::vector<ShortEnough> short_enough_times(const pan::Network& network, const p
                                             const std::vector<Verdict>& before, const Options& options) {
   ShortEnoughSearch search(network, environment, before, options);
   std::vector<ShortEnough> found;
-  for (const Figure& figure : figures(network, environment)) {
-    if (options.stop && options.stop()) break;
-    if (auto enough = search.search(figure)) found.push_back(std::move(*enough));
+  for (std::size_t r = 0; r < before.size(); ++r) {
+    if (before[r].state == Is::holds || before[r].state == Is::never) continue;
+    for (const Figure& figure : figures(network, environment)) {
+      if (options.stop && options.stop()) return found;
+      if (auto enough = search.search(RequirementId(r), figure)) found.push_back(std::move(*enough));
+    }
   }
   return found;
 }

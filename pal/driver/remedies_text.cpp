@@ -92,10 +92,15 @@ std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::Remedy& rem
   return out + verdict_lines(*answer.remedies, remedy);
 }
 
-std::string short_enough_lines(const analyzer::Remedies& remedies) {
-  if (remedies.short_enough.empty()) return "";
-  std::string out = "  With one time shorter all requirements hold; each of these suffices:\n";
-  for (const analyzer::ShortEnough& each : remedies.short_enough) {
+std::string short_enough_lines(const WhatIfAnswer& answer) {
+  std::string out;
+  analyzer::RequirementId of;
+  for (const analyzer::ShortEnough& each : answer.remedies->short_enough) {
+    if (each.requirement != of) {
+      out += fmt::format("  '{}' holds with one time shorter; each of these suffices:\n",
+                         answer.requirements[each.requirement.index()]);
+      of = each.requirement;
+    }
     const std::string enough = to_text(each.enough);
     out += fmt::format("       {}: {} instead of {}: --set '{} = {}'\n", each.figure, enough,
                        to_text(each.time), each.figure, enough);
@@ -128,7 +133,7 @@ std::string tried_lines(const WhatIfAnswer& answer) {
 }  // namespace
 
 std::string remedies_text(const WhatIfAnswer& answer) {
-  return answer.remedies ? tried_lines(answer) + short_enough_lines(*answer.remedies) : "";
+  return answer.remedies ? tried_lines(answer) + short_enough_lines(answer) : "";
 }
 
 }  // namespace pal::driver

@@ -61,7 +61,8 @@ Json remedies_row(const WhatIfAnswer& answer) {
   row["nearest"] = remedies.nearest ? remedy_row(answer, *remedies.nearest) : Json();
   row["short_enough"] = Json::array();
   for (const analyzer::ShortEnough& each : remedies.short_enough)
-    row["short_enough"].push_back({{"figure", each.figure},
+    row["short_enough"].push_back({{"requirement", requirement(answer, each.requirement)},
+                                   {"figure", each.figure},
                                    {"best_ns", each.time.best.count()},
                                    {"worst_ns", each.time.worst.count()},
                                    {"enough_best_ns", each.enough.best.count()},

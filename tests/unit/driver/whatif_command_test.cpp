@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pal/driver/whatif_answer.hpp"
+#include "tests/unit/whatif/two_chains.hpp"
 
 using namespace pal::test;
 using pal::driver::ExitStatus;
@@ -42,6 +43,39 @@ TEST_CASE("a remedy of the environment is said in words and as options") {
   CHECK(says(answer,
              "1. add processor P1 and place SM1 on P1: --set 'PROCESSOR P1' --set 'SM1.processor = P1'"));
   CHECK(says(answer, "'answer', 1 ms allowed: before fails 6 ms, after holds 0 ms"));
+}
+
+TEST_CASE("shorter times are said by requirement, as text and as JSON") {
+  const pal::MemoryFileSystem files = in_memory(two_chains("6 ms"));
+  const Answer text = pal::test::pal({"whatif", "s.pal"}, files);
+  CHECK(text.status == ExitStatus::not_met);
+  CHECK(says(text,
+             "  'soon' holds with one time shorter; each of these suffices:\n"
+             "       answer OF SM1: 0 TO 1 ms instead of 2 ms: --set 'answer OF SM1 = 0 TO 1 ms'\n"
+             "       heavy OF LS1: 0 TO 4 ms instead of 5 ms: --set 'heavy OF LS1 = 0 TO 4 ms'\n"));
+  const Answer made = pal::test::pal({"whatif", "s.pal", "--set", "heavy OF LS1 = 0 TO 4 ms"}, files);
+  CHECK(made.status == ExitStatus::all_hold);
+
+  const Answer json = pal::test::pal({"whatif", "s.pal", "--format", "json"}, files);
+  const auto remedies = nlohmann::json::parse(json.out).at("what_if").at(0).at("remedies");
+  REQUIRE(remedies.at("short_enough").size() == 2);
+  const auto& heavy = remedies.at("short_enough").at(1);
+  CHECK(heavy.at("requirement") == "soon");
+  CHECK(heavy.at("figure") == "heavy OF LS1");
+  CHECK(heavy.at("best_ns") == 5'000'000);
+  CHECK(heavy.at("worst_ns") == 5'000'000);
+  CHECK(heavy.at("enough_best_ns") == 0);
+  CHECK(heavy.at("enough_worst_ns") == 4'000'000);
+}
+
+TEST_CASE("a specification with errors is refused before anything is looked for") {
+  const std::string file = std::string(PAL_SOURCE_DIR) + "/tests/golden/check/fail_shared_message.pal";
+  std::ostringstream out, err;
+  const pal::DiskFileSystem files;
+  // On a terminal the table begins as soon as slacks are looked for.
+  CHECK(pal::driver::run({"whatif", file}, {out, err, files, true}) == ExitStatus::wrong_specification);
+  CHECK(out.str().empty());
+  CHECK(err.str().find("PAL0732") != std::string::npos);
 }
 
 TEST_CASE("the fewest processors are claimed only for the priorities that were tried") {
