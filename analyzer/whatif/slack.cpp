@@ -13,8 +13,8 @@ namespace {
 
 using Is = Verdict::State;
 
-/// Seconds for each figure in the first two rounds, for all of them in the first one at most, and by how much
-/// longer each further round is.
+/// Seconds for each figure in the first two rounds, and for all of them in the first one at most. Each further
+/// round is longer by the last factor.
 constexpr double first_share = 0.5;
 constexpr double first_round = 8;
 constexpr double longer_share = 3;
@@ -29,8 +29,8 @@ struct Round {
   bool last_classes = false;  // more are not allowed
 };
 
-/// If the skill as it is was decided within this time, rounds with fewer classes than that took are left out,
-/// and so is the one without exploration.
+/// If the skill as it is was decided within this time, rounds with fewer classes than that took are left out.
+/// So is the one without exploration.
 constexpr double soon = first_share / 2;
 
 /// Number `number` of the rounds, from 0, when the first `skipped` are left out.

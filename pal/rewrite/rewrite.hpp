@@ -24,9 +24,8 @@ struct Rewriting {
 /// `text`: of the tree's file.
 std::vector<Rewriting> read_after_wait(const syntax::Tree& tree, std::string_view text);
 
-/// For places where a sensor's answer is taken and a condition set from it just before a wait for a message:
-/// the wait moves in front of all that, and of the request for the answer. So the condition does not grow old
-/// during the wait.
+/// For places where a condition is set from a sensor's answer, just before a wait for a message. The wait
+/// moves in front of the request for the answer. So the condition does not grow old during the wait.
 std::vector<Rewriting> set_after_wait(const syntax::Tree& tree, std::string_view text);
 
 /// For loops that request something and then wait for it: the first request moves before the loop, and each
