@@ -78,7 +78,7 @@ TEST_CASE("a device whose line is cut refuses the next skill, and is used when i
   sim::CellOptions options;
   options.seed = 5;
   options.faults = std::get<0>(sim::read_faults("at 500 ms force-torque unplug"));
-  sim::Cell cell(session().scene, options);
+  sim::Cell cell(station_session().scene, options);
   const auto skill = skills::touch_skill();
   CHECK(cell.run(*skill).reason == "force-torque: the link is broken: unplugged");
   cell.rest(2s);
@@ -126,7 +126,7 @@ TEST_CASE("each fault of a line ends the skill with a reason and the arm at rest
 
 TEST_CASE("a run breaks no promise; with a late line it does, and the policy is followed") {
   using runtime::OnBrokenPromise;
-  Session one = session();
+  Session one = station_session();
   one.on_broken_promise = OnBrokenPromise::stop;
   const SessionResult kept = run(one);
   CHECK(kept.outcome.code == 0);
