@@ -13,8 +13,8 @@ namespace {
 
 using Is = Verdict::State;
 
-/// Seconds for each figure in the first two rounds, and for all of them in the first one at most. Each further
-/// round is longer by the last factor.
+/// Seconds for each figure in the first two rounds, and for all of them in the first one at most. Each
+/// further round is longer by the last factor.
 constexpr double first_share = 0.5;
 constexpr double first_round = 8;
 constexpr double longer_share = 3;
@@ -54,7 +54,7 @@ Effort effort_of(const Round& round, const Options& options, double part = 1) {
           [stop = options.stop, clock = options.clock, end] { return (stop && stop()) || clock() > end; }};
 }
 
-/// So many figures have their turns at the same time: each may take the memory of one exploration.
+/// So many figures have their turns at the same time, each with its part of the classes.
 constexpr unsigned most_at_once = 4;
 
 /// How the threads are shared between figures.
@@ -101,14 +101,22 @@ class Rounds {
 
   /// `skipped`: rounds that are left out.
   void run(const RequirementIds& all, std::size_t skipped) {
+    bool alone = false;  // a figure has its turn, with all threads and classes
     for (std::size_t number = 0; settled_ < slacks_.size() && !checker_.stopped(); ++number) {
-      const Sharing sharing = sharing_of(slacks_.size() - settled_, checker_.options());
-      const Round round = round_of(number, skipped, slacks_.size(), checker_.options());
+      const Options& options = checker_.options();
+      const Sharing sharing =
+          alone ? Sharing{1, options.threads} : sharing_of(slacks_.size() - settled_, options);
+      Options part = options;
+      part.max_states /= sharing.at_once;  // the memory is shared
+      Round round = round_of(number, skipped, slacks_.size(), part);
+      const bool last_classes = round.last_classes;
+      round.last_classes = last_classes && sharing.at_once == 1;
       Workers(sharing.at_once).each(slacks_.size(), 1, [&](std::size_t n) {
         if (!searches_[n] || checker_.stopped()) return;
         RequirementChecker checker(checker_, sharing.threads);
         turn(n, checker, round, all, number == 0);
       });
+      alone = alone || (last_classes && exhausted());
     }
     for (std::size_t n = 0; n < slacks_.size(); ++n) {
       if (!searches_[n]) continue;
@@ -118,6 +126,12 @@ class Rounds {
   }
 
  private:
+  /// What this round could decide of all figures that are open is decided.
+  bool exhausted() const {
+    return std::all_of(searches_.begin(), searches_.end(),
+                       [](const auto& search) { return !search || search->exhausted(); });
+  }
+
   void turn(std::size_t n, RequirementChecker& checker, const Round& round, const RequirementIds& all,
             bool first) {
     FigureSearch& search = *searches_[n];
