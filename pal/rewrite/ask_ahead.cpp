@@ -61,14 +61,11 @@ void look(const syntax::ModuleUnit& module, const Statement& repeat, const Placi
 std::vector<Rewriting> ask_ahead(const syntax::Tree& tree, std::string_view text) {
   const Placing placing(text);
   std::vector<Rewriting> found;
-  for (const syntax::ModuleUnit* module : modules_of(tree)) {
-    visit_lists(module->body, [&](const Statements& list) {
-      for (const Statement& statement : list) {
-        if (std::holds_alternative<syntax::Repeat>(statement.content))
-          look(*module, statement, placing, found);
-      }
-    });
-  }
+  visit_lists(tree, [&](const syntax::ModuleUnit& module, const Statements& list) {
+    for (const Statement& statement : list) {
+      if (std::holds_alternative<syntax::Repeat>(statement.content)) look(module, statement, placing, found);
+    }
+  });
   return found;
 }
 

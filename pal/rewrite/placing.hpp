@@ -34,7 +34,7 @@ class Placing {
   std::string_view text_;
 };
 
-/// Calls `visit` for each list of statements of each module with a body: the body, blocks, arms, loops.
+/// Calls `visit` with the list, and with each list in it: blocks, arms, loops.
 template <class Visit>
 void visit_lists(const syntax::Statements& list, const Visit& visit);
 
@@ -51,5 +51,12 @@ void visit_lists(const syntax::Statements& list, const Visit& visit) {
 
 /// The modules of the file that have a body.
 std::vector<const syntax::ModuleUnit*> modules_of(const syntax::Tree& tree);
+
+/// Calls `visit` with each module of the file and each of its lists.
+template <class Visit>
+void visit_lists(const syntax::Tree& tree, const Visit& visit) {
+  for (const syntax::ModuleUnit* module : modules_of(tree))
+    visit_lists(module->body, [&](const syntax::Statements& list) { visit(*module, list); });
+}
 
 }  // namespace pal::rewrite

@@ -105,16 +105,14 @@ class Finder {
 
 std::vector<Rewriting> read_after_wait(const syntax::Tree& tree, std::string_view text) {
   std::vector<Rewriting> found;
-  for (const syntax::ModuleUnit* module : modules_of(tree)) {
-    Finder finder(*module, text, found);
-    visit_lists(module->body, [&](const Statements& list) {
-      for (std::size_t i = 0; i < list.size(); ++i) {
-        const bool begins = i == 0 || !is_read(list[i - 1]);
-        const bool tests = std::holds_alternative<syntax::Choose>(list[i].content);
-        if (begins && (tests || is_read(list[i]))) finder.look(list, i);
-      }
-    });
-  }
+  visit_lists(tree, [&](const syntax::ModuleUnit& module, const Statements& list) {
+    Finder finder(module, text, found);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const bool begins = i == 0 || !is_read(list[i - 1]);
+      const bool tests = std::holds_alternative<syntax::Choose>(list[i].content);
+      if (begins && (tests || is_read(list[i]))) finder.look(list, i);
+    }
+  });
   return found;
 }
 

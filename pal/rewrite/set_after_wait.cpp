@@ -55,21 +55,19 @@ Sensing sensing_before(const Statements& list, std::size_t end) {
 std::vector<Rewriting> set_after_wait(const syntax::Tree& tree, std::string_view text) {
   const Placing placing(text);
   std::vector<Rewriting> found;
-  for (const syntax::ModuleUnit* module : modules_of(tree)) {
-    visit_lists(module->body, [&](const Statements& list) {
-      for (std::size_t i = 1; i < list.size(); ++i) {
-        const syntax::Wait* wait = wait_of(list[i]);
-        const Sensing sensing = wait == nullptr ? Sensing{} : sensing_before(list, i);
-        if (sensing.first == nullptr) continue;
-        const syntax::MessageName& message = wait->source.message;
-        const std::string name = (message.request ? "request " : "") + message.name.text;
-        found.push_back({"wait for " + name + " before sensing " + sensing.conditions,
-                         module->name.text,
-                         sensing.first->where,
-                         {placing.before(*sensing.first, placing.words(list[i])), placing.without(list[i])}});
-      }
-    });
-  }
+  visit_lists(tree, [&](const syntax::ModuleUnit& module, const Statements& list) {
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      const syntax::Wait* wait = wait_of(list[i]);
+      const Sensing sensing = wait == nullptr ? Sensing{} : sensing_before(list, i);
+      if (sensing.first == nullptr) continue;
+      const syntax::MessageName& message = wait->source.message;
+      const std::string name = (message.request ? "request " : "") + message.name.text;
+      found.push_back({"wait for " + name + " before sensing " + sensing.conditions,
+                       module.name.text,
+                       sensing.first->where,
+                       {placing.before(*sensing.first, placing.words(list[i])), placing.without(list[i])}});
+    }
+  });
   return found;
 }
 
