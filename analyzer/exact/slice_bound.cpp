@@ -47,8 +47,8 @@ Table<StepId, bool> leading_to(const Problem& problem, StepId step) {
   return found;
 }
 
-/// The longest time in the whole problem from reaching `step`, which comes once at most, until its thread is
-/// past it; nothing, if it was not found.
+/// The longest time in the whole problem from reaching `step` until its thread is past it; nothing, if it was
+/// not found. The step comes once at most.
 std::optional<Nanoseconds> longest(const Problem& problem, StepId step, const Limits& limits,
                                    Statistics& statistics) {
   const std::size_t all = problem.threads.size();

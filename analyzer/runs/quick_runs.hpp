@@ -19,9 +19,10 @@ Break simulated_break(const Problem& problem, const Requirement& requirement,
 /// How many events of simulated runs are worth their time where `classes` classes may be explored.
 std::size_t events_for(std::size_t classes);
 
-/// The run for which simulated_break says so, one of some hundreds with times at their extremes, or one of a
-/// few in which loops go on for long, up to where it breaks `requirement`. The last ones have half of
-/// `events` for themselves; the others together have at most `events` events. Nothing: none of them does.
+/// A run up to where it breaks `requirement`; nothing: none of these does. Looked at are the run for which
+/// simulated_break says so, some hundreds with times at their extremes, and a few in which loops go on for
+/// long. The last ones have half of `events` for themselves; the others together have at most `events`
+/// events.
 std::optional<Witness> simulated_witness(const Problem& problem, const Requirement& requirement,
                                          const std::function<bool()>& stop, std::size_t events);
 

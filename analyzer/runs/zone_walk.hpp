@@ -1,4 +1,4 @@
-// Looks for a bad run by walks through zones: at each step one of the events that can come next is drawn, and
+// Looks for a bad run by walks through zones. At each step one of the events that can come next is drawn;
 // when it comes stays open. So what must meet within a short time meets as often as what has much time.
 #pragma once
 

@@ -150,8 +150,8 @@ class Observer {
     }
   }
 
-  /// A thread has passed one of the steps `from`. Whether it takes a message, or withdraws it, before one of
-  /// these: it passes another such step, returns to its idle wait, or ends and may begin again.
+  /// Whether a thread that has passed one of the steps `from` takes a message, or withdraws it, in time. That
+  /// is before it passes another such step, returns to its idle wait, or ends and may begin again.
   bool is_taken(ThreadId t, ChannelId channel, const std::set<StepId>& from) {
     const bool answer = problem_.channels[channel].answers.valid();
     const bool again = recurrent(problem_, {Beginning::Kind::entry, t, {}, -1});

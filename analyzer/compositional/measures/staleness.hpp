@@ -12,9 +12,9 @@ Bound value_age(const View& view, ConditionId condition, ThreadId reader);
 bool outlasts(const View& view, ThreadId thread, ThreadId reader);
 
 /// Until when `reader` may read what was set in the previous job, counted from the nominal instant of a job
-/// of `setter`. Usually it is until the next set. It is earlier, at the release of the setting segment, in
-/// one case: the reader runs on the same preemptive processor, and only when the setter has nothing to do (M.
-/// Dürr and others, 2019).
+/// of `setter`. Usually it is until the next set. In one case it is earlier, at the release of the setting
+/// segment. There the reader runs on the same preemptive processor, and only when the setter has nothing to
+/// do (M. Dürr and others, 2019).
 const Sum& replaced(const View& view, const StatementOccurrences& sets, ThreadId setter, ThreadId reader);
 
 }  // namespace pal::analyzer::compositional

@@ -27,8 +27,7 @@ bool waits_for_others(const AnalysisContext& context, ThreadId thread) {
   });
 }
 
-/// When a job of the thread is done at the latest, and when the next may be due at the earliest, after the
-/// nominal instant of the job's source.
+/// When a job of the thread is done at the latest, after the nominal instant of the job's source.
 Nanoseconds done(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes, ThreadId thread) {
   const ThreadBehaviour& of = context.behaviour_of(thread);
   Nanoseconds last = 0;
@@ -43,6 +42,7 @@ Nanoseconds done(const AnalysisContext& context, const Table<NodeId, NodeTimes>&
   return last;
 }
 
+/// When the next one may be due at the earliest, after the same instant.
 Nanoseconds next_due(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes, ThreadId thread) {
   const std::vector<NodeId>& job_starts = context.behaviour_of(thread).job_starts;
   Nanoseconds soonest = never;
