@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "runtime/ports.hpp"
-#include "runtime/recorder.hpp"
+#include "runtime/kernel/ports.hpp"
+#include "runtime/watch/recorder.hpp"
 #include "runtime/run.hpp"
-#include "runtime/thrown.hpp"
+#include "runtime/kernel/thrown.hpp"
 
 namespace pal::runtime {
 

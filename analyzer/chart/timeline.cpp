@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analyzer/chart/lane_order.hpp"
-#include "runtime/trace/slices.hpp"
+#include "pal/trace/slices.hpp"
 
 namespace pal::chart {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::chart {
 

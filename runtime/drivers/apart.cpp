@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/thrown.hpp"
+#include "runtime/kernel/thrown.hpp"
 
 namespace pal::runtime {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pal/runtime/device.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
 namespace pal::runtime {
 

@@ -1,7 +1,7 @@
 // A device at the far end of a link: a PAL device binds to it when it exchanges bytes.
 #pragma once
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::runtime {
 

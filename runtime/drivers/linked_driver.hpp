@@ -7,7 +7,7 @@
 
 #include "runtime/drivers/driver.hpp"
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
 namespace pal::runtime {
 

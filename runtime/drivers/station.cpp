@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "runtime/drivers/apart.hpp"
-#include "runtime/real_time/clock.hpp"
-#include "runtime/thrown.hpp"
+#include "runtime/executives/real_time/clock.hpp"
+#include "runtime/kernel/thrown.hpp"
 
 namespace pal::runtime {
 namespace {

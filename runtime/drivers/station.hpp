@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 #include "runtime/drivers/driver.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
 namespace pal::runtime {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
 namespace pal::runtime {
 

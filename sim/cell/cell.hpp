@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/drivers/station.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/fault_plan.hpp"
 #include "sim/cell/sensors.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runtime/drivers/station.hpp"
-#include "runtime/run_control.hpp"
+#include "pal/runtime/run_control.hpp"
 
 namespace pal::sim {
 

@@ -9,7 +9,7 @@
 
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "runtime/drivers/alter/opener.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 
 namespace pal::sim {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/drivers/alter/frame.hpp"
+#include "runtime/drivers/alter/codec.hpp"
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/controller/correction.hpp"
 #include "sim/devices/alter_control.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/random.hpp"
 #include "sim/workcell.hpp"
 

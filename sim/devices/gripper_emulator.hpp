@@ -5,7 +5,7 @@
 #include <string>
 
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/random.hpp"
 
 namespace pal::sim {

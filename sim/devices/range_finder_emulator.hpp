@@ -9,7 +9,7 @@
 
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/range_finder/protocol.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/arm/kinematics.hpp"
 #include "sim/random.hpp"
 

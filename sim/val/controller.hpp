@@ -3,7 +3,7 @@
 
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/val/terminal.hpp"
 #include "sim/val/workcell_arm.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/devices/alter_control.hpp"
 #include "sim/val/arm.hpp"
 #include "sim/val/expression.hpp"

@@ -1,7 +1,7 @@
 // The workcell's arm and hand, as VAL commands them.
 #pragma once
 
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/controller/motion_controller.hpp"
 #include "sim/val/arm.hpp"
 #include "sim/workcell.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/drivers/val/command.hpp"
+#include "runtime/drivers/val/protocol.hpp"
 #include "skills_pal/modules/signature.hpp"
 
 namespace pal::skills {

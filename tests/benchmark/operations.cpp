@@ -15,11 +15,11 @@
 
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
-#include "runtime_system/client.hpp"
-#include "runtime_system/server.hpp"
+#include "server/client.hpp"
+#include "server/server.hpp"
 #include "sim/cell/cell.hpp"
-#include "sim/program/cell_runner.hpp"
-#include "sim/program/instruments.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
+#include "programs/workcell/session/instruments.hpp"
 
 using namespace pal;
 

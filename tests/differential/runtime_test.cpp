@@ -7,7 +7,7 @@
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/run_checker/check_run.hpp"
 #include "codegen/plan.hpp"
-#include "runtime/trace/measure.hpp"
+#include "pal/trace/measure.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/drawn_program.hpp"
 #include "tests/support/planned_skill.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime_system/session.hpp"
+#include "server/session.hpp"
 
 namespace pal::fuzz {
 

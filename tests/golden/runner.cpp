@@ -11,9 +11,9 @@
 
 #include "pal/check/check.hpp"
 #include "pal/check/read_sources.hpp"
-#include "pal/driver/command_line.hpp"
-#include "pal/driver/proof.hpp"
-#include "pal/driver/selection.hpp"
+#include "programs/pal/options/command_line.hpp"
+#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/selection.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/line_difference.hpp"

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/drivers/alter/frame.hpp"
+#include "runtime/drivers/alter/codec.hpp"
 #include "runtime/drivers/alter/opener.hpp"
 #include "runtime/drivers/driver.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
 namespace pal::runtime {
 

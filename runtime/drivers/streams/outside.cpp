@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/drivers/streams/private/pseudo_terminal.hpp"
+#include "runtime/drivers/streams/pseudo_terminal.hpp"
 
 namespace pal::runtime {
 namespace {

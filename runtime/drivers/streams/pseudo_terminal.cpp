@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "runtime/drivers/streams/private/pseudo_terminal.hpp"
+#include "runtime/drivers/streams/pseudo_terminal.hpp"
 
 namespace pal::runtime {
 

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "pal/runtime/still_world.hpp"
-#include "runtime/dispatcher.hpp"
-#include "runtime/real_time/clock.hpp"
-#include "runtime/real_time/os_thread.hpp"
+#include "pal/runtime/dispatcher.hpp"
+#include "runtime/executives/real_time/clock.hpp"
+#include "runtime/executives/real_time/os_thread.hpp"
 #include "tests/run/support/bench.hpp"
 
 namespace {

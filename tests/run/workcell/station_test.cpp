@@ -4,7 +4,7 @@
 
 #include "runtime/drivers/streams/carrier.hpp"
 #include "sim/cell/cell.hpp"
-#include "sim/program/session.hpp"
+#include "programs/workcell/session/session.hpp"
 #include "skills_pal/registry.hpp"
 #include "skills_pal/touch/touch.hpp"
 

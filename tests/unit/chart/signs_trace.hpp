@@ -1,7 +1,7 @@
 // One short run with one of everything that a chart can show.
 #pragma once
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::chart {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::chart {
 

@@ -1,7 +1,7 @@
 // Time that goes on for the physics and the devices alike, as a station lets it.
 #pragma once
 
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim::test {

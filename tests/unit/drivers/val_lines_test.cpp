@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "runtime/drivers/val/lines.hpp"
+#include "runtime/drivers/val/codec.hpp"
 
 using namespace pal::runtime;
 using namespace pal::runtime::val;

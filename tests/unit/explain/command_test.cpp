@@ -1,7 +1,7 @@
 // pal explain.
 #include <catch2/catch.hpp>
 
-#include "tests/unit/driver/program.hpp"
+#include "tests/unit/program/program.hpp"
 
 using pal::driver::ExitStatus;
 

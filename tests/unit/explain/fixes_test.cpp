@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pal/driver/proof.hpp"
-#include "pal/driver/selection.hpp"
+#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/selection.hpp"
 #include "pal/explain/codes.hpp"
 #include "pal/support/edit.hpp"
 #include "pal/support/render.hpp"

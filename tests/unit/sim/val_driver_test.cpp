@@ -1,9 +1,9 @@
 // The driver and the controller at the two ends of one wire.
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "runtime/payload.hpp"
+#include "pal/runtime/payload.hpp"
 #include "tests/unit/sim/val_support.hpp"
 
 using namespace pal::sim;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/drivers/alter/driver.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/cell.hpp"
 #include "sim/cell/corrected_arm.hpp"

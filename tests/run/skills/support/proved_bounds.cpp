@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "pal/driver/proof_chart.hpp"
+#include "programs/pal/reports/proof_chart.hpp"
 #include "pal/support/file_system.hpp"
 #include "skills_pal/registry.hpp"
 
