@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 bool same_name(std::string_view a, std::string_view b) {
@@ -56,4 +56,4 @@ bool is_loopback(const std::string& address) {
   return address == "::1" || address == "localhost" || address.rfind("127.", 0) == 0;
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

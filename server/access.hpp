@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// 32 hexadecimal digits from the system's random numbers. Throws std::system_error.
 std::string make_token();
@@ -31,4 +31,4 @@ bool origin_allowed(std::string_view origin, const AccessRules& rules);
 /// An address of this machine that others cannot reach.
 bool is_loopback(const std::string& address);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

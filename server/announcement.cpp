@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 [[noreturn]] void fail_at(const std::string& path, const std::string& why) {
@@ -95,4 +95,4 @@ Announcement read_announcement(const std::string& path) {
   }
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

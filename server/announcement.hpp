@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 struct Announcement {
   std::string address;
@@ -22,4 +22,4 @@ void announce(const std::string& path, const Announcement& announcement);
 /// Throws std::runtime_error: it is not there, is no announcement, or others can read it.
 Announcement read_announcement(const std::string& path);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

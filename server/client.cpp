@@ -7,7 +7,7 @@
 #include <deque>
 #include <nlohmann/json.hpp>
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -118,4 +118,4 @@ std::optional<std::string> Client::next(std::chrono::milliseconds longest) {
   return receive(longest);
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

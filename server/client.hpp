@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// What the server answered instead of a result.
 class RemoteError : public std::runtime_error {
@@ -43,4 +43,4 @@ class Client {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

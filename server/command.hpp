@@ -11,7 +11,7 @@
 #include "operations/executor.hpp"
 #include "pal/support/time.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 struct TakeControls {};
 /// What runs goes on.
@@ -72,4 +72,4 @@ using Reply = std::variant<Done, Refusal>;
 /// Called once, by any thread; must not call the desk.
 using Answerer = std::function<void(const Reply&)>;
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -10,7 +10,7 @@
 #include "server/outbox.hpp"
 #include "server/session.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// What clients need of the server.
 struct ConnectionContext {
@@ -115,4 +115,4 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
 using ConnectionPointer = std::shared_ptr<Connection>;
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -7,7 +7,7 @@
 #include "server/access.hpp"
 #include "server/connection.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// JSON-RPC over a WebSocket. Refuses a Host and an Origin that the rules do not allow, and every client if
 /// the server is `full`.
@@ -22,4 +22,4 @@ ConnectionPointer line_connection(ConnectionContext& connection_context, boost::
 ConnectionPointer line_connection(ConnectionContext& connection_context,
                                   boost::asio::posix::stream_descriptor line);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -12,7 +12,7 @@
 
 #include "server/program_check.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 using operations::ExecutionState;
 using operations::Executor;
@@ -389,4 +389,4 @@ bool Desk::ended() const {
   return parts_->ending;
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

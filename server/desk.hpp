@@ -15,7 +15,7 @@
 #include "server/command.hpp"
 #include "server/event.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 using ClientId = std::uint64_t;
 
@@ -83,4 +83,4 @@ class Desk final {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

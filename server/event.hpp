@@ -8,7 +8,7 @@
 #include "operations/executor.hpp"
 #include "pal/support/time.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// The client that has the controls now; empty: none.
 struct ControlsChanged {
@@ -54,4 +54,4 @@ class EventSink {
   virtual void make_room() {}
 };
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -7,7 +7,7 @@
 
 #include "server/event.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// One thread only.
 class History {
@@ -31,4 +31,4 @@ class History {
   std::deque<Event> events_;
 };
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

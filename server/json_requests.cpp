@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 void fail(int code, std::string message) {
   throw Problem{code, std::move(message)};
@@ -91,4 +91,4 @@ operations::Breakpoint breakpoint(const Members& members) {
   return result;
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -6,7 +6,7 @@
 
 #include "server/json_values.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 // JSON-RPC's own error codes, then ours.
 constexpr int no_json = -32700, no_request = -32600, no_method = -32601, bad_parameters = -32602;
@@ -48,4 +48,4 @@ LoadOperation load_operation(const Members& members);
 SetParameter set_parameter(const Members& members);
 operations::Breakpoint breakpoint(const Members& members);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -8,7 +8,7 @@
 #include "server/json_values.hpp"
 #include "server/session.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 class JsonSession final : public Session {
@@ -181,4 +181,4 @@ std::unique_ptr<Session> json_session(SessionContext& context, SessionOutput out
   return std::make_unique<JsonSession>(context, std::move(output));
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -4,7 +4,7 @@
 
 #include "operations/step_log.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 Json describe(const StateChanged& state) {
@@ -139,4 +139,4 @@ Json describe(const Done& done, bool skill) {
   return json;
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

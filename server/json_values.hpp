@@ -8,7 +8,7 @@
 #include "server/desk.hpp"
 #include "server/event.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 using Json = nlohmann::ordered_json;
 
@@ -24,4 +24,4 @@ Json describe(const operations::Sensors& sensors);
 /// Of a `skill` its result and times; of another command nothing: an empty object.
 Json describe(const Done& done, bool skill);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -4,7 +4,7 @@
 
 #include "server/connections.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -97,4 +97,4 @@ ConnectionPointer line_connection(ConnectionContext& connection_context,
                                                                           std::move(line));
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -9,7 +9,7 @@
 #include "server/access.hpp"
 #include "server/session.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 constexpr std::size_t longest_line = 1000;
@@ -327,4 +327,4 @@ std::unique_ptr<Session> line_session(SessionContext& context, SessionOutput out
   return std::make_unique<LineSession>(context, std::move(output));
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

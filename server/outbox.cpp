@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 bool Outbox::put(std::string text) {
   if (bytes_ + text.size() > limits_.most_bytes) return false;
@@ -32,4 +32,4 @@ std::optional<std::string> Outbox::take() {
   return sample(dropped_);
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

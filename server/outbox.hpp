@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 struct OutboxLimits {
   std::size_t most_bytes = std::size_t{16} << 20;  // of answers and events
@@ -45,4 +45,4 @@ class Outbox {
   std::uint64_t dropped_ = 0;
 };
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -7,7 +7,7 @@
 #include "operations/load.hpp"
 #include "pal/support/file_system.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 /// The first error, for a client that has no room for carets; nothing if there is none.
@@ -66,4 +66,4 @@ std::variant<operations::Program, std::string> load(LoadOperation command, const
   return std::move(*program);
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -9,7 +9,7 @@
 #include "operations/check.hpp"
 #include "server/command.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// What the cell has. All outlive the rules.
 struct ProgramRules {
@@ -24,4 +24,4 @@ std::optional<std::string> mistake_in(const RunSkill& command, const ProgramRule
 /// The operation that the command's files hold, or the first mistake in them, with its place and a way out.
 std::variant<operations::Program, std::string> load(LoadOperation command, const ProgramRules& rules);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -20,7 +20,7 @@
 #include "server/connections.hpp"
 #include "server/terminal.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -281,4 +281,4 @@ void Server::show(Duration time, const Profile& profile) {
   });
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

@@ -14,7 +14,7 @@
 #include "server/outbox.hpp"
 #include "server/telemetry.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 struct ServerOptions {
   std::string address = "127.0.0.1";       // of the WebSocket and of lines over TCP
@@ -68,4 +68,4 @@ class Server final : public EventSink, public TelemetrySink {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

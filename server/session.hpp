@@ -11,7 +11,7 @@
 #include "server/history.hpp"
 #include "server/telemetry.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// What all sessions share.
 struct SessionContext {
@@ -54,4 +54,4 @@ std::unique_ptr<Session> json_session(SessionContext& context, SessionOutput out
 /// The lines of the thesis (appendix A). Likewise.
 std::unique_ptr<Session> line_session(SessionContext& context, SessionOutput output);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

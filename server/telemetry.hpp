@@ -6,7 +6,7 @@
 
 #include "pal/support/time.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 /// The range finder's last profile: points in the tool's YZ plane, mm; only those that have a range.
 struct Profile {
@@ -31,4 +31,4 @@ class TelemetrySink {
   virtual void show(Duration time, const Profile& profile) = 0;
 };
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

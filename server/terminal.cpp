@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 [[noreturn]] void close_and_fail(int descriptor, const std::string& what) {
@@ -79,4 +79,4 @@ OpenTerminal open_serial(const std::string& path, unsigned baud) {
   return result;
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

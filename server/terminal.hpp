@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace pal::runtime_system {
+namespace pal::server {
 
 struct OpenTerminal {
   int descriptor = -1;
@@ -17,4 +17,4 @@ OpenTerminal open_pseudo_terminal();
 /// that serial ports do not have.
 OpenTerminal open_serial(const std::string& path, unsigned baud);
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

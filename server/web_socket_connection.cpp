@@ -6,7 +6,7 @@
 
 #include "server/connections.hpp"
 
-namespace pal::runtime_system {
+namespace pal::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -123,4 +123,4 @@ ConnectionPointer web_socket_connection(ConnectionContext& connection_context, c
   return std::make_shared<WebSocketConnection>(connection_context, rules, std::move(socket), full);
 }
 
-}  // namespace pal::runtime_system
+}  // namespace pal::server

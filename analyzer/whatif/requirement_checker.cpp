@@ -5,7 +5,7 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/zeno_run.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
@@ -149,4 +149,4 @@ RequirementIds requirements_of(const Problem& problem) {
   return all;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -10,7 +10,7 @@
 #include "programs/pal/options/command_line.hpp"
 #include "pal/support/file_system.hpp"
 
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 
 namespace {
 
@@ -28,7 +28,7 @@ int main(int count, char** arguments) {
   const pal::DiskFileSystem files;
   try {
     return static_cast<int>(
-        delivered(pal::driver::run(std::vector<std::string>(arguments + 1, arguments + count),
+        delivered(pal::program::run(std::vector<std::string>(arguments + 1, arguments + count),
                                    {std::cout, std::cerr, files, ::isatty(STDOUT_FILENO) == 1})));
   } catch (const std::bad_alloc&) {
     std::cerr << "pal: there is not enough memory; with --max-states N a proof gives up sooner\n";

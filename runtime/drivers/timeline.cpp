@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 bool Timeline::later(const Entry& a, const Entry& b) {
   return a.time != b.time ? a.time > b.time : a.order > b.order;
@@ -63,4 +63,4 @@ void Timeline::advance_to(Time when) {
   now_ = std::max(now_, when);
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -7,7 +7,7 @@
 
 #include "pal/runtime/device.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// Actions in the order of their instants; actions of one instant run in the order in which they were asked
 /// for. Instants count from the station's start and go on from one skill to the next. One thread only.
@@ -57,4 +57,4 @@ class Timeline {
   std::vector<std::uint32_t> free_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

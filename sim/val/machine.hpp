@@ -18,7 +18,7 @@ struct ProgramSpeed {
 };
 
 struct Machine {
-  runtime::Timeline& timeline;
+  runtime::drivers::Timeline& timeline;
   Arm& arm;
   Hand* hand = nullptr;           // null: there is none
   AlterControl* alter = nullptr;  // null: there is none

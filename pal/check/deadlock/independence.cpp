@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -333,4 +333,4 @@ std::optional<Threads> Independence::closure(const State& state, const Enabled& 
   return in;
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 bool is_talk(const Action& action) {
   switch (action.kind) {
@@ -166,4 +166,4 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
   }
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -4,7 +4,7 @@
 
 #include "pal/check/deadlock/moves.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 void Moves::wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
@@ -152,4 +152,4 @@ void Moves::test(const State& state, std::size_t thread, const Step& step, std::
   }
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -93,4 +93,4 @@ void close_over_future(const Automata& automata, StepSets& sets) {
   spread(automata, sets, nullptr);
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -162,4 +162,4 @@ void simplify(Automata& automata) {
   Simplifier(automata).simplify();
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

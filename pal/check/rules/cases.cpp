@@ -5,7 +5,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -70,4 +70,4 @@ void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

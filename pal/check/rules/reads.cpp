@@ -8,7 +8,7 @@
 #include "pal/check/rules/families.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -244,4 +244,4 @@ void check_reads(const pan::Network& network, const pan::Flow& flow, Diagnostics
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/check/conditions/guards.hpp"
 #include "pal/check/rules/blocks.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::vector<SteadyConditions::Values> SteadyConditions::after(const pan::Node& n
   return {values};
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

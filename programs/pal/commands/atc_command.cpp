@@ -12,7 +12,7 @@
 #include "programs/pal/reports/proof_chart.hpp"
 #include "programs/pal/session/write.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 struct Chosen {
@@ -127,15 +127,15 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
   std::string picture;
   if (options.format == ChartFormat::html) {
     if (path.empty()) path = skill + ".html";
-    picture = chart::html(book_of(proofs, *what->proof, what->index, measured));
+    picture = analyzer::chart::html(book_of(proofs, *what->proof, what->index, measured));
   } else {
     if (path.empty()) path = skill + "." + requirement + ".svg";
     picture = measured ? overlay_chart(*what->proof, what->index, *measured)
-                       : chart::svg(chart::timeline(what->shown.run), what->shown.options);
+                       : analyzer::chart::svg(analyzer::chart::timeline(what->shown.run), what->shown.options);
   }
   std::vector<OutputFile> files{{path, std::move(picture)}};
   if (!options.trace.empty()) files.push_back({options.trace, trace_text(what->shown.run, options.chrome)});
   return write_and_list(files, inputs, console);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -14,21 +14,21 @@
 #include "pal/support/output.hpp"
 #include "pal/syntax/print.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 ExitStatus emit_tree(const Selection& selection, const Console& console) {
   Session session;
   session.max_errors = selection.max_errors;
   for (const syntax::Tree& tree :
-       read_sources(console.files, session.sources, selection.files, session.diagnostics)) {
+       check::read_sources(console.files, session.sources, selection.files, session.diagnostics)) {
     syntax::dump(tree, session.sources, console.out);
   }
   show_findings(session, console);
   return status_of_findings(session);
 }
 
-void emit_pan(const Specification& specification, std::ostream& out) {
+void emit_pan(const check::Specification& specification, std::ostream& out) {
   for (const pan::Network& network : specification.skills) pan::dump(network, out);
   for (const pan::Network& network : specification.sketches) pan::dump(network, out);
   for (const pan::Environment& environment : specification.environments) pan::dump(environment, out);
@@ -44,7 +44,7 @@ void say_what_was_not_proved(const Session& session, std::ostream& err) {
 std::optional<std::string> write_witnesses(const std::string& path, const std::vector<Proof>& proofs,
                                            const Session& session) {
   std::ostringstream text;
-  analyzer::rules::write_witnesses(witnesses_of(proofs, session), text);
+  analyzer::run_checker::write_witnesses(witnesses_of(proofs, session), text);
   return write_files({{path, text.str()}});
 }
 
@@ -94,4 +94,4 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   return status;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -12,7 +12,7 @@
 #include "programs/pal/session/proof.hpp"
 #include "programs/pal/session/selection.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 enum class Format { text, json, sarif, junit };
 /// A value between two stages, to look at.
@@ -162,4 +162,4 @@ ExitStatus tell_operation(const OperationOptions& options, const Console& consol
 /// Gives operations their canonical form.
 ExitStatus format_operation(const OperationOptions& options, const Console& console);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -6,7 +6,7 @@
 #include "programs/pal/session/write.hpp"
 #include "pal/pan/dot.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 /// The drawings that the Markdown form names, beside it.
@@ -60,4 +60,4 @@ ExitStatus write_doc(const DocOptions& options, const Console& console) {
   return write_and_list(files, inputs_of(session), console);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

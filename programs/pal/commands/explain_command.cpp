@@ -4,7 +4,7 @@
 #include "pal/explain/codes.hpp"
 #include "pal/explain/reference.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 void say_what_is_near(const std::string& text, std::ostream& err) {
@@ -47,4 +47,4 @@ ExitStatus explain_code(const ExplainOptions& options, const Console& console) {
   return ExitStatus::all_hold;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -8,7 +8,7 @@
 #include "pal/support/text_check.hpp"
 #include "pal/syntax/format.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 const std::string standard_input = "-";
@@ -89,4 +89,4 @@ ExitStatus format(const FormatOptions& options, const Console& console) {
   return FormatCommand(options, console).run();
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

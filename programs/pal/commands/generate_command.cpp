@@ -11,7 +11,7 @@
 #include "programs/pal/session/proof.hpp"
 #include "programs/pal/session/write.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 /// `path` as make rules spell it.
@@ -64,9 +64,9 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
       is_one(session.specification.environments.size(), "environment", "give one with --environment FILE",
              "choose with --environment-name NAME", console.err);
   if (one) {
-    checker::check_listed(session.specification.skills.front(), session.specification.environments.front(),
+    check::check_listed(session.specification.skills.front(), session.specification.environments.front(),
                           session.diagnostics);
-    checker::check_shared_messages(session.specification.skills.front(),
+    check::check_shared_messages(session.specification.skills.front(),
                                    session.specification.environments.front(), session.diagnostics);
     const auto plan =
         codegen::make_plan(session.specification.skills.front(), session.specification.environments.front(),
@@ -101,4 +101,4 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
   return write_and_list(files, inputs_of(session), console);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

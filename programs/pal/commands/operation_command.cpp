@@ -15,7 +15,7 @@
 #include "programs/pal/reports/sarif.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using operations::Program;
@@ -76,7 +76,7 @@ std::optional<std::set<std::string>> taught(const OperationOptions& options) {
 void check_against_cell(const Session& session, Diagnostics& diagnostics) {
   for (const pan::Network& skill : session.specification.skills)
     for (const pan::Environment& environment : session.specification.environments)
-      checker::check_listed(skill, environment, diagnostics);
+      check::check_listed(skill, environment, diagnostics);
 }
 
 std::vector<Program> read_programs(const OperationOptions& options, const Console& console,
@@ -146,4 +146,4 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   return status;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

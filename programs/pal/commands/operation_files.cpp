@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 /// Warnings of skills that the operation does not run are left to the check of those skills.
@@ -49,4 +49,4 @@ operations::Skills read_skills(const OperationOptions& options, const std::set<s
   return skills;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

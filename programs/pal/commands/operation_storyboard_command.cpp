@@ -8,7 +8,7 @@
 #include "programs/pal/commands/operation_files.hpp"
 #include "programs/pal/session/write.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 ExitStatus tell_operation(const OperationOptions& options, const Console& console) {
   const bool html = options.output.ends_with(".html");
@@ -83,4 +83,4 @@ ExitStatus format_operation(const OperationOptions& options, const Console& cons
   return options.check && !changed.empty() ? ExitStatus::wrong_specification : ExitStatus::all_hold;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

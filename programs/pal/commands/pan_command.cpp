@@ -9,7 +9,7 @@
 #include "pal/pan/dot.hpp"
 #include "pal/syntax/print.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 /// The pictures of one network's modules. Modules that stand in several skills are drawn once: their bodies
@@ -33,7 +33,7 @@ void add_units(const pan::Network& network, const PanOptions& options, syntax::T
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     const pan::Module& module = network.modules[i];
     if (module.body.empty() || (!options.module.empty() && module.name != options.module)) continue;
-    tree.units.emplace_back(to_unit(network, pan::ModuleId(i)));
+    tree.units.emplace_back(check::to_unit(network, pan::ModuleId(i)));
   }
 }
 
@@ -44,7 +44,7 @@ ExitStatus no_module(const PanOptions& options, const Console& console) {
   return ExitStatus::usage;
 }
 
-ExitStatus print_pal(const Specification& specification, const PanOptions& options, const Console& console) {
+ExitStatus print_pal(const check::Specification& specification, const PanOptions& options, const Console& console) {
   syntax::Tree tree;
   for (const pan::Network& network : specification.skills) add_units(network, options, tree);
   for (const pan::Network& network : specification.sketches) add_units(network, options, tree);
@@ -71,4 +71,4 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
   return write_and_list(files, inputs_of(session), console);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -1,7 +1,7 @@
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/reports/witness.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 ExitStatus replay(const ReplayOptions& options, const Console& console) {
   const auto witnesses = read_witness_file(options.witness, console);
@@ -13,4 +13,4 @@ ExitStatus replay(const ReplayOptions& options, const Console& console) {
   return confirm(*witnesses, session, console.out) ? ExitStatus::all_hold : ExitStatus::not_met;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -9,10 +9,10 @@
 #include "pal/check/resources.hpp"
 #include "programs/pal/commands/commands.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
-using checker::Resource;
+using check::Resource;
 
 /// The needs of a skill, or of an operation of several, and by environment what it has not.
 struct Comparison {
@@ -44,12 +44,12 @@ void write_table(const Comparison& comparison, const std::vector<pan::Environmen
   }
   std::string group;
   for (const Resource& resource : comparison.needed) {
-    if (const auto here = checker::group_text(resource.group); here != group) {
+    if (const auto here = check::group_text(resource.group); here != group) {
       out << "  " << here << "\n";
       group = here;
     }
     std::string line = fmt::format("    {:<{}}  {:<{}}  {:<20}", resource.name, widest, module_of(resource),
-                                   widest_module, checker::kind_text(resource.kind));
+                                   widest_module, check::kind_text(resource.kind));
     for (std::size_t i = 0; i < environments.size(); ++i) {
       line += fmt::format("  {}: {}", environments[i].name,
                           contains(comparison.missing[i], resource) ? "MISSING" : "there");
@@ -67,7 +67,7 @@ void write_table(const Comparison& comparison, const std::vector<pan::Environmen
 
 nlohmann::json json(const Resource& resource) {
   static constexpr const char* kinds[] = {"processor", "device", "time", "listed"};
-  return {{"group", checker::group_text(resource.group)},
+  return {{"group", check::group_text(resource.group)},
           {"kind", kinds[static_cast<std::size_t>(resource.kind)]},
           {"name", resource.name},
           {"module", resource.module}};
@@ -100,9 +100,9 @@ std::vector<Comparison> comparisons(const std::vector<pan::Network>& skills) {
   std::vector<std::string> names;
   for (const pan::Network& skill : skills) {
     names.push_back(skill.skill.name);
-    result.push_back({{names.back()}, checker::needed_resources(skill), {}});
+    result.push_back({{names.back()}, check::needed_resources(skill), {}});
   }
-  if (skills.size() > 1) result.push_back({names, checker::needed_resources(skills), {}});
+  if (skills.size() > 1) result.push_back({names, check::needed_resources(skills), {}});
   return result;
 }
 
@@ -119,7 +119,7 @@ ExitStatus show_resources(const ResourcesOptions& options, const Console& consol
   auto document = nlohmann::json::array();
   for (Comparison& comparison : comparisons(session.specification.skills)) {
     for (const pan::Environment& environment : environments) {
-      comparison.missing.push_back(checker::missing_resources(comparison.needed, environment));
+      comparison.missing.push_back(check::missing_resources(comparison.needed, environment));
       all = all && comparison.missing.back().empty();
     }
     if (options.format == Format::json) {
@@ -132,4 +132,4 @@ ExitStatus show_resources(const ResourcesOptions& options, const Console& consol
   return all ? ExitStatus::all_hold : ExitStatus::wrong_specification;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -12,11 +12,11 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
-using checker::deadlock::Action;
-using checker::deadlock::Story;
+using check::deadlock::Action;
+using check::deadlock::Story;
 
 /// From the run of a story to its chart.
 class Converter {
@@ -24,7 +24,7 @@ class Converter {
   Converter(const Story& story, const pan::Network& network, const SourceManager& sources)
       : story_(story), network_(network), sources_(sources) {}
 
-  chart::SequenceChart convert() {
+  analyzer::chart::SequenceChart convert() {
     heading();
     lanes();
     for (const auto& line : story_.run) add(line);
@@ -109,7 +109,7 @@ class Converter {
                        sources_.line_column(where.file, where.begin).line);
   }
 
-  void add(const checker::deadlock::Line& line) {
+  void add(const check::deadlock::Line& line) {
     const auto row = chart_.places.size();
     chart_.places.push_back(place(line.where));
     const auto self = lane(line.thread);
@@ -141,7 +141,7 @@ class Converter {
   const Story& story_;
   const pan::Network& network_;
   const SourceManager& sources_;
-  chart::SequenceChart chart_;
+  analyzer::chart::SequenceChart chart_;
   std::map<pan::ChannelId, std::deque<std::size_t>> on_its_way_;
 };
 
@@ -165,10 +165,10 @@ ExitStatus draw_sequences(const SequenceOptions& options, const Console& console
   if (!sound(session)) return status_of_findings(session);
   std::vector<OutputFile> files;
   for (const pan::Network& skill : session.specification.skills) {
-    const auto stories = checker::deadlock::stories(skill);
+    const auto stories = check::deadlock::stories(skill);
     for (std::size_t i = 0; i < stories.size(); ++i) {
       files.push_back({fmt::format("{}/{}.{}.sequence.svg", options.output, skill.skill.name, i + 1),
-                       chart::sequence_svg(Converter(stories[i], skill, session.sources).convert())});
+                       analyzer::chart::sequence_svg(Converter(stories[i], skill, session.sources).convert())});
     }
   }
   if (files.empty()) {
@@ -178,4 +178,4 @@ ExitStatus draw_sequences(const SequenceOptions& options, const Console& console
   return write_and_list(files, inputs_of(session), console);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -16,10 +16,10 @@
 #include "programs/pal/session/write.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
-using analyzer::rules::FiledWitness;
+using analyzer::run_checker::FiledWitness;
 
 analyzer::SimulationOptions simulation_of(const SimulateOptions& options, const std::function<bool()>& stop) {
   analyzer::SimulationOptions made;
@@ -126,7 +126,7 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
   const Seen& seen = study.simulated.seen[index];
   const analyzer::Problem& problem = study.simulated.problem;
   const analyzer::Requirement& requirement = problem.requirements[index];
-  chart::ChartOptions options;
+  analyzer::chart::ChartOptions options;
   options.caption.requirement = requirement.name;
   options.caption.measure = measure_text(problem, index) + "; " + study.runs.names[seen.run];
   options.caption.verdict = seen.breaking > 0 ? "broken" : seen.open > 0 ? "open" : "kept";
@@ -136,9 +136,9 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
     const bool over = requirement.at_least ? seen.extreme->value < requirement.limit
                                            : seen.extreme->value > requirement.limit;
     options.highlight =
-        chart::Highlight{seen.extreme->born, seen.extreme->at, label, over, requirement.limit};
+        analyzer::chart::Highlight{seen.extreme->born, seen.extreme->at, label, over, requirement.limit};
   }
-  return chart::svg(chart::timeline(run.trace), options);
+  return analyzer::chart::svg(analyzer::chart::timeline(run.trace), options);
 }
 
 ExitStatus write_run(const SimulateOptions& options, const std::pair<const Study*, std::size_t>& chosen,
@@ -240,4 +240,4 @@ ExitStatus simulate(const SimulateOptions& options, const Console& console) {
   return good ? ExitStatus::all_hold : ExitStatus::not_met;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -10,7 +10,7 @@
 #include "programs/pal/reports/witness.hpp"
 #include "programs/pal/session/write.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using State = analyzer::VerdictState;
@@ -20,7 +20,7 @@ std::optional<pan::Environment> changed(const pan::Environment& environment,
                                         const std::vector<std::string>& changes, std::ostream& err) {
   pan::Environment made = environment;
   for (const std::string& each : changes) {
-    const std::string wrong = analyzer::change(made, each);
+    const std::string wrong = analyzer::whatif::change(made, each);
     if (wrong.empty()) continue;
     err << "pal: " << wrong << "\n";
     return std::nullopt;
@@ -55,20 +55,20 @@ class Question {
  private:
   void look_for_slack(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer) {
     if (!console_.terminal || options_.format == Format::json) {
-      answer.slacks = analyzer::slacks(skill, environment, analysis_);
+      answer.slacks = analyzer::whatif::slacks(skill, environment, analysis_);
       return;
     }
     SlackDisplay display(skill, environment, answer, console_.out);
-    answer.slacks = analyzer::slacks(skill, environment, analysis_, display.observer());
+    answer.slacks = analyzer::whatif::slacks(skill, environment, analysis_, display.observer());
     display.finish();
   }
 
   void look_for_remedies(const pan::Network& skill, const pan::Environment& environment,
                          WhatIfAnswer& answer) {
     ProgramChanges programs(options_.selection, skill, console_.files);
-    answer.remedies = analyzer::find_remedies(
+    answer.remedies = analyzer::whatif::find_remedies(
         skill, environment, programs.all().size(),
-        [&programs](const std::vector<analyzer::ProgramChangeId>& made) {
+        [&programs](const std::vector<analyzer::whatif::ProgramChangeId>& made) {
           return programs.network_with(made);
         },
         analysis_);
@@ -88,15 +88,15 @@ class Question {
   }
 
   void place(const pan::Network& skill, const pan::Environment& environment, WhatIfAnswer& answer) {
-    analyzer::RequirementChecker checker(skill, analysis_);
-    analyzer::PlacementOptions how;
+    analyzer::whatif::RequirementChecker checker(skill, analysis_);
+    analyzer::whatif::PlacementOptions how;
     how.priorities = options_.priorities;
     answer.fewest = *options_.place == 0;
     answer.priorities = options_.priorities;
     if (answer.fewest) {
-      answer.placements = analyzer::fewest_processors(environment, checker, how);
+      answer.placements = analyzer::whatif::fewest_processors(environment, checker, how);
     } else {
-      answer.placements = {analyzer::placements_on(*options_.place, environment, checker, how)};
+      answer.placements = {analyzer::whatif::placements_on(*options_.place, environment, checker, how)};
     }
     if (!options_.witness.empty())
       answer.witnesses = filed_witnesses_of(answer.placements, skill, environment, analysis_);
@@ -129,14 +129,14 @@ ExitStatus write_witnesses(std::vector<WhatIfAnswer>& answers, const std::string
   std::size_t refuted = 0;
   for (WhatIfAnswer& answer : answers) {
     std::move(answer.witnesses.begin(), answer.witnesses.end(), std::back_inserter(all));
-    for (const analyzer::Placements& on : answer.placements) refuted += on.refuted.size();
+    for (const analyzer::whatif::Placements& on : answer.placements) refuted += on.refuted.size();
   }
   if (all.size() < refuted) {
     console.err << "pal: of " << refuted - all.size() << " of " << refuted
                 << " placements refuted no run is found again within the limits\n";
   }
   std::vector<OutputFile> files(1);
-  files.front() = {path, analyzer::rules::file_of(all)};
+  files.front() = {path, analyzer::run_checker::file_of(all)};
   if (listed) return write_and_list(files, inputs_of(session), console);
   const auto problem = write_files(files);
   if (problem) console.err << "pal: " << *problem << "\n";
@@ -202,4 +202,4 @@ ExitStatus what_if(const WhatIfOptions& options, const Console& console) {
                                                                           : ExitStatus::not_met;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

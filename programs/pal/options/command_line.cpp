@@ -9,7 +9,7 @@
 #include "programs/pal/options/subcommands.hpp"
 #include "pal/support/nearest.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 ExitStatus run_operation(const CLI::App& operation, const OperationOptions& check,
@@ -93,4 +93,4 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   return generate(generate_options, console);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -6,7 +6,7 @@
 
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 CLI::Validator whole_number() {
   const auto complaint = [](const std::string& text) {
@@ -39,4 +39,4 @@ void add_timeout(CLI::App& command, double& seconds, const char* description) {
       ->type_name("DURATION");
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

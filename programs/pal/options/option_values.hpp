@@ -7,7 +7,7 @@
 
 #include "pal/support/time.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// One of the words of `values`.
 template <typename Value>
@@ -34,4 +34,4 @@ Duration duration_of(const std::string& text, const char* option);
 /// --timeout.
 void add_timeout(CLI::App& command, double& seconds, const char* description);
 
-}  // namespace pal::driver
+}  // namespace pal::program

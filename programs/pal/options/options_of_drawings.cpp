@@ -3,7 +3,7 @@
 #include "programs/pal/options/shared_options.hpp"
 #include "programs/pal/options/subcommands.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 void add_pan(CLI::App& app, PanOptions& options) {
   CLI::App* command = app.add_subcommand("pan", "Draws modules as Process Activity Networks");
@@ -57,4 +57,4 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
   command->footer(statuses_of_results);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

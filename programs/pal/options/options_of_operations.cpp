@@ -3,7 +3,7 @@
 #include "programs/pal/options/shared_options.hpp"
 #include "programs/pal/options/subcommands.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 void add_operation_files(CLI::App& command, OperationOptions& options) {
@@ -60,4 +60,4 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
       "file could not be read or written.");
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -4,7 +4,7 @@
 #include "programs/pal/options/shared_options.hpp"
 #include "programs/pal/options/subcommands.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 const char* const statuses_of_what_if =
@@ -96,7 +96,7 @@ void add_simulate(CLI::App& app, SimulateOptions& options) {
           "--until",
           [&options](const std::string& text) {
             options.until = duration_of(text, "--until");
-            if (options.until.count() > analyzer::rules::latest_instant)
+            if (options.until.count() > analyzer::run_checker::latest_instant)
               throw CLI::ValidationError("--until", "a run is no longer than 4000000000 s");
           },
           "length of a run in its own time, unless the skill completes before (10 s)")
@@ -153,4 +153,4 @@ void add_what_if(CLI::App& app, WhatIfOptions& options) {
   command->footer(statuses_of_what_if);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

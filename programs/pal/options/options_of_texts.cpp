@@ -2,7 +2,7 @@
 #include "programs/pal/options/shared_options.hpp"
 #include "programs/pal/options/subcommands.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 void add_generate(CLI::App& app, GenerateOptions& options) {
   CLI::App* command = app.add_subcommand("generate", "Writes the C++ of a skill in an environment");
@@ -79,4 +79,4 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
   command->footer("Exit status: 0 explained; 2 no such code.");
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

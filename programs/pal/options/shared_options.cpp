@@ -2,7 +2,7 @@
 
 #include "programs/pal/options/option_values.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 const char* const usual_timeout =
@@ -56,4 +56,4 @@ void add_format(CLI::App& command, Format& format) {
       ->type_name("FORMAT");
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

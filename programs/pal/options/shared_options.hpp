@@ -6,7 +6,7 @@
 
 #include "programs/pal/commands/commands.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// Of commands that prove requirements, and of the program as a whole.
 extern const char* const statuses_of_proofs;
@@ -26,4 +26,4 @@ void add_limits(CLI::App& command, ProofLimits& limits, const char* timeout = nu
 /// --format: text or json.
 void add_format(CLI::App& command, Format& format);
 
-}  // namespace pal::driver
+}  // namespace pal::program

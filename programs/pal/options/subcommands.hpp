@@ -6,7 +6,7 @@
 
 #include "programs/pal/commands/commands.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 void add_check(CLI::App& app, CheckOptions& options);
 void add_replay(CLI::App& app, ReplayOptions& options);
@@ -26,4 +26,4 @@ void add_explain(CLI::App& app, ExplainOptions& options);
 /// `operation` with its own commands: check, storyboard and format.
 void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& format);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -7,7 +7,7 @@
 
 #include "programs/pal/session/measure_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -58,4 +58,4 @@ std::string arithmetic_json(const analyzer::Verdict& verdict) {
   return rows_of(verdict.addends).dump();
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

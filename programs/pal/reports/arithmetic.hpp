@@ -6,7 +6,7 @@
 
 #include "analyzer/verdict/verdict.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// A line for each number that adds up to the verdict's bound, with the actor, what it does, and where that
 /// stands. Nothing if the addition is not known.
@@ -15,4 +15,4 @@ void write_arithmetic(const analyzer::Verdict& verdict, std::ostream& out);
 /// As JSON: [{"amount_ns", "actor", "what", "file", "line"}]; of a load, nanoseconds of work a second.
 std::string arithmetic_json(const analyzer::Verdict& verdict);
 
-}  // namespace pal::driver
+}  // namespace pal::program

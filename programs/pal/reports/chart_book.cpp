@@ -8,12 +8,12 @@
 #include "programs/pal/session/measure_text.hpp"
 #include "programs/pal/reports/proof_chart.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 /// With all that is inside them.
-std::vector<chart::Part> parts_of(const std::vector<analyzer::Reason>& reasons) {
-  std::vector<chart::Part> parts;
+std::vector<analyzer::chart::Part> parts_of(const std::vector<analyzer::Reason>& reasons) {
+  std::vector<analyzer::chart::Part> parts;
   for (const analyzer::Reason& reason : reasons)
     parts.push_back({segment_of(reason, 0), parts_of(reason.inside)});
   return parts;
@@ -23,7 +23,7 @@ class Writer {
  public:
   void add(const Proof& proof, std::size_t index, const std::optional<trace::Trace>& measured) {
     const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-    chart::Subject subject;
+    analyzer::chart::Subject subject;
     subject.skill = proof.problem.skill;
     subject.environment = proof.problem.environment;
     subject.caption = proof_caption(proof, index);
@@ -34,11 +34,11 @@ class Writer {
     book.subjects.push_back(std::move(subject));
   }
 
-  chart::Book book;
+  analyzer::chart::Book book;
 
  private:
-  chart::View view_of(const ShownRun& shown) {
-    book.runs.push_back(chart::timeline(shown.run));
+  analyzer::chart::View view_of(const ShownRun& shown) {
+    book.runs.push_back(analyzer::chart::timeline(shown.run));
     return {shown.name,           book.runs.size() - 1,    shown.options.highlight,
             shown.options.losses, parts_of(shown.reasons), shown.options.window};
   }
@@ -46,7 +46,7 @@ class Writer {
 
 }  // namespace
 
-chart::Book book_of(const std::vector<Proof>& proofs, const Proof& first, std::size_t index,
+analyzer::chart::Book book_of(const std::vector<Proof>& proofs, const Proof& first, std::size_t index,
                     const std::optional<trace::Trace>& measured) {
   Writer writer;
   writer.book.title = first.problem.skill;
@@ -57,4 +57,4 @@ chart::Book book_of(const std::vector<Proof>& proofs, const Proof& first, std::s
   return std::move(writer.book);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

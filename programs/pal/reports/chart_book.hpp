@@ -9,11 +9,11 @@
 #include "programs/pal/session/proof.hpp"
 #include "pal/trace/trace.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// The page's content; it opens with requirement `index` of `first`, which is one of `proofs`. A measured run
 /// is shown for each requirement of its skill.
-chart::Book book_of(const std::vector<Proof>& proofs, const Proof& first, std::size_t index,
+analyzer::chart::Book book_of(const std::vector<Proof>& proofs, const Proof& first, std::size_t index,
                     const std::optional<trace::Trace>& measured);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -3,7 +3,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "programs/pal/session/measure_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Measure = analyzer::Requirement::Measure;
@@ -11,7 +11,7 @@ using Measure = analyzer::Requirement::Measure;
 /// As charts write times: "35 ms"; of a loss its number, of a load its share.
 std::string length_text(Measure measure, Duration value) {
   const bool is_time = measure != Measure::loss && measure != Measure::load;
-  return is_time ? chart::duration_text(value.count()) : figure_text(measure, value);
+  return is_time ? analyzer::chart::duration_text(value.count()) : figure_text(measure, value);
 }
 
 /// "35 ms", "2 lost", "none lost".
@@ -38,7 +38,7 @@ std::string with_limit(const std::string& known, Measure measure, bool at_least,
 std::string bound_of(const analyzer::Verdict& verdict) {
   const std::string value = caption_value(verdict.measure, *verdict.bound);
   if (verdict.exact && verdict.measure == Measure::loss && verdict.witness && verdict.bound->count() > 0)
-    return "worst case " + value + " (exact: by " + chart::duration_text(verdict.witness->measured.at) + ")";
+    return "worst case " + value + " (exact: by " + analyzer::chart::duration_text(verdict.witness->measured.at) + ")";
   const bool shown = verdict.measure != Measure::load && verdict.measure != Measure::loss;
   if (verdict.exact && !shown) return "worst case " + value + " (exact)";
   if (verdict.exact) return "worst case " + value + " (exact: the run below attains it)";
@@ -59,9 +59,9 @@ std::string figures_of(const analyzer::Verdict& verdict) {
 
 }  // namespace
 
-chart::Caption proof_caption(const Proof& proof, std::size_t index) {
+analyzer::chart::Caption proof_caption(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  chart::Caption made;
+  analyzer::chart::Caption made;
   made.requirement = verdict.requirement;
   made.measure = measure_text(proof.problem, index);
   made.verdict = analyzer::name(verdict.state);
@@ -78,4 +78,4 @@ std::string shown_figures(const analyzer::Requirement& requirement, Duration val
                     requirement.at_least, Duration(requirement.limit), value);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

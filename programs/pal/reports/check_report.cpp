@@ -10,7 +10,7 @@
 #include "programs/pal/reports/statistics.hpp"
 #include "pal/support/render.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using State = analyzer::VerdictState;
@@ -85,4 +85,4 @@ std::string json(const std::vector<Proof>& proofs, const Session& session, bool 
   return document.dump(2) + "\n";
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -7,7 +7,7 @@
 
 #include "programs/pal/session/proof.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// A table with a line for each requirement: its verdict, bound, limit and margin. With `explain`, the parts
 /// of the bound stand below it.
@@ -19,4 +19,4 @@ void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& o
 /// work a second.
 std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics = false);
 
-}  // namespace pal::driver
+}  // namespace pal::program

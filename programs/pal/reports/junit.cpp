@@ -8,7 +8,7 @@
 #include "pal/support/render.hpp"
 #include "pal/support/xml.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 struct Case {
@@ -90,4 +90,4 @@ std::string junit(const std::vector<Proof>& proofs, const Session& session) {
   return out.str();
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

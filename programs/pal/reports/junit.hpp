@@ -6,7 +6,7 @@
 
 #include "programs/pal/session/proof.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// A suite for each skill in each environment, with a case for each requirement. A case passes if the
 /// requirement holds, fails if it fails, and is an error if it is undecided. Before them comes a suite of the
@@ -14,4 +14,4 @@ namespace pal::driver {
 /// JUnit task; there is no standard.
 std::string junit(const std::vector<Proof>& proofs, const Session& session);
 
-}  // namespace pal::driver
+}  // namespace pal::program

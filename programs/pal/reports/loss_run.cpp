@@ -9,7 +9,7 @@
 #include "analyzer/verdict/narrator.hpp"
 #include "pal/trace/slices.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using analyzer::Nanoseconds;
@@ -76,7 +76,7 @@ std::optional<Nanoseconds> next_taken(const trace::Trace& run, std::int32_t acto
 
 /// Of a frame that was not requested: which thread asked too late, and what that thread did since the device
 /// gave it the frame before.
-void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, const chart::Loss& loss,
+void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, const analyzer::chart::Loss& loss,
                    LossRun& shown) {
   const std::vector<analyzer::ChannelId>& requests = problem.devices[device].requests;
   const auto late = std::find_if(shown.run.events.begin(), shown.run.events.end(), [&](const Event& event) {
@@ -85,7 +85,7 @@ void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, 
                requests.end();
   });
   if (late == shown.run.events.end()) return;
-  shown.highlight = chart::Highlight{loss.from_ns, late->time_ns, "asked for too late by", true, -1};
+  shown.highlight = analyzer::chart::Highlight{loss.from_ns, late->time_ns, "asked for too late by", true, -1};
   Nanoseconds before = loss.from_ns;
   for (const Event& put : events_of(shown.run, actor_of(problem, device), Kind::put)) {
     if (put.time_ns <= loss.from_ns) before = put.time_ns;
@@ -103,7 +103,7 @@ void explain_overrun(const analyzer::Problem& problem, const Event& overrun, Los
   });
   if (take == events.end()) return;
   shown.highlight =
-      chart::Highlight{overrun.time_ns, take->time_ns, "the one before is taken too late by", true, -1};
+      analyzer::chart::Highlight{overrun.time_ns, take->time_ns, "the one before is taken too late by", true, -1};
   Nanoseconds before = overrun.time_ns;
   for (const Event& event : events) {
     if (event.kind == Kind::put && event.subject == overrun.subject && event.time_ns <= overrun.time_ns)
@@ -115,9 +115,9 @@ void explain_overrun(const analyzer::Problem& problem, const Event& overrun, Los
 
 /// The first loss that is not before an instant at which one was counted: the end of its work, or its
 /// beginning.
-const chart::Loss* counted_at(const std::vector<chart::Loss>& losses, Nanoseconds instant) {
+const analyzer::chart::Loss* counted_at(const std::vector<analyzer::chart::Loss>& losses, Nanoseconds instant) {
   const auto found = std::find_if(losses.begin(), losses.end(),
-                                  [instant](const chart::Loss& loss) { return loss.to_ns >= instant; });
+                                  [instant](const analyzer::chart::Loss& loss) { return loss.to_ns >= instant; });
   return found == losses.end() ? nullptr : &*found;
 }
 
@@ -131,7 +131,7 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
   LossRun shown;
   shown.run = made(problem, witness.script, at + 6 * distance);
   shown.losses = losses_in(problem, shown.run, requirement.device);
-  const chart::Loss* loss = counted_at(shown.losses, at);
+  const analyzer::chart::Loss* loss = counted_at(shown.losses, at);
   if (loss == nullptr) {
     // The run did not go on as it began: the proved one ends where the loss is counted.
     const analyzer::Device& device = problem.devices[requirement.device];
@@ -140,14 +140,14 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
     shown.losses = {{device.name, at, at,
                      frames ? "lost: no request for it was open when it began"
                             : "lost: the one before it was not taken yet"}};
-    shown.window = chart::Window{0, at + std::max<Nanoseconds>(1, at / 10)};
+    shown.window = analyzer::chart::Window{0, at + std::max<Nanoseconds>(1, at / 10)};
     return shown;
   }
   const Nanoseconds next = next_taken(shown.run, actor, loss->to_ns + 1).value_or(loss->to_ns + 2 * distance);
   // As many in a row as the requirement speaks of, the last lost one, and the next.
   const Nanoseconds row = std::max<Nanoseconds>(1, requirement.in) * distance;
   shown.window =
-      chart::Window{std::max<Nanoseconds>(0, loss->from_ns - row - distance / 8), next + distance / 8};
+      analyzer::chart::Window{std::max<Nanoseconds>(0, loss->from_ns - row - distance / 8), next + distance / 8};
   const std::vector<Event> overruns = events_of(shown.run, actor, Kind::overrun);
   const Event* overrun = first_from(overruns, loss->to_ns);
   if (overrun != nullptr && overrun->time_ns == loss->to_ns) {
@@ -174,7 +174,7 @@ std::optional<LossRun> without_loss(const analyzer::Problem& problem, analyzer::
     const Event& last = puts[std::min(wanted, puts.size()) - 1];
     const Nanoseconds end = next_taken(shown.run, actor, last.time_ns).value_or(last.time_ns);
     shown.window =
-        chart::Window{std::max<Nanoseconds>(0, puts.front().time_ns - distance), end + distance / 4};
+        analyzer::chart::Window{std::max<Nanoseconds>(0, puts.front().time_ns - distance), end + distance / 4};
     shown.losses = losses_in(problem, shown.run, device);
     return shown;
   }
@@ -183,14 +183,14 @@ std::optional<LossRun> without_loss(const analyzer::Problem& problem, analyzer::
 
 }  // namespace
 
-std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run,
+std::vector<analyzer::chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run,
                                    analyzer::DeviceId device) {
   const std::int32_t actor = actor_of(problem, device);
   const std::string& name = problem.devices[device].name;
   const std::vector<Event> puts = events_of(run, actor, Kind::put);
   const std::vector<Event> overruns = events_of(run, actor, Kind::overrun);
   const bool frames = std::holds_alternative<pan::FrameDevice>(problem.devices[device].behaviour);
-  std::vector<chart::Loss> losses;
+  std::vector<analyzer::chart::Loss> losses;
   std::vector<Nanoseconds> with_work;  // overruns that end a stretch of work
   bool counts = false;
   for (const trace::Slice& slice : trace::slices(run)) {
@@ -211,7 +211,7 @@ std::vector<chart::Loss> losses_in(const analyzer::Problem& problem, const trace
       losses.push_back({name, event.time_ns, event.time_ns, "lost: the one before it was not taken yet"});
   }
   std::stable_sort(losses.begin(), losses.end(),
-                   [](const chart::Loss& a, const chart::Loss& b) { return a.from_ns < b.from_ns; });
+                   [](const analyzer::chart::Loss& a, const analyzer::chart::Loss& b) { return a.from_ns < b.from_ns; });
   return losses;
 }
 
@@ -225,4 +225,4 @@ std::optional<LossRun> loss_run(const Proof& proof, std::size_t index) {
   return without_loss(proof.problem, proof.problem.requirements[index].device);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -12,7 +12,7 @@
 #include "programs/pal/reports/chart_caption.hpp"
 #include "programs/pal/reports/loss_run.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Measure = analyzer::Requirement::Measure;
@@ -20,7 +20,7 @@ using State = analyzer::VerdictState;
 
 /// Of a run that fails by an event without a response: from that event to the end. Nothing of one that is
 /// lost as it comes.
-std::optional<chart::Highlight> unanswered(const Proof& proof, std::size_t index) {
+std::optional<analyzer::chart::Highlight> unanswered(const Proof& proof, std::size_t index) {
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
   const trace::Trace& run = proof.analysis.verdicts[index].witness->trace;
   if (requirement.events.empty()) return std::nullopt;
@@ -38,12 +38,12 @@ std::optional<chart::Highlight> unanswered(const Proof& proof, std::size_t index
     });
     const std::int64_t end = run.events.back().time_ns;
     if (!has && event.time_ns < end)
-      return chart::Highlight{event.time_ns, end, message + " without a response", true, requirement.limit};
+      return analyzer::chart::Highlight{event.time_ns, end, message + " without a response", true, requirement.limit};
   }
   return std::nullopt;
 }
 
-chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from, std::int64_t to) {
+analyzer::chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from, std::int64_t to) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const std::int64_t limit = verdict.limit.count();
   const bool over = verdict.at_least ? to - from < limit : to - from > limit;
@@ -74,11 +74,11 @@ std::vector<bool> told(const std::vector<analyzer::Reason>& reasons) {
 }
 
 /// These parts in their order, the longest of them with what is inside it, and so on.
-void unfold(const std::vector<analyzer::Reason>& reasons, int depth, std::vector<chart::Segment>& out) {
+void unfold(const std::vector<analyzer::Reason>& reasons, int depth, std::vector<analyzer::chart::Segment>& out) {
   const std::vector<bool> tells = depth == 0 ? std::vector<bool>(reasons.size(), true) : told(reasons);
   const auto longest = std::max_element(reasons.begin(), reasons.end(),
                                         [](const auto& a, const auto& b) { return length(a) < length(b); });
-  chart::Segment rest;
+  analyzer::chart::Segment rest;
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (!tells[i]) {
@@ -95,15 +95,15 @@ void unfold(const std::vector<analyzer::Reason>& reasons, int depth, std::vector
   out.push_back(rest);
 }
 
-std::vector<chart::Segment> explanation_of(const std::vector<analyzer::Reason>& reasons) {
-  std::vector<chart::Segment> parts;
+std::vector<analyzer::chart::Segment> explanation_of(const std::vector<analyzer::Reason>& reasons) {
+  std::vector<analyzer::chart::Segment> parts;
   unfold(analyzer::abridged(reasons), 0, parts);
   return parts;
 }
 
-chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
+analyzer::chart::ChartOptions options_for(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  chart::ChartOptions options;
+  analyzer::chart::ChartOptions options;
   options.caption = proof_caption(proof, index);
   if (verdict.witness->failed) {
     options.highlight = unanswered(proof, index);
@@ -175,7 +175,7 @@ std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof
 
 namespace {
 
-std::optional<chart::Highlight> longest_interval(const Proof& proof, std::size_t index,
+std::optional<analyzer::chart::Highlight> longest_interval(const Proof& proof, std::size_t index,
                                                  const trace::Trace& run) {
   const auto found = longest_in(run, proof, index);
   if (!found || found->length_ns() == 0) return std::nullopt;
@@ -212,13 +212,13 @@ std::optional<ShownRun> usual_run(const Proof& proof, std::size_t index) {
   if (!shown.options.highlight) return std::nullopt;
   shown.options.caption = proof_caption(proof, index);
   const std::int64_t seen = shown.options.highlight->to_ns - shown.options.highlight->from_ns;
-  shown.options.caption.figures += "; " + chart::duration_text(seen) + " in this run";
+  shown.options.caption.figures += "; " + analyzer::chart::duration_text(seen) + " in this run";
   return shown;
 }
 
 }  // namespace
 
-chart::Segment segment_of(const analyzer::Reason& reason, int depth) {
+analyzer::chart::Segment segment_of(const analyzer::Reason& reason, int depth) {
   return {reason.from, reason.to, reason.what, reason.actor, arrival_text(reason), depth};
 }
 
@@ -239,11 +239,11 @@ ShownRun measured_run(const Proof& proof, std::size_t index, const trace::Trace&
 }
 
 std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured) {
-  chart::OverlayOptions options;
+  analyzer::chart::OverlayOptions options;
   options.proved = options_for(proof, index);
   options.measured.highlight = longest_interval(proof, index, measured);
-  return chart::overlay_svg(chart::timeline(proof.analysis.verdicts[index].witness->trace),
-                            chart::timeline(measured), options);
+  return analyzer::chart::overlay_svg(analyzer::chart::timeline(proof.analysis.verdicts[index].witness->trace),
+                            analyzer::chart::timeline(measured), options);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

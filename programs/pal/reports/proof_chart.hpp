@@ -11,7 +11,7 @@
 #include "pal/trace/measure.hpp"
 #include "pal/trace/trace.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// Whether the witness of a verdict shows what the verdict says, in a finite run that is worse than others.
 /// False for a load, and for a run in which nothing is lost.
@@ -36,12 +36,12 @@ std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof
 struct ShownRun {
   std::string name;  // "worst run"
   trace::Trace run;
-  chart::ChartOptions options;
+  analyzer::chart::ChartOptions options;
   std::vector<analyzer::Reason> reasons;  // all that options.explanation is taken from
 };
 
 /// A part of a story, as charts show it. `depth`: how many other parts contain it.
-chart::Segment segment_of(const analyzer::Reason& reason, int depth);
+analyzer::chart::Segment segment_of(const analyzer::Reason& reason, int depth);
 
 /// The run behind verdict `index`: its worst. For losses, with what comes after the loss, or a run in which
 /// nothing is lost. Without a worst run: a run with the worst times, if that shows a value; nothing if there
@@ -55,4 +55,4 @@ ShownRun measured_run(const Proof& proof, std::size_t index, const trace::Trace&
 /// longest intervals of the two.
 std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -7,7 +7,7 @@
 #include "programs/pal/reports/whatif_answer.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using State = analyzer::VerdictState;
@@ -43,7 +43,7 @@ std::string change_words(const std::string& change) {
   return "change a figure";
 }
 
-std::string change_lines(const WhatIfAnswer& answer, const analyzer::Candidate& candidate, bool first) {
+std::string change_lines(const WhatIfAnswer& answer, const analyzer::whatif::Candidate& candidate, bool first) {
   std::string out = first ? "" : "       and ";
   if (candidate.program.valid()) {
     const ProgramChange& change = answer.program_changes[candidate.program.index()];
@@ -64,7 +64,7 @@ std::string state_text(const analyzer::Verdict& verdict) {
 }
 
 /// What did not hold before, or does not now; of the rest how many.
-std::string verdict_lines(const analyzer::Remedies& remedies, const analyzer::Remedy& remedy) {
+std::string verdict_lines(const analyzer::whatif::Remedies& remedies, const analyzer::whatif::Remedy& remedy) {
   std::string out;
   std::size_t others = 0;
   for (std::size_t r = 0; r < remedy.after.size(); ++r) {
@@ -84,10 +84,10 @@ std::string verdict_lines(const analyzer::Remedies& remedies, const analyzer::Re
   return out;
 }
 
-std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::Remedy& remedy,
+std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::whatif::Remedy& remedy,
                          const std::string& mark) {
   std::string out = "  " + mark;
-  for (const analyzer::CandidateId id : remedy.made)
+  for (const analyzer::whatif::CandidateId id : remedy.made)
     out += change_lines(answer, answer.remedies->candidates[id.index()], id == remedy.made.front());
   return out + verdict_lines(*answer.remedies, remedy);
 }
@@ -95,7 +95,7 @@ std::string remedy_lines(const WhatIfAnswer& answer, const analyzer::Remedy& rem
 std::string short_enough_lines(const WhatIfAnswer& answer) {
   std::string out;
   analyzer::RequirementId of;
-  for (const analyzer::ShortEnough& each : answer.remedies->short_enough) {
+  for (const analyzer::whatif::ShortEnough& each : answer.remedies->short_enough) {
     if (each.requirement != of) {
       out += fmt::format("  '{}' holds with one time shorter; each of these suffices:\n",
                          answer.requirements[each.requirement.index()]);
@@ -109,7 +109,7 @@ std::string short_enough_lines(const WhatIfAnswer& answer) {
 }
 
 std::string tried_lines(const WhatIfAnswer& answer) {
-  const analyzer::Remedies& remedies = *answer.remedies;
+  const analyzer::whatif::Remedies& remedies = *answer.remedies;
   if (remedies.tried == 0 && remedies.found.empty()) return "";
   const std::string ended = remedies.complete ? "" : "; the time ended before all were";
   if (remedies.found.empty()) {
@@ -125,7 +125,7 @@ std::string tried_lines(const WhatIfAnswer& answer) {
   std::string out = "  With " + std::string(size == 1 ? "one change" : plural(size, "change") + " together") +
                     " all requirements hold (" + plural(remedies.tried, "attempt") + ended + "):\n";
   std::size_t number = 0;
-  for (const analyzer::Remedy& remedy : remedies.found)
+  for (const analyzer::whatif::Remedy& remedy : remedies.found)
     out += remedy_lines(answer, remedy, fmt::format("{:>3}. ", ++number));
   return out;
 }
@@ -136,4 +136,4 @@ std::string remedies_text(const WhatIfAnswer& answer) {
   return answer.remedies ? tried_lines(answer) + short_enough_lines(answer) : "";
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

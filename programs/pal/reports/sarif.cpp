@@ -6,7 +6,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -177,4 +177,4 @@ std::string sarif(const Session& session, ExitStatus status) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -4,7 +4,7 @@
 #include "programs/pal/reports/sarif.hpp"
 #include "pal/explain/page.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -42,4 +42,4 @@ std::string sarif_rules(const std::vector<Code>& codes) {
   return rules.dump();
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

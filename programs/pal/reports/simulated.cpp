@@ -8,7 +8,7 @@
 #include "analyzer/verdict/verdict.hpp"
 #include "programs/pal/session/measure_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -105,4 +105,4 @@ std::string json(const std::vector<Simulated>& simulations) {
   return document.dump(2) + "\n";
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -8,7 +8,7 @@
 #include "analyzer/problem/problem.hpp"
 #include "programs/pal/session/survey.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 struct Simulated {
   analyzer::Problem problem;
@@ -26,4 +26,4 @@ std::string text(const Simulated& simulated);
 /// (docs/reference/simulation.md).
 std::string json(const std::vector<Simulated>& simulations);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -3,14 +3,14 @@
 #include <ostream>
 #include <vector>
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 constexpr std::size_t bar_width = 30;
 
 std::vector<std::string> names(const pan::Network& skill, const pan::Environment& environment) {
   std::vector<std::string> all;
-  for (const analyzer::Figure& figure : analyzer::figures(skill, environment)) all.push_back(figure.name);
+  for (const analyzer::whatif::Figure& figure : analyzer::whatif::figures(skill, environment)) all.push_back(figure.name);
   return all;
 }
 
@@ -22,12 +22,12 @@ SlackDisplay::SlackDisplay(const pan::Network& skill, const pan::Environment& en
   out_ << answer.skill << " in " << answer.environment << "\n" << table_.heading() << std::flush;
 }
 
-analyzer::SlackObserver SlackDisplay::observer() {
-  return {[this](const analyzer::Slack& slack) { show(slack); },
+analyzer::whatif::SlackObserver SlackDisplay::observer() {
+  return {[this](const analyzer::whatif::Slack& slack) { show(slack); },
           [this](std::size_t settled, std::size_t all) { draw_bar(settled, all); }};
 }
 
-void SlackDisplay::show(const analyzer::Slack& slack) {
+void SlackDisplay::show(const analyzer::whatif::Slack& slack) {
   erase_bar();
   shown_.insert(slack.figure);
   out_ << table_.row(answer_, slack) << std::flush;
@@ -48,10 +48,10 @@ void SlackDisplay::erase_bar() {
 
 void SlackDisplay::finish() {
   erase_bar();
-  for (const analyzer::Slack& slack : answer_.slacks) {
+  for (const analyzer::whatif::Slack& slack : answer_.slacks) {
     if (!shown_.contains(slack.figure)) show(slack);
   }
   answer_.slacks_shown = true;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -9,7 +9,7 @@
 #include "analyzer/whatif/slack.hpp"
 #include "programs/pal/reports/whatif_answer.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// Writes the heading at once, and each row when its slack is settled. `answer` and `out` must live as long.
 class SlackDisplay {
@@ -18,13 +18,13 @@ class SlackDisplay {
                std::ostream& out);
 
   /// To be passed to slacks(); calls this display.
-  analyzer::SlackObserver observer();
+  analyzer::whatif::SlackObserver observer();
 
   /// Writes the rows of `answer.slacks` that were not settled, and marks the answer as shown.
   void finish();
 
  private:
-  void show(const analyzer::Slack& slack);
+  void show(const analyzer::whatif::Slack& slack);
   void draw_bar(std::size_t settled, std::size_t all);
   void erase_bar();
 
@@ -35,4 +35,4 @@ class SlackDisplay {
   bool bar_ = false;             // it stands on the last line
 };
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 void write_line(const std::string& name, std::size_t width, const analyzer::Statistics& of,
@@ -45,4 +45,4 @@ std::string json(const analyzer::Statistics& statistics) {
   return members.dump();
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

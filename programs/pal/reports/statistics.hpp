@@ -7,7 +7,7 @@
 
 #include "programs/pal/session/proof.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// Of all proofs: sums, and the greatest peak of memory.
 analyzer::Statistics sum_of(const std::vector<Proof>& proofs);
@@ -18,4 +18,4 @@ void write_statistics(const std::vector<Proof>& proofs, std::ostream& out);
 /// {states, classes, seconds, peak_bytes}.
 std::string json(const analyzer::Statistics& statistics);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -12,19 +12,19 @@
 #include "programs/pal/session/program_changes.hpp"
 #include "programs/pal/session/proof.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// The answer for one skill in one environment; only what was asked for is there.
 struct WhatIfAnswer {
   std::string skill;
   std::string environment;
   std::vector<std::string> requirements;
-  std::vector<analyzer::Slack> slacks;
+  std::vector<analyzer::whatif::Slack> slacks;
   bool slacks_shown = false;                   // while they were found: text() leaves them out
-  std::optional<analyzer::Remedies> remedies;  // of what does not hold as things are
+  std::optional<analyzer::whatif::Remedies> remedies;  // of what does not hold as things are
   std::vector<ProgramChange> program_changes;  // by ProgramChangeId: those that remedies speak of
   std::vector<Proof> before_and_after;         // both, or neither
-  std::vector<analyzer::Placements> placements;
+  std::vector<analyzer::whatif::Placements> placements;
   std::vector<std::string> witnesses;  // of refuted placements, if asked for: as they are filed
   bool fewest = false;                 // the placements answer how few processors do
   bool priorities = false;             // … in every order by priority
@@ -38,7 +38,7 @@ class SlackTable {
   /// `figures`: their names, which determine the width of the table.
   explicit SlackTable(const std::vector<std::string>& figures);
   std::string heading() const;
-  std::string row(const WhatIfAnswer& answer, const analyzer::Slack& slack) const;
+  std::string row(const WhatIfAnswer& answer, const analyzer::whatif::Slack& slack) const;
 
  private:
   std::size_t width_ = 12;
@@ -53,4 +53,4 @@ std::string json(const std::vector<WhatIfAnswer>& answers);
 /// hold after the change, and a placement is found.
 bool good(const WhatIfAnswer& answer);
 
-}  // namespace pal::driver
+}  // namespace pal::program

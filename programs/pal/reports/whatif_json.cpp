@@ -3,7 +3,7 @@
 
 #include "programs/pal/reports/whatif_answer.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -16,7 +16,7 @@ Json requirement(const WhatIfAnswer& answer, analyzer::RequirementId id) {
   return id.valid() ? Json(answer.requirements[id.index()]) : Json();
 }
 
-Json slack_row(const WhatIfAnswer& answer, const analyzer::Slack& slack) {
+Json slack_row(const WhatIfAnswer& answer, const analyzer::whatif::Slack& slack) {
   return {{"figure", slack.figure.empty() ? Json() : Json(slack.figure)},
           {"worst_ns", slack.time.worst.count()},
           {"holds_with_ns", nanoseconds(slack.holds)},
@@ -32,7 +32,7 @@ Json verdict_row(const analyzer::Verdict& verdict) {
           {"exact", verdict.exact}};
 }
 
-Json made_row(const WhatIfAnswer& answer, const analyzer::Candidate& candidate) {
+Json made_row(const WhatIfAnswer& answer, const analyzer::whatif::Candidate& candidate) {
   if (!candidate.program.valid()) return {{"set", candidate.changes}};
   const ProgramChange& change = answer.program_changes[candidate.program.index()];
   return {{"edit", change.title},
@@ -42,9 +42,9 @@ Json made_row(const WhatIfAnswer& answer, const analyzer::Candidate& candidate) 
           {"diff", change.difference}};
 }
 
-Json remedy_row(const WhatIfAnswer& answer, const analyzer::Remedy& remedy) {
+Json remedy_row(const WhatIfAnswer& answer, const analyzer::whatif::Remedy& remedy) {
   Json row{{"changes", Json::array()}, {"verdicts", Json::array()}};
-  for (const analyzer::CandidateId id : remedy.made)
+  for (const analyzer::whatif::CandidateId id : remedy.made)
     row["changes"].push_back(made_row(answer, answer.remedies->candidates[id.index()]));
   for (std::size_t r = 0; r < remedy.after.size(); ++r)
     row["verdicts"].push_back({{"requirement", remedy.after[r].requirement},
@@ -55,12 +55,12 @@ Json remedy_row(const WhatIfAnswer& answer, const analyzer::Remedy& remedy) {
 }
 
 Json remedies_row(const WhatIfAnswer& answer) {
-  const analyzer::Remedies& remedies = *answer.remedies;
+  const analyzer::whatif::Remedies& remedies = *answer.remedies;
   Json row{{"tried", remedies.tried}, {"complete", remedies.complete}, {"found", Json::array()}};
-  for (const analyzer::Remedy& remedy : remedies.found) row["found"].push_back(remedy_row(answer, remedy));
+  for (const analyzer::whatif::Remedy& remedy : remedies.found) row["found"].push_back(remedy_row(answer, remedy));
   row["nearest"] = remedies.nearest ? remedy_row(answer, *remedies.nearest) : Json();
   row["short_enough"] = Json::array();
-  for (const analyzer::ShortEnough& each : remedies.short_enough)
+  for (const analyzer::whatif::ShortEnough& each : remedies.short_enough)
     row["short_enough"].push_back({{"requirement", requirement(answer, each.requirement)},
                                    {"figure", each.figure},
                                    {"best_ns", each.time.best.count()},
@@ -70,17 +70,17 @@ Json remedies_row(const WhatIfAnswer& answer) {
   return row;
 }
 
-Json placed_row(const WhatIfAnswer& answer, const analyzer::Placed& placed) {
+Json placed_row(const WhatIfAnswer& answer, const analyzer::whatif::Placed& placed) {
   Json row;
   row["threads"] = Json::array();
-  for (const analyzer::ThreadPlacement& each : placed.threads)
+  for (const analyzer::whatif::ThreadPlacement& each : placed.threads)
     row["threads"].push_back(
         {{"thread", each.thread}, {"processor", each.processor.value}, {"priority", each.priority}});
   if (placed.ruling.requirement.valid()) row["requirement"] = requirement(answer, placed.ruling.requirement);
   return row;
 }
 
-Json placements_row(const WhatIfAnswer& answer, const analyzer::Placements& on) {
+Json placements_row(const WhatIfAnswer& answer, const analyzer::whatif::Placements& on) {
   Json row{{"processors", on.processors}, {"tried", on.tried},     {"refuted", on.refuted.size()},
            {"complete", on.complete},     {"meet", Json::array()}, {"undecided", Json::array()}};
   for (const auto& placed : on.meet) row["meet"].push_back(placed_row(answer, placed));
@@ -113,4 +113,4 @@ std::string json(const std::vector<WhatIfAnswer>& answers) {
   return document.dump(2) + "\n";
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -8,10 +8,10 @@
 #include "programs/pal/reports/whatif_answer.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
-using analyzer::Slack;
+using analyzer::whatif::Slack;
 using State = analyzer::VerdictState;
 
 std::string named(const WhatIfAnswer& answer, analyzer::RequirementId requirement) {
@@ -93,9 +93,9 @@ std::string change_table(const WhatIfAnswer& answer) {
   return out;
 }
 
-std::string seats_text(const analyzer::Placements& on, const analyzer::Placed& placed) {
+std::string seats_text(const analyzer::whatif::Placements& on, const analyzer::whatif::Placed& placed) {
   std::map<analyzer::ProcessorId, std::string> by;
-  for (const analyzer::ThreadPlacement& each : placed.threads)
+  for (const analyzer::whatif::ThreadPlacement& each : placed.threads)
     by[each.processor] += " " + each.thread + "(" + std::to_string(each.priority) + ")";
   std::string out;
   for (const auto& [processor, threads] : by) {
@@ -104,7 +104,7 @@ std::string seats_text(const analyzer::Placements& on, const analyzer::Placed& p
   return out;
 }
 
-std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placements& on) {
+std::string placement_lines(const WhatIfAnswer& answer, const analyzer::whatif::Placements& on) {
   if (on.tried == 0 && on.complete)
     return fmt::format("  {} processors: more than there are threads to place\n", on.processors);
   std::string out = fmt::format(
@@ -125,7 +125,7 @@ std::string placement_lines(const WhatIfAnswer& answer, const analyzer::Placemen
 
 std::string conclusion(const WhatIfAnswer& answer) {
   if (!answer.fewest || answer.placements.empty()) return "";
-  const analyzer::Placements& last = answer.placements.back();
+  const analyzer::whatif::Placements& last = answer.placements.back();
   if (last.meet.empty()) return "  No placement was found that meets every requirement.\n";
   const bool proved = std::all_of(answer.placements.begin(), answer.placements.end() - 1,
                                   [](const auto& on) { return on.complete && on.undecided.empty(); });
@@ -159,8 +159,8 @@ std::string text(const WhatIfAnswer& answer) {
   std::string out;
   if (!answer.slacks_shown) out = answer.skill + " in " + answer.environment + "\n" + slack_table(answer);
   out += remedies_text(answer) + change_table(answer);
-  for (const analyzer::Placements& on : answer.placements) out += placement_lines(answer, on);
+  for (const analyzer::whatif::Placements& on : answer.placements) out += placement_lines(answer, on);
   return out + conclusion(answer);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -13,17 +13,17 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
-using analyzer::rules::FiledWitness;
+using analyzer::run_checker::FiledWitness;
 
 /// What both a skill and an environment say, so that a witness of others is noticed.
 std::string identity_of(const pan::Network& skill, const pan::Environment& environment) {
   std::ostringstream text;
   pan::dump(skill, text);
   pan::dump(environment, text);
-  return analyzer::rules::identity(text.str());
+  return analyzer::run_checker::identity(text.str());
 }
 
 FiledWitness filed(const analyzer::Problem& problem, const std::string& requirement,
@@ -61,17 +61,17 @@ bool has_processors(const pan::Environment& environment, const FiledWitness& wit
 /// The environment in which the witness has its threads.
 pan::Environment placed(const pan::Environment& environment, const FiledWitness& witness) {
   if (witness.placement.empty()) return environment;
-  std::vector<analyzer::ThreadPlacement> threads;
+  std::vector<analyzer::whatif::ThreadPlacement> threads;
   for (const auto& each : witness.placement)
     threads.push_back(
         {each.thread, analyzer::ProcessorId(static_cast<std::size_t>(each.processor)), each.priority});
-  return analyzer::placed(environment, threads);
+  return analyzer::whatif::placed(environment, threads);
 }
 
 /// Why the run does not show what the witness claims of `requirement`; empty: it does.
 std::string refusal(const FiledWitness& witness, const analyzer::Problem& problem,
                     const analyzer::Requirement& requirement) {
-  const analyzer::rules::Ruling ruling = analyzer::rules::check_run(
+  const analyzer::run_checker::Ruling ruling = analyzer::run_checker::check_run(
       problem, &requirement, witness.run, witness.grows ? std::optional(witness.at) : std::nullopt);
   if (!ruling.broken.empty()) return ruling.broken;
   if (witness.measure != analyzer::name(requirement.measure))
@@ -135,14 +135,14 @@ std::vector<FiledWitness> witnesses_of(const std::vector<Proof>& proofs, const S
   return made;
 }
 
-std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placements>& placements,
+std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::whatif::Placements>& placements,
                                             const pan::Network& network, const pan::Environment& environment,
                                             const analyzer::Options& options) {
   std::vector<std::string> made;
-  for (const analyzer::Placements& on : placements) {
-    for (const analyzer::Placed& refuted : on.refuted) {
+  for (const analyzer::whatif::Placements& on : placements) {
+    for (const analyzer::whatif::Placed& refuted : on.refuted) {
       if (options.stop && options.stop()) return made;
-      const pan::Environment there = analyzer::placed(environment, refuted.threads);
+      const pan::Environment there = analyzer::whatif::placed(environment, refuted.threads);
       Diagnostics known;
       auto problem = analyzer::make_problem(network, there, known);
       if (!problem) continue;
@@ -152,9 +152,9 @@ std::vector<std::string> filed_witnesses_of(const std::vector<analyzer::Placemen
       const analyzer::Requirement& requirement = problem->requirements.front();
       FiledWitness found = filed(*problem, requirement.name, requirement.measure, *witness);
       found.identity = identity_of(network, there);
-      for (const analyzer::ThreadPlacement& each : refuted.threads)
+      for (const analyzer::whatif::ThreadPlacement& each : refuted.threads)
         found.placement.push_back({each.thread, each.processor.value, each.priority});
-      made.push_back(analyzer::rules::filed_text(found));
+      made.push_back(analyzer::run_checker::filed_text(found));
     }
   }
   return made;
@@ -165,7 +165,7 @@ std::optional<std::vector<FiledWitness>> read_witness_file(const std::string& pa
   if (!content) return std::nullopt;
   try {
     std::istringstream in(*content);
-    return analyzer::rules::read_witnesses(in);
+    return analyzer::run_checker::read_witnesses(in);
   } catch (const std::runtime_error& error) {
     console.err << fmt::format("pal: '{}' is no file of witnesses: {}\n", path, error.what());
     return std::nullopt;
@@ -204,4 +204,4 @@ bool confirm(const std::vector<FiledWitness>& witnesses, Session& session, std::
   return all;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <variant>
 
-namespace pal::driver {
+namespace pal::program {
 
 std::optional<std::string> read_runs(const std::string& path, const Console& console) {
   auto content = console.files.read(path, largest_runs);
@@ -12,4 +12,4 @@ std::optional<std::string> read_runs(const std::string& path, const Console& con
   return std::nullopt;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

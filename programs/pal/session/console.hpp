@@ -7,7 +7,7 @@
 
 #include "pal/support/file_system.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 struct Console {
   std::ostream& out;
@@ -19,4 +19,4 @@ struct Console {
 /// The text of a file with runs that the command line names; says on `console.err` why it cannot be read.
 std::optional<std::string> read_runs(const std::string& path, const Console& console);
 
-}  // namespace pal::driver
+}  // namespace pal::program

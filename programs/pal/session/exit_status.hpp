@@ -1,7 +1,7 @@
 // How the program pal ends.
 #pragma once
 
-namespace pal::driver {
+namespace pal::program {
 
 enum class ExitStatus : int {
   all_hold = 0,             // done; every requirement that was checked holds
@@ -10,4 +10,4 @@ enum class ExitStatus : int {
   not_met = 3,              // some requirement fails or is undecided
 };
 
-}  // namespace pal::driver
+}  // namespace pal::program

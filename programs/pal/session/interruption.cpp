@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 // A signal's handler can reach nothing else.
@@ -35,4 +35,4 @@ bool Interruption::asked_for() {
   return interrupted != 0;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -1,7 +1,7 @@
 // Ctrl-C: the first one ends what is being proved as undecided, the second one ends the program.
 #pragma once
 
-namespace pal::driver {
+namespace pal::program {
 
 /// While this object lives, the first SIGINT or SIGTERM only sets a flag. The next one ends the program as if
 /// there were no handler. Within the life of another Interruption it changes nothing. For one thread only.
@@ -16,4 +16,4 @@ class Interruption {
   static bool asked_for();
 };
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -5,7 +5,7 @@
 
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Measure = analyzer::Requirement::Measure;
@@ -135,4 +135,4 @@ std::string bound_text(const analyzer::Verdict& verdict) {
          figure_text(verdict.measure, *verdict.bound);
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -9,7 +9,7 @@
 #include "analyzer/verdict/verdict.hpp"
 #include "pal/support/time.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// "age of pc-force at TXM( motion to MC1 ) in SM1", "response from tick of alter to TXM( correction to alter
 /// )", …
@@ -34,4 +34,4 @@ std::string bound_text(const analyzer::Verdict& verdict);
 /// What a run attains where there is no bound. Nothing if that is 0, which any run attains.
 std::optional<Duration> worth_telling(const analyzer::Verdict& verdict);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string>
 
-namespace pal::driver {
+namespace pal::program {
 
 std::size_t peak_memory() {
   std::size_t kilobytes = 0;
@@ -15,4 +15,4 @@ std::size_t peak_memory() {
   return kilobytes * 1024;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

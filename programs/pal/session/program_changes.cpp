@@ -7,7 +7,7 @@
 #include "pal/support/edit.hpp"
 #include "pal/support/line_difference.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 /// Files of which some have another text.
@@ -58,7 +58,7 @@ bool overlap(const std::vector<Edit>& edits) {
 ProgramChanges::ProgramChanges(const Selection& selection, const pan::Network& skill, const FileSystem& files)
     : selection_(selection), files_(files), skill_(skill.skill.name) {
   Diagnostics ignored;
-  for (const syntax::Tree& tree : read_sources(files, sources_, paths_of(selection), ignored)) {
+  for (const syntax::Tree& tree : check::read_sources(files, sources_, paths_of(selection), ignored)) {
     if (tree.complete) propose(tree, skill);
   }
 }
@@ -78,7 +78,7 @@ void ProgramChanges::propose(const syntax::Tree& tree, const pan::Network& skill
   }
 }
 
-const pan::Network* ProgramChanges::network_with(const std::vector<analyzer::ProgramChangeId>& made) {
+const pan::Network* ProgramChanges::network_with(const std::vector<analyzer::whatif::ProgramChangeId>& made) {
   auto key = made;
   std::sort(key.begin(), key.end());
   const auto [found, is_new] = networks_.try_emplace(key);
@@ -87,9 +87,9 @@ const pan::Network* ProgramChanges::network_with(const std::vector<analyzer::Pro
 }
 
 std::unique_ptr<pan::Network> ProgramChanges::checked(
-    const std::vector<analyzer::ProgramChangeId>& made) const {
+    const std::vector<analyzer::whatif::ProgramChangeId>& made) const {
   std::vector<Edit> edits;
-  for (const analyzer::ProgramChangeId id : made) {
+  for (const analyzer::whatif::ProgramChangeId id : made) {
     assert(id.valid() && id.index() < rewritings_.size());
     const auto& more = rewritings_[id.index()].edits;
     edits.insert(edits.end(), more.begin(), more.end());
@@ -103,8 +103,8 @@ std::unique_ptr<pan::Network> ProgramChanges::checked(
   const EditedFiles files(files_, std::move(edited));
   SourceManager sources;
   Diagnostics diagnostics;
-  Specification specification =
-      check(read_sources(files, sources, paths_of(selection_), diagnostics), diagnostics);
+  check::Specification specification =
+      check(check::read_sources(files, sources, paths_of(selection_), diagnostics), diagnostics);
   if (diagnostics.has_errors()) return nullptr;
   for (pan::Network& skill : specification.skills) {
     if (skill.skill.name == skill_) return std::make_unique<pan::Network>(std::move(skill));
@@ -112,4 +112,4 @@ std::unique_ptr<pan::Network> ProgramChanges::checked(
   return nullptr;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

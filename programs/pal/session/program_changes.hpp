@@ -12,7 +12,7 @@
 #include "programs/pal/session/selection.hpp"
 #include "pal/rewrite/rewrite.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// A change of the text, for people.
 struct ProgramChange {
@@ -34,11 +34,11 @@ class ProgramChanges {
 
   /// The skill with these changes, or null if they overlap or the changed text has an error. It lives as long
   /// as this object.
-  const pan::Network* network_with(const std::vector<analyzer::ProgramChangeId>& made);
+  const pan::Network* network_with(const std::vector<analyzer::whatif::ProgramChangeId>& made);
 
  private:
   void propose(const syntax::Tree& tree, const pan::Network& skill);
-  std::unique_ptr<pan::Network> checked(const std::vector<analyzer::ProgramChangeId>& made) const;
+  std::unique_ptr<pan::Network> checked(const std::vector<analyzer::whatif::ProgramChangeId>& made) const;
 
   const Selection& selection_;
   const FileSystem& files_;
@@ -46,7 +46,7 @@ class ProgramChanges {
   SourceManager sources_;
   std::vector<rewrite::Rewriting> rewritings_;  // by ProgramChangeId
   std::vector<ProgramChange> changes_;          // by ProgramChangeId
-  std::map<std::vector<analyzer::ProgramChangeId>, std::unique_ptr<pan::Network>> networks_;
+  std::map<std::vector<analyzer::whatif::ProgramChangeId>, std::unique_ptr<pan::Network>> networks_;
 };
 
-}  // namespace pal::driver
+}  // namespace pal::program

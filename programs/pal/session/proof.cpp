@@ -9,7 +9,7 @@
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/memory.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -22,8 +22,8 @@ double seconds_since(Clock::time_point begin) {
 
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             Session& session) {
-  checker::check_listed(skill, environment, session.diagnostics);
-  checker::check_shared_messages(skill, environment, session.diagnostics);
+  check::check_listed(skill, environment, session.diagnostics);
+  check::check_shared_messages(skill, environment, session.diagnostics);
   return analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
 }
 
@@ -75,4 +75,4 @@ bool all_hold(const std::vector<Proof>& proofs) {
   });
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

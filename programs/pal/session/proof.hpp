@@ -13,7 +13,7 @@
 #include "programs/pal/session/measure_text.hpp"
 #include "programs/pal/session/selection.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// What one skill can promise in one environment.
 struct Proof {
@@ -67,4 +67,4 @@ bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
 /// the longest parts, or the `whole_story`.
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -7,14 +7,14 @@
 
 #include "analyzer/runs/witness.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 const analyzer::Watch nothing;
 
 /// The firings of a script by the timers' numbers; nothing if it names a timer that there is not.
 std::optional<std::vector<analyzer::ScriptedFiring>> script_of(
-    const analyzer::Machine& machine, const std::vector<analyzer::rules::Firing>& firings) {
+    const analyzer::Machine& machine, const std::vector<analyzer::run_checker::Firing>& firings) {
   std::map<std::string, int> timers{{"", -1}};
   for (int timer = 0; timer < machine.timer_count(); ++timer) timers[machine.timer_name(timer)] = timer;
   std::vector<analyzer::ScriptedFiring> script;
@@ -74,7 +74,7 @@ Runs runs_by_chance(const analyzer::Problem& problem, const analyzer::Simulation
 }
 
 Runs scripted_runs(const analyzer::Problem& problem,
-                   const std::vector<analyzer::rules::FiledWitness>& witnesses) {
+                   const std::vector<analyzer::run_checker::FiledWitness>& witnesses) {
   Runs runs;
   for (const auto& witness : witnesses) runs.names.push_back("the script of " + witness.requirement);
   runs.make = [&problem, &witnesses](std::size_t number) -> std::optional<KnownRun> {
@@ -92,4 +92,4 @@ Runs scripted_runs(const analyzer::Problem& problem,
   return runs;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -12,7 +12,7 @@
 #include "analyzer/runs/simulate.hpp"
 #include "programs/pal/session/survey.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// Runs that can be made one by one, and again.
 struct Runs {
@@ -28,6 +28,6 @@ Runs runs_by_chance(const analyzer::Problem& problem, const analyzer::Simulation
 /// A run for each witness, made by the machine from the witness's script alone; the witness's events are not
 /// looked at. All witnesses are of `problem`. Both must outlive the runs.
 Runs scripted_runs(const analyzer::Problem& problem,
-                   const std::vector<analyzer::rules::FiledWitness>& witnesses);
+                   const std::vector<analyzer::run_checker::FiledWitness>& witnesses);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 const std::string& name_of(const pan::Network& network) {
@@ -41,9 +41,9 @@ bool choose(std::vector<Thing>& things, const std::string& name, const char* kin
 /// Measured times are no part of the specification. False, with a message, if the files have none.
 bool compare_measured(const std::vector<std::string>& paths, const Console& console, Session& session) {
   if (paths.empty()) return true;
-  const Specification measured =
-      check(read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
-  checker::check_measured(session.specification.environments, measured.environments, session.diagnostics);
+  const check::Specification measured =
+      check(check::read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
+  check::check_measured(session.specification.environments, measured.environments, session.diagnostics);
   if (!measured.environments.empty() || session.diagnostics.has_errors()) return true;
   console.err << "pal: the files of --measured have no ENVIRONMENT; workcell run --measure writes one\n";
   return false;
@@ -56,7 +56,7 @@ bool read(const Selection& selection, const Console& console, Session& session) 
   std::vector<std::string> paths = selection.files;
   paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
   const std::vector<syntax::Tree> trees =
-      read_sources(console.files, session.sources, paths, session.diagnostics);
+      check::read_sources(console.files, session.sources, paths, session.diagnostics);
   session.specification = check(trees, session.diagnostics, session.stop);
 
   if (session.diagnostics.has_errors()) return true;
@@ -83,4 +83,4 @@ void show_findings(const Session& session, const Console& console) {
   console.err << text.str();
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -13,7 +13,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// The usual number of findings that are shown.
 constexpr std::size_t default_max_errors = 100;
@@ -32,7 +32,7 @@ struct Selection {
 struct Session {
   SourceManager sources;
   Diagnostics diagnostics;
-  Specification specification;
+  check::Specification specification;
   std::size_t max_errors = default_max_errors;
   std::function<bool()> stop;  // ends checks that take long, undecided; empty: nothing does
 };
@@ -48,4 +48,4 @@ ExitStatus status_of_findings(const Session& session);
 /// Renders the findings as text to `console.err`.
 void show_findings(const Session& session, const Console& console);
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -4,12 +4,12 @@
 
 #include "pal/trace/slices.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using analyzer::Nanoseconds;
 using analyzer::Requirement;
-using analyzer::rules::Measured;
+using analyzer::run_checker::Measured;
 
 constexpr double second = 1e9;
 
@@ -52,9 +52,9 @@ Nanoseconds busy_time(const std::vector<trace::Slice>& slices, const trace::Trac
 Survey::Survey(const analyzer::Problem& problem) : problem_(problem), seen_(problem.requirements.size()) {}
 
 bool Survey::add(const KnownRun& run, std::size_t number, const std::function<bool()>& stop) {
-  const auto ruling = analyzer::rules::check_run(problem_, nullptr, run.trace,
+  const auto ruling = analyzer::run_checker::check_run(problem_, nullptr, run.trace,
                                                  run.completed ? std::nullopt : std::optional(run.end),
-                                                 analyzer::rules::BusyFrom::each_pause, stop);
+                                                 analyzer::run_checker::BusyFrom::each_pause, stop);
   if (ruling.stopped) return false;
   if (!ruling.broken.empty()) {
     refused_.push_back("run " + std::to_string(number) + ": " + ruling.broken);
@@ -78,8 +78,8 @@ bool Survey::measure(std::size_t index, const KnownRun& run, std::size_t number,
                      const std::function<bool()>& stop) {
   const Requirement& requirement = problem_.requirements[index];
   Seen& seen = seen_[index];
-  const auto ruling = analyzer::rules::check_run(problem_, &requirement, run.trace, std::nullopt,
-                                                 analyzer::rules::BusyFrom::beginning, stop);
+  const auto ruling = analyzer::run_checker::check_run(problem_, &requirement, run.trace, std::nullopt,
+                                                 analyzer::run_checker::BusyFrom::beginning, stop);
   if (ruling.stopped) return false;
   bool breaks = ruling.failed;
   bool open = false;
@@ -132,4 +132,4 @@ std::optional<std::size_t> most_interesting(const analyzer::Problem& problem, co
   return best;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -9,7 +9,7 @@
 
 #include "analyzer/run_checker/check_run.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 struct KnownRun {
   trace::Trace trace;
@@ -24,7 +24,7 @@ struct Seen {
   std::size_t values = 0;  // how many were measured
   /// The greatest value, also of those that still grew at the end of a run; or the least, if the requirement
   /// says at least. For a load: the nanoseconds in a second that a processor was busy, over a whole run.
-  std::optional<analyzer::rules::Measured> extreme;
+  std::optional<analyzer::run_checker::Measured> extreme;
   bool grows = false;            // the extreme did
   bool extreme_is_open = false;  // … and need not count
   std::size_t run = 0;           // that shows it
@@ -64,4 +64,4 @@ class Survey {
 /// nearest to breaking. Nothing if nothing was measured.
 std::optional<std::size_t> most_interesting(const analyzer::Problem& problem, const std::vector<Seen>& seen);
 
-}  // namespace pal::driver
+}  // namespace pal::program

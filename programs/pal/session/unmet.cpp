@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 namespace {
 
 using Measure = analyzer::Requirement::Measure;
@@ -237,4 +237,4 @@ void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& s
   }
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

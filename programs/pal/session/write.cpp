@@ -4,7 +4,7 @@
 #include <ostream>
 #include <set>
 
-namespace pal::driver {
+namespace pal::program {
 
 std::vector<std::string> inputs_of(const Session& session) {
   std::vector<std::string> inputs;
@@ -48,4 +48,4 @@ ExitStatus write_and_list(const std::vector<OutputFile>& files, const std::vecto
   return ExitStatus::all_hold;
 }
 
-}  // namespace pal::driver
+}  // namespace pal::program

@@ -9,7 +9,7 @@
 #include "programs/pal/session/selection.hpp"
 #include "pal/support/output.hpp"
 
-namespace pal::driver {
+namespace pal::program {
 
 /// The texts that a command has read, by the paths under which it read them.
 std::vector<std::string> inputs_of(const Session& session);
@@ -25,4 +25,4 @@ bool may_write(const std::vector<std::string>& outputs, const std::vector<std::s
 ExitStatus write_and_list(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs,
                           const Console& console);
 
-}  // namespace pal::driver
+}  // namespace pal::program

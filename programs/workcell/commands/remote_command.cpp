@@ -44,9 +44,9 @@ class Terminal {
  public:
   Terminal(const RemoteCommand& command, std::ostream& out) : out_(out) {
     const std::string path =
-        command.announcement.empty() ? runtime_system::default_announcement() : command.announcement;
+        command.announcement.empty() ? server::default_announcement() : command.announcement;
     try {
-      const auto announced = runtime_system::read_announcement(path);
+      const auto announced = server::read_announcement(path);
       client_.emplace(announced.address, announced.port);
       const Json hello{{"token", announced.token},
                        {"name", fmt::format("workcell operation {}", command.verb)}};
@@ -138,7 +138,7 @@ class Terminal {
   }
 
   std::ostream& out_;
-  std::optional<runtime_system::Client> client_;
+  std::optional<server::Client> client_;
   std::ofstream log_;
   Json state_;
 };
@@ -211,7 +211,7 @@ ExitStatus command_server(const RemoteCommand& command, std::ostream& out, std::
   Terminal terminal(command, out);
   try {
     return obey(command, terminal, out, error);
-  } catch (const runtime_system::RemoteError& problem) {
+  } catch (const server::RemoteError& problem) {
     throw Failure(ExitStatus::wrong_specification, "server", problem.what());
   } catch (const Failure&) {
     throw;

@@ -152,10 +152,10 @@ void print(const runtime::RealTimeReport& report, const runtime::Wiring& wiring,
   }
 }
 
-std::unique_ptr<runtime::Carrier> make_carrier(const std::string& links) {
+std::unique_ptr<runtime::drivers::Carrier> make_carrier(const std::string& links) {
   try {
-    if (links == "pty") return runtime::pseudo_terminal_carrier();
-    if (links == "tcp") return runtime::tcp_carrier();
+    if (links == "pty") return runtime::drivers::pseudo_terminal_carrier();
+    if (links == "tcp") return runtime::drivers::tcp_carrier();
   } catch (const std::exception& problem) {
     throw Failure(ExitStatus::usage, "--links " + links, problem.what(), "use --links process");
   }
@@ -197,7 +197,7 @@ std::unique_ptr<LiveTrace> live_trace(const RunCommand& command, const runtime::
 /// Runs the session in the time and over the links that the command asks for; Ctrl-C stops it.
 SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Session session,
                            std::ostream& out) {
-  std::optional<runtime::Outside> outside;
+  std::optional<runtime::drivers::Outside> outside;
   if (command.paced > 0) session.pace = &outside.emplace(command.paced);
   session.carrier = [&command] { return make_carrier(command.links); };
   runtime::RunControl control;

@@ -19,8 +19,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-runtime_system::ServerOptions server_options(const ServeCommand& command) {
-  runtime_system::ServerOptions options;
+server::ServerOptions server_options(const ServeCommand& command) {
+  server::ServerOptions options;
   options.address = command.address;
   options.port = static_cast<std::uint16_t>(command.port);
   if (command.line_port >= 0) options.line_port = static_cast<std::uint16_t>(command.line_port);
@@ -29,13 +29,13 @@ runtime_system::ServerOptions server_options(const ServeCommand& command) {
   options.baud = command.baud;
   options.access.hosts.insert(options.access.hosts.end(), command.hosts.begin(), command.hosts.end());
   options.access.origins = command.origins;
-  options.token = runtime_system::make_token();
+  options.token = server::make_token();
   return options;
 }
 
-std::unique_ptr<runtime_system::Server> open_server(const runtime_system::ServerOptions& options) {
+std::unique_ptr<server::Server> open_server(const server::ServerOptions& options) {
   try {
-    return std::make_unique<runtime_system::Server>(options);
+    return std::make_unique<server::Server>(options);
   } catch (const std::exception& problem) {
     throw Failure(ExitStatus::usage, "serve", problem.what(),
                   "choose another --port, or --port 0 for any that is free");
@@ -45,9 +45,9 @@ std::unique_ptr<runtime_system::Server> open_server(const runtime_system::Server
 /// The file by which programs find the server, for as long as it serves.
 class Announced {
  public:
-  Announced(std::string path, const runtime_system::Announcement& announcement) : path_(std::move(path)) {
+  Announced(std::string path, const server::Announcement& announcement) : path_(std::move(path)) {
     try {
-      runtime_system::announce(path_, announcement);
+      server::announce(path_, announcement);
     } catch (const std::exception& problem) {
       throw Failure(ExitStatus::usage, "serve", problem.what(), "name another file: --announce FILE");
     }
@@ -61,7 +61,7 @@ class Announced {
 };
 
 void tell_addresses(const ServeCommand& command, const sim::Scene& scene,
-                    const runtime_system::Server& server, const std::string& announcement,
+                    const server::Server& server, const std::string& announcement,
                     std::ostream& out) {
   out << fmt::format("serving scene {}; Ctrl-C ends it\n", scene.name)
       << fmt::format("  JSON-RPC at ws://{}:{}\n", command.address, server.port());
@@ -69,7 +69,7 @@ void tell_addresses(const ServeCommand& command, const sim::Scene& scene,
   if (!server.terminal().empty()) out << fmt::format("  lines at {}\n", server.terminal());
   if (!command.line_serial.empty()) out << fmt::format("  lines at {}\n", command.line_serial);
   out << fmt::format("  the token is in {}\n", announcement);
-  if (!runtime_system::is_loopback(command.address))
+  if (!server::is_loopback(command.address))
     out << "  warning: others can reach this address, and nothing is encrypted, not even the token\n";
   out << std::flush;
 }
@@ -85,10 +85,10 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     if (!log_file) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
   }
   operations::StepLog log(log_file);
-  const runtime_system::ServerOptions offered = server_options(command);
+  const server::ServerOptions offered = server_options(command);
   const auto server = open_server(offered);
 
-  std::optional<runtime::Outside> wall;
+  std::optional<runtime::drivers::Outside> wall;
   sim::CellOptions options;
   options.seed = command.seed;
   options.times = times_named(command.times);
@@ -108,12 +108,12 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   ProfileWatcher profiles(*server, [&cell] { return cell.station().now(); });
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
   runner.on_broken_promise(policy_named(command.on_broken_promise));
-  runtime_system::Desk desk(runner, templates_of(known), *server,
+  server::Desk desk(runner, templates_of(known), *server,
                             {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log,
                              sensors_of(cell), locations_of(cell)});
   server->start(desk, true);
   const std::string path =
-      command.announcement.empty() ? runtime_system::default_announcement() : command.announcement;
+      command.announcement.empty() ? server::default_announcement() : command.announcement;
   const Announced announced(path, {command.address, server->port(), offered.token});
   tell_addresses(command, scene, *server, path, out);
   while (!desk.ended()) {

@@ -29,9 +29,9 @@ sim::ServedPort find_port(const std::string& wanted) {
 }
 
 /// The `number`th line of the device: TCP ports follow one another, a serial port is for the first alone.
-std::unique_ptr<runtime::OutsideLink> open_link(const ServePortCommand& command, std::size_t number,
-                                                const runtime::LineSpeed& speed, runtime::Outside& outside,
-                                                runtime::Timeline& timeline) {
+std::unique_ptr<runtime::drivers::OutsideLink> open_link(const ServePortCommand& command, std::size_t number,
+                                                const runtime::drivers::LineSpeed& speed, runtime::drivers::Outside& outside,
+                                                runtime::drivers::Timeline& timeline) {
   try {
     if (command.tcp >= 0) {
       const int port = command.tcp == 0 ? 0 : command.tcp + static_cast<int>(number);
@@ -73,7 +73,7 @@ class Name {
 /// One line of the device, and what it is at outside.
 struct Line {
   Line(const ServePortCommand& command, const sim::ServedLine& served, std::size_t number,
-       runtime::Outside& outside, runtime::Timeline& timeline)
+       runtime::drivers::Outside& outside, runtime::drivers::Timeline& timeline)
       : name(served.name),
         alias(command.link.empty() || number == 0 ? command.link : command.link + "-" + served.name),
         link(open_link(command, number, served.speed, outside, timeline)),
@@ -83,9 +83,9 @@ struct Line {
 
   std::string name;
   std::string alias;  // a symbolic link; empty: none
-  std::unique_ptr<runtime::OutsideLink> link;
-  runtime::Wire wire;
-  runtime::Bridge bridge;
+  std::unique_ptr<runtime::drivers::OutsideLink> link;
+  runtime::drivers::Wire wire;
+  runtime::drivers::Bridge bridge;
   Name shown;
 };
 
@@ -101,10 +101,10 @@ ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl
     throw Failure(ExitStatus::wrong_specification, "serve-port " + port.name,
                   "scene " + scene.name + " has another tool",
                   "choose one that has it: --scene " + port.scene);
-  runtime::Outside outside;
-  runtime::Station station(workcell, &outside);
+  runtime::drivers::Outside outside;
+  runtime::drivers::Station station(workcell, &outside);
   std::deque<Line> lines;
-  std::vector<runtime::Link*> ends;
+  std::vector<runtime::drivers::Link*> ends;
   for (std::size_t i = 0; i < port.lines.size(); ++i)
     ends.push_back(&lines.emplace_back(command, port.lines[i], i, outside, station.timeline()).wire.b());
   const auto device = port.make(station.timeline(), ends, workcell, command.seed);

@@ -15,7 +15,7 @@ namespace pal::workcell {
 namespace {
 
 constexpr std::size_t most_shown = 9;
-constexpr std::size_t count = sensing::most_points;
+constexpr std::size_t count = skills::sensing::most_points;
 // x, z and valid of each point, then when the scan began (docs/workcell/range-finder.md).
 constexpr std::size_t message_size = 3 * count + 1;
 constexpr double half_fan = 20 * 3.14159265358979323846 / 180;
@@ -40,11 +40,11 @@ struct Figures {
       : y(std::span(message.fields).first(count)), z(std::span(message.fields).subspan(count, count)) {
     for (std::size_t i = 0; i < count; ++i) valid[i] = message.fields[2 * count + i] != 0;
   }
-  sensing::Profile profile() const { return {y, z, valid}; }
+  skills::sensing::Profile profile() const { return {y, z, valid}; }
 };
 
 /// A point without a range has no place: it is shown where its ray passes at the mean depth of the others.
-void add_points(sim::RangeProfile& shown, const sensing::Points& points, const Figures& figures) {
+void add_points(sim::RangeProfile& shown, const skills::sensing::Points& points, const Figures& figures) {
   double depth = 0;
   for (std::size_t i = 0; i < points.count; ++i) depth += points.z[i] / static_cast<double>(points.count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -54,8 +54,8 @@ void add_points(sim::RangeProfile& shown, const sensing::Points& points, const F
   }
 }
 
-void add_edge(sim::RangeProfile& shown, const sensing::Points& points, const sensing::Edge& edge) {
-  const std::size_t window = sensing::EdgeOptions{}.window;
+void add_edge(sim::RangeProfile& shown, const skills::sensing::Points& points, const skills::sensing::Edge& edge) {
+  const std::size_t window = skills::sensing::EdgeOptions{}.window;
   const auto* const place =
       std::lower_bound(points.index.data(), points.index.data() + points.count, edge.index);
   const auto at = static_cast<std::size_t>(place - points.index.data());
@@ -66,8 +66,8 @@ void add_edge(sim::RangeProfile& shown, const sensing::Points& points, const sen
   shown.marks.push_back({"edge", edge.y, edge.z});
 }
 
-sensing::EdgeOptions in_the_middle() {
-  sensing::EdgeOptions options;
+skills::sensing::EdgeOptions in_the_middle() {
+  skills::sensing::EdgeOptions options;
   options.expected = 0;
   return options;
 }
@@ -75,12 +75,12 @@ sensing::EdgeOptions in_the_middle() {
 sim::RangeProfile interpreted(const sim::LoggedMessage& message, const std::string& title) {
   const Figures figures(message);
   sim::RangeProfile shown{title, {}, {}, {}};
-  const sensing::Points points = sensing::valid_points(figures.profile());
+  const skills::sensing::Points points = skills::sensing::valid_points(figures.profile());
   add_points(shown, points, figures);
-  const auto nearest = sensing::find_nearest_point(figures.profile());
+  const auto nearest = skills::sensing::find_nearest_point(figures.profile());
   if (nearest) shown.title += fmt::format(", nearest {:.1f} mm", nearest->z);
   // Two labels may lie on one another: the edge tells more.
-  if (const auto edge = sensing::find_edge(figures.profile(), in_the_middle()))
+  if (const auto edge = skills::sensing::find_edge(figures.profile(), in_the_middle()))
     add_edge(shown, points, *edge);
   else if (nearest)
     shown.marks.push_back({"nearest", nearest->y, nearest->z});

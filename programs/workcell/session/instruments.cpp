@@ -5,8 +5,8 @@
 
 namespace pal::workcell {
 
-runtime_system::Telemetry telemetry_of(const sim::Workcell& workcell) {
-  runtime_system::Telemetry shown;
+server::Telemetry telemetry_of(const sim::Workcell& workcell) {
+  server::Telemetry shown;
   shown.time = workcell.now();
   const sim::Wrench wrench = workcell.wrench();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -19,7 +19,7 @@ runtime_system::Telemetry telemetry_of(const sim::Workcell& workcell) {
   return shown;
 }
 
-Watcher instrument_watcher(const sim::Workcell& workcell, runtime_system::TelemetrySink& sink) {
+Watcher instrument_watcher(const sim::Workcell& workcell, server::TelemetrySink& sink) {
   return {std::chrono::milliseconds(20), [&workcell, &sink] {
             if (sink.wanted()) sink.show(telemetry_of(workcell));
           }};
@@ -28,11 +28,11 @@ Watcher instrument_watcher(const sim::Workcell& workcell, runtime_system::Teleme
 void ProfileWatcher::passed(runtime::Time, const runtime::Device& device, std::size_t port,
                             std::span<const double> fields) {
   // y, z and valid of each point, then when the scan began (docs/workcell/range-finder.md).
-  constexpr std::size_t count = sensing::most_points;
+  constexpr std::size_t count = skills::sensing::most_points;
   if (!sink_.wanted() || device.name() != "range-finder" || device.ports()[port].message != "profile" ||
       fields.size() != 3 * count + 1)
     return;
-  runtime_system::Profile profile;
+  server::Profile profile;
   for (std::size_t i = 0; i < count; ++i) {
     if (fields[2 * count + i] == 0) continue;
     profile.y.push_back(fields[i]);

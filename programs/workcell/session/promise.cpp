@@ -54,31 +54,31 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
   if (skill.pal_file.empty()) return result;
   const SkillFiles files(folder_with(skill.pal_file, folders));
   std::ostringstream out, err;
-  driver::Session session;
-  driver::Selection selection;
+  program::Session session;
+  program::Selection selection;
   const std::string folder(project_folder);
   selection.files = {folder + skill.pal_file};
   selection.environments = {folder + skill.environment_file};
   selection.skill = skill.name;
-  const driver::Console console{out, err, files};
-  const bool chosen = driver::read(selection, console, session);
-  std::vector<driver::Proof> proofs;
-  if (chosen && !session.diagnostics.has_errors()) proofs = driver::prove(session, {});
+  const program::Console console{out, err, files};
+  const bool chosen = program::read(selection, console, session);
+  std::vector<program::Proof> proofs;
+  if (chosen && !session.diagnostics.has_errors()) proofs = program::prove(session, {});
   if (proofs.empty()) {
-    driver::show_findings(session, console);
+    program::show_findings(session, console);
     throw Failure(ExitStatus::wrong_specification, selection.files.front(),
                   "the PAL of the skill is wrong\n" + err.str());
   }
-  for (const driver::Proof& proof : proofs) {
+  for (const program::Proof& proof : proofs) {
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       const analyzer::Requirement& requirement = proof.problem.requirements[i];
-      if (!driver::shows_in_runs(requirement) || !verdict.witness || !verdict.bound) continue;
+      if (!program::shows_in_runs(requirement) || !verdict.witness || !verdict.bound) continue;
       Promise promise{
-          verdict.requirement, driver::measure_text(proof.problem, i), *verdict.bound, verdict.exact, {}, {}};
-      if (const auto longest = driver::longest_in(run, proof, i))
+          verdict.requirement, program::measure_text(proof.problem, i), *verdict.bound, verdict.exact, {}, {}};
+      if (const auto longest = program::longest_in(run, proof, i))
         promise.measured = Duration(longest->length_ns());
-      promise.chart = driver::overlay_chart(proof, i, run);
+      promise.chart = program::overlay_chart(proof, i, run);
       result.push_back(std::move(promise));
     }
   }

@@ -38,8 +38,8 @@ struct Session {
   std::ostream* progress = nullptr;  // where progress is shown; nullptr: nowhere
   bool terminal = false;             // progress is a line that is rewritten
   /// Outlive the run; empty: time is virtual, bytes stay in the process, the skill is not stopped.
-  runtime::Pace* pace = nullptr;
-  std::function<std::unique_ptr<runtime::Carrier>()> carrier{};
+  runtime::drivers::Pace* pace = nullptr;
+  std::function<std::unique_ptr<runtime::drivers::Carrier>()> carrier{};
   runtime::RunControl* control = nullptr;
   runtime::Time limit = runtime::RunOptions().horizon;  // of the skill's time
   std::optional<runtime::RealTime> real_time{};         // of the skill; nothing: virtual time

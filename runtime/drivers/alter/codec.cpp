@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pal::runtime::alter {
+namespace pal::runtime::drivers::alter {
 namespace {
 
 constexpr std::uint8_t start = 0x7e;
@@ -121,4 +121,4 @@ std::optional<std::variant<Frame, Garbled>> Decoder::next() {
   return result;
 }
 
-}  // namespace pal::runtime::alter
+}  // namespace pal::runtime::drivers::alter

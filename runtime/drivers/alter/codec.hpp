@@ -11,7 +11,7 @@
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/wire.hpp"
 
-namespace pal::runtime::alter {
+namespace pal::runtime::drivers::alter {
 
 inline constexpr LineSpeed line{115200, 10};
 /// The period of the controller's cycle. Each cycle begins with a request.
@@ -76,4 +76,4 @@ class Decoder {
   std::vector<std::uint8_t> bytes_;
 };
 
-}  // namespace pal::runtime::alter
+}  // namespace pal::runtime::drivers::alter

@@ -11,7 +11,7 @@
 #include "runtime/drivers/driver.hpp"
 #include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 struct AlterDriverOptions {
   std::string name = "alter";
@@ -90,4 +90,4 @@ class AlterDriver final : public Driver, private LinkUser {
   Timeline::Token silence_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// Descriptors, which the caller closes. The far side stays open here, so that a program that comes and goes
 /// there does no harm.
@@ -16,4 +16,4 @@ struct PseudoTerminal {
 /// Throws std::system_error.
 PseudoTerminal open_pseudo_terminal();
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

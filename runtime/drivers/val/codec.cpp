@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-namespace pal::runtime::val {
+namespace pal::runtime::drivers::val {
 namespace {
 
 // Thrown within this file.
@@ -224,4 +224,4 @@ Answer read_answer(const Command& command, std::string_view shown) {
   return Answer::failed(Error::no_answer, "VAL's figures are garbled");
 }
 
-}  // namespace pal::runtime::val
+}  // namespace pal::runtime::drivers::val

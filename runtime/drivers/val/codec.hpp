@@ -7,7 +7,7 @@
 
 #include "runtime/drivers/val/protocol.hpp"
 
-namespace pal::runtime::val {
+namespace pal::runtime::drivers::val {
 
 /// The line of a command, without its end; empty for `clear`. Whole numbers are written as the thesis writes
 /// them, others with up to three decimals. A command that no line can express is not sent; `problem` says
@@ -26,4 +26,4 @@ Time answer_time(const Command& command, Time plain, Time motion);
 /// POINT).
 Answer read_answer(const Command& command, std::string_view shown);
 
-}  // namespace pal::runtime::val
+}  // namespace pal::runtime::drivers::val

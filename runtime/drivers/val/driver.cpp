@@ -6,7 +6,7 @@
 #include "runtime/drivers/val/codec.hpp"
 #include "pal/runtime/payload.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 using val::Answer;
@@ -308,4 +308,4 @@ void ValDriver::on_break(std::string_view reason) {
   give_up("line to VAL broken: " + std::string(reason));
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -12,7 +12,7 @@
 #include "runtime/drivers/val/protocol.hpp"
 #include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 struct ValOptions {
   std::string name = "val";
@@ -123,4 +123,4 @@ class ValDriver final : public Driver, public LinkUser {
   Timeline::Token delivery_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

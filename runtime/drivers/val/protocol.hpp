@@ -7,7 +7,7 @@
 
 #include "pal/runtime/device.hpp"
 
-namespace pal::runtime::val {
+namespace pal::runtime::drivers::val {
 
 /// A command. Numbers 4 to 28 are those of the thesis (appendix E.1); the rest are ours. A PAL activity puts
 /// one into the field `verb` of the message `command`. In brackets: the fields that count; the others are
@@ -77,4 +77,4 @@ struct Answer {
   static Answer failed(Error error, std::string text) { return {false, error, std::move(text), {}}; }
 };
 
-}  // namespace pal::runtime::val
+}  // namespace pal::runtime::drivers::val

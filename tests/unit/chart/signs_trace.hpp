@@ -3,8 +3,8 @@
 
 #include "pal/trace/trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 trace::Trace signs_trace();
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

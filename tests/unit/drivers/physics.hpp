@@ -6,7 +6,7 @@
 
 namespace pal::sim::test {
 
-inline void run(runtime::Timeline& timeline, Workcell& workcell, runtime::Time time) {
+inline void run(runtime::drivers::Timeline& timeline, Workcell& workcell, runtime::Time time) {
   const runtime::Time end = timeline.now() + time;
   while (timeline.next() <= end) {
     workcell.advance_to(timeline.next());

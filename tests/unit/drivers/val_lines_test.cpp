@@ -3,7 +3,7 @@
 #include "runtime/drivers/val/codec.hpp"
 
 using namespace pal::runtime;
-using namespace pal::runtime::val;
+using namespace pal::runtime::drivers::val;
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "tests/unit/program/program.hpp"
 
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 
 TEST_CASE("pal explain prints the page of a code, written in any way") {
   const auto answer = pal::test::pal({"explain", "PAL0401"});

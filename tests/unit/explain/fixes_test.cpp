@@ -34,12 +34,12 @@ class MendedFileSystem : public FileSystem {
 };
 
 /// The findings of the whole of `pal check`, as long as the search for a proof is short.
-driver::Session check(const std::string& path, const FileSystem& files) {
+program::Session check(const std::string& path, const FileSystem& files) {
   std::ostringstream none;
-  driver::Session session;
-  driver::read({{path}, {}, {}, {}}, {none, none, files}, session);
+  program::Session session;
+  program::read({{path}, {}, {}, {}}, {none, none, files}, session);
   if (!session.diagnostics.has_errors())
-    driver::report_unmet(driver::prove(session, {1000, 0}), false, session);
+    program::report_unmet(program::prove(session, {1000, 0}), false, session);
   return session;
 }
 

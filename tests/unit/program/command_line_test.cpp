@@ -4,7 +4,7 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal::test;
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 
 TEST_CASE("a command line that cannot be understood ends with 2") {
   CHECK(pal::test::pal({}).status == ExitStatus::usage);

@@ -8,7 +8,7 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal;
-using driver::ExitStatus;
+using program::ExitStatus;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal::test;
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 namespace fs = std::filesystem;
 
 namespace {

@@ -6,7 +6,7 @@
 #include "tests/unit/program/program.hpp"
 
 using pal::MemoryFileSystem;
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 
-using pal::driver::Interruption;
+using pal::program::Interruption;
 
 TEST_CASE("Ctrl-C after a proof and before its report is written is only marked") {
   const Interruption command;

@@ -98,7 +98,7 @@ TEST_CASE("no command overwrites its input, or writes anything but PAL to a .pal
     for (const char* more : {touch.c_str(), "-e", folder.cell.c_str()}) arguments.emplace_back(more);
     const pal::test::Answer answer = pal::test::pal(arguments);
     INFO(answer.err);
-    CHECK(answer.status == pal::driver::ExitStatus::usage);
+    CHECK(answer.status == pal::program::ExitStatus::usage);
     CHECK(answer.out.empty());
     CHECK(answer.err.find(why) != std::string::npos);
     CHECK(fs::file_size(folder.cell) == size);
@@ -118,10 +118,10 @@ TEST_CASE("no command overwrites its input, or writes anything but PAL to a .pal
           "cannot write " + other + ": a name that ends in .pal is for PAL files");
   refused({"atc", "-o", other}, "a name that ends in .pal is for PAL files");
   CHECK_FALSE(fs::exists(other));
-  CHECK(pal::test::pal({"doc", touch, "-o", other}).status == pal::driver::ExitStatus::usage);
+  CHECK(pal::test::pal({"doc", touch, "-o", other}).status == pal::program::ExitStatus::usage);
 
   CHECK(pal::test::pal({"check", touch, "-e", folder.cell, "--witness", runs}).status ==
-        pal::driver::ExitStatus::all_hold);
+        pal::program::ExitStatus::all_hold);
   refused({"simulate", "--script", runs, "--trace", runs}, was_read);
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("a file is read once, under whatever names it is given") {
                                    (folder.path / ".." / folder.path.filename() / "cell.pal").string()}) {
     const pal::test::Answer answer = pal::test::pal({"check", touch, "-e", folder.cell, "-e", again});
     INFO(answer.err);
-    CHECK(answer.status == pal::driver::ExitStatus::all_hold);
+    CHECK(answer.status == pal::program::ExitStatus::all_hold);
     CHECK(answer.err.empty());
   }
 }

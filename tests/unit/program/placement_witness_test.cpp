@@ -31,12 +31,12 @@ TEST_CASE("when the time is up, no more runs of refuted placements are searched"
   how.most = 20;
   const std::vector<Placements> all{placements_on(2, environment, checker, how)};
   REQUIRE(all.front().refuted.size() == 20);
-  CHECK(driver::filed_witnesses_of(all, network, environment, {}).size() == 20);
+  CHECK(program::filed_witnesses_of(all, network, environment, {}).size() == 20);
 
   int asked = 0;
   Options late;
   late.stop = [&asked] { return ++asked > 0; };
-  CHECK(driver::filed_witnesses_of(all, network, environment, late).empty());
+  CHECK(program::filed_witnesses_of(all, network, environment, late).empty());
   CHECK(asked == 1);
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("a random run that refutes is a run of the problem, up to the breach")
     ++found;
     CHECK(witness->measured.value > requirement.limit);
     CHECK(witness->script.back().at == witness->measured.at);
-    const rules::Ruling ruling = rules::check_run(problem, &requirement, witness->trace);
+    const run_checker::Ruling ruling = run_checker::check_run(problem, &requirement, witness->trace);
     CHECK(ruling.broken.empty());
     REQUIRE_FALSE(ruling.measured.empty());
     CHECK(ruling.measured.back().value == witness->measured.value);

@@ -14,13 +14,13 @@
 namespace pal::test {
 
 struct Answer {
-  driver::ExitStatus status;
+  program::ExitStatus status;
   std::string out, err;
 };
 
 inline Answer pal(const std::vector<std::string>& arguments, const FileSystem& files = DiskFileSystem()) {
   std::ostringstream out, err;
-  const driver::ExitStatus status = driver::run(arguments, {out, err, files});
+  const program::ExitStatus status = program::run(arguments, {out, err, files});
   return {status, out.str(), err.str()};
 }
 
@@ -48,7 +48,7 @@ inline MemoryFileSystem in_memory(const std::string& text) {
 inline void expect_refused(const std::vector<std::string>& arguments, const std::string& why) {
   const Answer answer = pal(arguments);
   INFO(answer.err);
-  CHECK(answer.status == driver::ExitStatus::usage);
+  CHECK(answer.status == program::ExitStatus::usage);
   CHECK(answer.err.find(why) != std::string::npos);
 }
 

@@ -9,7 +9,7 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal::test;
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 using OrderedJson = nlohmann::ordered_json;
 
 namespace {

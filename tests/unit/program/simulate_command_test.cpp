@@ -12,7 +12,7 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal::test;
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 using OrderedJson = nlohmann::ordered_json;
 
 namespace {
@@ -202,15 +202,15 @@ TEST_CASE("a run that is not checked to its end counts for nothing") {
   const auto skill = sound_skill(never_idle);
   pal::analyzer::SimulationOptions how;
   how.until = 2'000'000'000;
-  const auto run = pal::driver::runs_by_chance(*skill->problem, how, 1).make(0);
+  const auto run = pal::program::runs_by_chance(*skill->problem, how, 1).make(0);
   REQUIRE(run);
   REQUIRE(run->trace.events.size() > 2'000);
   int before = 0;
   for (bool whole = false; !whole; ++before) {
-    pal::driver::Survey survey(*skill->problem);
+    pal::program::Survey survey(*skill->problem);
     int asked = 0;
     whole = survey.add(*run, 0, [&] { return asked++ == before; });
-    for (const pal::driver::Seen& seen : survey.seen()) CHECK((seen.breaking + seen.values > 0) == whole);
+    for (const pal::program::Seen& seen : survey.seen()) CHECK((seen.breaking + seen.values > 0) == whole);
   }
   CHECK(before > 4);
 }
@@ -236,7 +236,7 @@ TEST_CASE("with all times at one end phases are drawn") {
     pal::analyzer::SimulationOptions how;
     how.times = times;
     how.until = 30'000'000;
-    const pal::driver::Runs runs = pal::driver::runs_by_chance(*skill->problem, how, 20);
+    const pal::program::Runs runs = pal::program::runs_by_chance(*skill->problem, how, 20);
     std::set<std::int64_t> ticks, rings;
     for (std::size_t number = 0; number < 20; ++number) {
       std::set<int> seen;

@@ -7,7 +7,7 @@
 #include "tests/unit/whatif/two_chains.hpp"
 
 using namespace pal::test;
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 
 namespace {
 
@@ -74,7 +74,7 @@ TEST_CASE("a specification with errors is refused before anything is looked for"
   std::ostringstream out, err;
   const pal::DiskFileSystem files;
   // On a terminal the table begins as soon as slacks are looked for.
-  CHECK(pal::driver::run({"whatif", file}, {out, err, files, true}) == ExitStatus::wrong_specification);
+  CHECK(pal::program::run({"whatif", file}, {out, err, files, true}) == ExitStatus::wrong_specification);
   CHECK(out.str().empty());
   CHECK(err.str().find("PAL0732") != std::string::npos);
 }
@@ -215,9 +215,9 @@ TEST_CASE("a processor that a placement adds has a name of its own") {
 }
 
 TEST_CASE("the slack of all together is told as a part of the longest time") {
-  pal::driver::WhatIfAnswer answer;
+  pal::program::WhatIfAnswer answer;
   answer.requirements = {"r"};
-  pal::analyzer::Slack slack;
+  pal::analyzer::whatif::Slack slack;
   slack.time = {pal::Duration(2), pal::Duration(2)};
   slack.holds = pal::Duration(1);
   slack.fails = pal::Duration(2);

@@ -8,7 +8,7 @@
 
 #include "server/announcement.hpp"
 
-using namespace pal::runtime_system;
+using namespace pal::server;
 
 TEST_CASE("a token is the whole token") {
   const std::string token = make_token();

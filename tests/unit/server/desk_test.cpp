@@ -2,7 +2,7 @@
 #include "tests/unit/server/support.hpp"
 
 using namespace pal;
-using namespace pal::runtime_system;
+using namespace pal::server;
 using operations::ExecutionState;
 
 namespace {

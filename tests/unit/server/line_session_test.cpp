@@ -2,7 +2,7 @@
 #include "tests/unit/server/session_support.hpp"
 
 using namespace pal;
-using namespace pal::runtime_system;
+using namespace pal::server;
 using Said = std::vector<std::string>;
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using pal::runtime_system::Outbox;
+using pal::server::Outbox;
 
 TEST_CASE("answers and events are kept; the oldest telemetry is dropped and counted") {
   Outbox outbox({100, 2});

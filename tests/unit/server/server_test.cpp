@@ -13,7 +13,7 @@
 #include "tests/unit/server/support.hpp"
 
 using namespace pal;
-using namespace pal::runtime_system;
+using namespace pal::server;
 using namespace std::chrono_literals;
 using Json = nlohmann::json;
 

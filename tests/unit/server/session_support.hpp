@@ -7,9 +7,9 @@
 namespace pal::test {
 
 /// A desk, a history and one session, all in one thread: the cell works when it is told to.
-struct SessionFixture : runtime_system::EventSink {
-  using Make = std::unique_ptr<runtime_system::Session> (*)(runtime_system::SessionContext&,
-                                                            runtime_system::SessionOutput);
+struct SessionFixture : server::EventSink {
+  using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&,
+                                                            server::SessionOutput);
 
   explicit SessionFixture(Make make) : make_(make) { open(); }
   void open() {
@@ -18,7 +18,7 @@ struct SessionFixture : runtime_system::EventSink {
         make_(context, {[this](std::string text) { said.push_back(std::move(text)); },
                         [this](auto sample) { said.push_back(sample(0)); }, [this] { hung_up = true; }});
   }
-  void happened(const runtime_system::Event& event) override {
+  void happened(const server::Event& event) override {
     history.add(event);
     waiting.push_back(event);
   }
@@ -42,14 +42,14 @@ struct SessionFixture : runtime_system::EventSink {
   }
 
   Clockwork cell;
-  runtime_system::History history;
-  std::vector<runtime_system::Event> waiting;
-  runtime_system::Desk desk{cell, clockwork_skills(), *this};
-  runtime_system::SessionContext context{desk, history, "secret",
+  server::History history;
+  std::vector<server::Event> waiting;
+  server::Desk desk{cell, clockwork_skills(), *this};
+  server::SessionContext context{desk, history, "secret",
                                          [](const std::function<void()>& action) { action(); }};
   std::vector<std::string> said;
   bool hung_up = false;
-  std::unique_ptr<runtime_system::Session> session;
+  std::unique_ptr<server::Session> session;
 
  private:
   Make make_;

@@ -108,7 +108,7 @@ inline const char* const endless =
 /// Serves a desk in a thread of its own, as a cell does.
 class Worker {
  public:
-  explicit Worker(runtime_system::Desk& desk)
+  explicit Worker(server::Desk& desk)
       : desk_(desk), thread_([&desk] {
           while (!desk.ended())
             if (!desk.work()) desk.wait(std::chrono::milliseconds(50));
@@ -121,7 +121,7 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
  private:
-  runtime_system::Desk& desk_;
+  server::Desk& desk_;
   std::thread thread_;
 };
 
