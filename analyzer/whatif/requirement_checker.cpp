@@ -19,7 +19,7 @@ std::vector<Verdict> bounds_of(const Problem& problem, const RequirementIds& req
   asked.requirements.clear();
   for (const RequirementId r : requirements) asked.requirements.push_back(problem.requirements[r.index()]);
   options.addends = false;
-  return analyze_compositionally(asked, options).verdicts;
+  return compositional::analyze(asked, options).verdicts;
 }
 
 }  // namespace

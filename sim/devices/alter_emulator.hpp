@@ -41,7 +41,7 @@ class AlterArm {
 /// - no answer in time, or an answer that was not asked for;
 /// - a motion that the arm cannot make;
 /// - a fault of the arm.
-class AlterEmulator final : public AlterControl, private runtime::LinkUser {
+class AlterEmulator final : public AlterControl, private runtime::drivers::LinkUser {
  public:
   /// What is given outlives the emulator.
   AlterEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, AlterArm& arm);

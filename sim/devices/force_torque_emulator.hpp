@@ -35,7 +35,7 @@ struct ForceTorqueEmulatorOptions {
 /// Speaks the protocol of docs/workcell/force-torque.md: CV, CD A, CD B, SB, SU, SZ, QR, QS, an empty line,
 /// ^T, ^W. Values are whole counts: 0.05 N, along z 0.10 N, 0.003 N*m. More than 65 N or 5 N*m on an axis,
 /// with or without the bias, sets the overload byte and ends there.
-class ForceTorqueEmulator final : public runtime::LinkUser {
+class ForceTorqueEmulator final : public runtime::drivers::LinkUser {
  public:
   /// `load`: what acts on the sensor now (Workcell::wrench). All that is given outlives the emulator.
   ForceTorqueEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, std::function<Wrench()> load,

@@ -28,7 +28,7 @@ struct GripperEmulatorOptions {
 };
 
 /// Speaks the protocol of docs/workcell/gripper.md: a line STATE is answered with width, force and holding.
-class GripperEmulator final : public runtime::LinkUser {
+class GripperEmulator final : public runtime::drivers::LinkUser {
  public:
   /// `state`: how the gripper stands now. All that is given outlives the emulator.
   GripperEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, std::function<GripperState()> state,

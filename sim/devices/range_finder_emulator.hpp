@@ -48,7 +48,7 @@ double range_error(double z);
 /// Speaks the protocol of docs/workcell/range-finder.md: INIT, PROFILE. Rays are cast while the scan goes on,
 /// three or four a millisecond, from the arm's current place. They are cast only if the profile was asked
 /// for.
-class RangeFinderEmulator final : public runtime::LinkUser {
+class RangeFinderEmulator final : public runtime::drivers::LinkUser {
  public:
   /// All that is given outlives the emulator.
   RangeFinderEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, RangeView view,

@@ -11,7 +11,7 @@ namespace pal::sim::val {
 /// One end of a link, at which a VAL controller is. Each character is echoed as it comes. Return (or a line
 /// feed) ends a line. Backspace and Rubout delete a character, Control-U the line. Control-C ends what DO is
 /// carrying out.
-class Terminal final : public runtime::LinkUser {
+class Terminal final : public runtime::drivers::LinkUser {
  public:
   /// Takes the link; link and machine outlive the terminal.
   Terminal(runtime::drivers::Link& link, Machine& machine, MonitorOptions options = {});

@@ -90,7 +90,7 @@ void expect_all_runs_agree(const Skill& skill, const Wanted& wanted, const Verdi
 }
 
 void expect_bounds_hold(const Problem& problem, const Analysis& exact) {
-  const Analysis compositional = analyze_compositionally(problem);
+  const Analysis compositional = compositional::analyze(problem);
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& bound = compositional.verdicts[r];
     const Verdict& known = exact.verdicts[r];

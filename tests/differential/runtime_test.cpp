@@ -61,7 +61,7 @@ std::string told(const trace::Trace& run) {
   return out.str();
 }
 
-/// What the trace alone shows of the requirement (runtime/trace/measure.hpp).
+/// What the trace alone shows of the requirement (trace/include/pal/trace/measure.hpp).
 std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& problem,
                                        const Requirement& requirement) {
   std::vector<trace::StatementName> at;

@@ -90,13 +90,13 @@ Outcome run(const std::string& stage, const std::string& file) {
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
   std::ostringstream out;
-  const auto trees = check::read_sources(files, sources, {file}, diagnostics);
+  const auto trees = pal::check::read_sources(files, sources, {file}, diagnostics);
   if (stage == "tree") {
     for (const auto& tree : trees) pal::syntax::dump(tree, sources, out);
   } else if (stage == "format") {
     if (!trees.empty() && trees.front().complete) pal::syntax::print(trees.front(), out);
   } else {
-    const auto specification = pal::check(trees, diagnostics);
+    const auto specification = pal::check::check(trees, diagnostics);
     if (stage == "pan") {
       for (const auto& network : specification.skills) pal::pan::dump(network, out);
       for (const auto& network : specification.sketches) pal::pan::dump(network, out);

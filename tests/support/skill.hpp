@@ -35,7 +35,7 @@ inline std::string messages(const Diagnostics& diagnostics) {
 inline std::unique_ptr<Skill> load_skill(const FileSystem& files, const std::vector<std::string>& paths) {
   auto skill = std::make_unique<Skill>();
   const auto trees = check::read_sources(files, skill->sources, paths, skill->diagnostics);
-  skill->specification = check(trees, skill->diagnostics);
+  skill->specification = check::check(trees, skill->diagnostics);
   if (skill->diagnostics.has_errors()) return skill;
   if (skill->specification.skills.empty() || skill->specification.environments.empty()) {
     throw std::runtime_error("no skill, or no environment");

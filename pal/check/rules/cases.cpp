@@ -9,7 +9,7 @@ namespace pal::check {
 
 namespace {
 
-void report_no_arm(const pan::Node& node, const std::vector<RunStep>& run, const pan::Network& network,
+void report_no_arm(const pan::Node& node, const std::vector<conditions::RunStep>& run, const pan::Network& network,
                    Diagnostics& diagnostics) {
   auto& finding =
       diagnostics.report(Code::PAL0405, node.where,
@@ -55,7 +55,7 @@ void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     const auto& module = network.modules[i];
     if (module.body.empty() || module.executed_by.valid()) continue;
-    const auto runs = explore_conditions(network, flow, pan::ModuleId(i));
+    const auto runs = conditions::explore_conditions(network, flow, pan::ModuleId(i));
     for (const auto& [place, outcome] : runs.cases) {
       const auto& node = network.modules[place.first.index()].body[place.second];
       if (outcome.no_arm_holds) report_no_arm(node, *outcome.no_arm_holds, network, diagnostics);

@@ -9,7 +9,7 @@ namespace {
 
 void say_what_is_near(const std::string& text, std::ostream& err) {
   err << "pal: no finding has the code '" << text << "'\n";
-  const auto near = codes_near(text);
+  const auto near = explain::codes_near(text);
   if (near.empty()) {
     err << "hint: pal explain --list shows all codes\n";
     return;
@@ -22,11 +22,11 @@ void say_what_is_near(const std::string& text, std::ostream& err) {
 
 ExitStatus explain_code(const ExplainOptions& options, const Console& console) {
   if (options.list) {
-    write_list(console.out);
+    explain::write_list(console.out);
     return ExitStatus::all_hold;
   }
   if (options.all) {
-    write_reference(console.out);
+    explain::write_reference(console.out);
     return ExitStatus::all_hold;
   }
   if (options.codes.empty()) {
@@ -36,13 +36,13 @@ ExitStatus explain_code(const ExplainOptions& options, const Console& console) {
   }
   // All or none: a page would hide what is said of a wrong code after it.
   for (const std::string& text : options.codes) {
-    if (find_code(text)) continue;
+    if (explain::find_code(text)) continue;
     say_what_is_near(text, console.err);
     return ExitStatus::usage;
   }
   for (const std::string& text : options.codes) {
     if (&text != &options.codes.front()) console.out << "\n";
-    write_page(*find_code(text), console.out);
+    explain::write_page(*explain::find_code(text), console.out);
   }
   return ExitStatus::all_hold;
 }

@@ -22,7 +22,7 @@ std::string identifier(std::string_view words) {
 }
 
 Json rule(Code code) {
-  const Page page = explain(code);
+  const explain::Page page = explain::explain(code);
   Json rule;
   rule["id"] = name(code);
   rule["name"] = identifier(title(code));

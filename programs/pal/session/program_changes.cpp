@@ -104,7 +104,7 @@ std::unique_ptr<pan::Network> ProgramChanges::checked(
   SourceManager sources;
   Diagnostics diagnostics;
   check::Specification specification =
-      check(check::read_sources(files, sources, paths_of(selection_), diagnostics), diagnostics);
+      check::check(check::read_sources(files, sources, paths_of(selection_), diagnostics), diagnostics);
   if (diagnostics.has_errors()) return nullptr;
   for (pan::Network& skill : specification.skills) {
     if (skill.skill.name == skill_) return std::make_unique<pan::Network>(std::move(skill));

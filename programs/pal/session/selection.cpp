@@ -42,7 +42,7 @@ bool choose(std::vector<Thing>& things, const std::string& name, const char* kin
 bool compare_measured(const std::vector<std::string>& paths, const Console& console, Session& session) {
   if (paths.empty()) return true;
   const check::Specification measured =
-      check(check::read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
+      check::check(check::read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
   check::check_measured(session.specification.environments, measured.environments, session.diagnostics);
   if (!measured.environments.empty() || session.diagnostics.has_errors()) return true;
   console.err << "pal: the files of --measured have no ENVIRONMENT; workcell run --measure writes one\n";
@@ -57,7 +57,7 @@ bool read(const Selection& selection, const Console& console, Session& session) 
   paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
   const std::vector<syntax::Tree> trees =
       check::read_sources(console.files, session.sources, paths, session.diagnostics);
-  session.specification = check(trees, session.diagnostics, session.stop);
+  session.specification = check::check(trees, session.diagnostics, session.stop);
 
   if (session.diagnostics.has_errors()) return true;
   return choose(session.specification.skills, selection.skill, "skill", console.err) &&

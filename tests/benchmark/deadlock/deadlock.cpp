@@ -44,9 +44,9 @@ bool measure(const Case& one, int runs) {
   files.add("skill.pal", pal::test::LargeSkill(one.shape, one.flaw).text());
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
-  const auto trees = check::read_sources(files, sources, {"skill.pal"}, diagnostics);
+  const auto trees = pal::check::read_sources(files, sources, {"skill.pal"}, diagnostics);
   pal::Diagnostics findings;
-  const auto specification = pal::check(trees, findings);
+  const auto specification = pal::check::check(trees, findings);
   const auto& network = specification.skills.front();
   const pal::pan::Flow flow(network);
   std::vector<double> seconds;

@@ -21,7 +21,7 @@ struct Checked {
 inline Checked check_files(const FileSystem& files, const std::vector<std::string>& paths) {
   Checked result;
   result.trees = check::read_sources(files, result.sources, paths, result.diagnostics);
-  result.specification = pal::check(result.trees, result.diagnostics);
+  result.specification = pal::check::check(result.trees, result.diagnostics);
   return result;
 }
 

@@ -38,7 +38,7 @@ struct Bench {
   ForceTorqueEmulator sensor;
 };
 
-struct Terminal final : runtime::LinkUser {
+struct Terminal final : runtime::drivers::LinkUser {
   explicit Terminal(Bench& used) : bench(used) {
     bench.wire.a().connect(this);
     bench.timeline.advance_to(100ms);

@@ -178,7 +178,7 @@ TEST_CASE("range finder: the arm moves while a scan lasts", "[range-finder]") {
 TEST_CASE("range finder: the first profile after INIT is not to be used", "[range-finder]") {
   Cell cell;
   const Time scan = cell.first_scan;
-  struct Listener final : runtime::LinkUser {
+  struct Listener final : runtime::drivers::LinkUser {
     void on_bytes(runtime::drivers::Bytes bytes) override { seen += runtime::drivers::as_text(bytes); }
     void on_break(std::string_view) override {}
     std::string seen;

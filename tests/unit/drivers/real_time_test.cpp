@@ -18,7 +18,7 @@ using runtime::Time;
 namespace {
 
 /// Answers each request with a byte that comes back over a line.
-class EchoDriver final : public runtime::LinkedDriver {
+class EchoDriver final : public runtime::drivers::LinkedDriver {
  public:
   EchoDriver(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link)
       : LinkedDriver(timeline, link, "echo", {{"request x", true, {}}, {"x", false, {{"n", ""}}}}) {}
@@ -49,7 +49,7 @@ class EchoDriver final : public runtime::LinkedDriver {
 };
 
 /// The far end of the line.
-struct Mirror final : runtime::LinkUser {
+struct Mirror final : runtime::drivers::LinkUser {
   Mirror(runtime::drivers::Link& line) : link(line) { link.connect(this); }
   void on_bytes(Bytes bytes) override { link.write(bytes); }
   void on_break(std::string_view) override {}

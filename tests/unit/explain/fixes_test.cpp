@@ -14,6 +14,7 @@
 #include "pal/support/render.hpp"
 
 using namespace pal;
+using namespace pal::explain;
 
 namespace {
 

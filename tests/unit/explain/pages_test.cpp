@@ -12,6 +12,7 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal;
+using namespace pal::explain;
 
 namespace {
 

@@ -34,7 +34,7 @@ inline const std::string read_first = skill("touch/touch_read_first.pal");
 
 /// The text of a skill in tests/unit/driver.
 inline std::string text_of(const std::string& name) {
-  return project_file("tests/unit/driver/" + name + ".pal");
+  return project_file("tests/unit/program/" + name + ".pal");
 }
 
 /// A file s.pal with this text, and no other.

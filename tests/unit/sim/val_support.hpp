@@ -93,7 +93,7 @@ class PlainAlter final : public AlterControl {
 };
 
 /// The controller at one end of a wire, a person at the other.
-struct Bench : runtime::LinkUser {
+struct Bench : runtime::drivers::LinkUser {
   Bench() { wire.a().connect(this); }
   void on_bytes(runtime::drivers::Bytes bytes) override { seen += runtime::drivers::as_text(bytes); }
   void on_break(std::string_view) override {}

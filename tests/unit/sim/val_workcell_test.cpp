@@ -19,7 +19,7 @@ using pal::runtime::Time;
 
 namespace {
 
-struct Bench final : pal::runtime::LinkUser {
+struct Bench final : pal::runtime::drivers::LinkUser {
   explicit Bench(const std::string& name) : workcell(scene(name)) { wire.a().connect(this); }
   void on_bytes(pal::runtime::drivers::Bytes bytes) override { seen += pal::runtime::drivers::as_text(bytes); }
   void on_break(std::string_view) override {}
