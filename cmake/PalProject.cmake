@@ -63,6 +63,16 @@ function(pal_library name)
   set_target_properties(pal_${name} PROPERTIES EXPORT_NAME ${name})
   pal_warnings(pal_${name})
   pal_precompiled(pal_${name})
+  pal_links_alone(${name})
+endfunction()
+
+# pal_links_alone(NAME): the build fails if the library uses one that it does not name. All of it is linked with what it names.
+function(pal_links_alone name)
+  if(PAL_BUILD_TESTS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_executable(links_${name} "${PROJECT_SOURCE_DIR}/cmake/links_alone.cpp")
+    target_link_libraries(links_${name} PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,pal_${name}>)
+    set_target_properties(links_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" UNITY_BUILD OFF)
+  endif()
 endfunction()
 
 # pal_warnings(TARGET): the project's warnings; code that a generator wrote by ANTLR is left out.
