@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "runtime/kernel/ports.hpp"
-#include "runtime/watch/recorder.hpp"
-#include "runtime/run.hpp"
 #include "runtime/kernel/thrown.hpp"
+#include "runtime/run.hpp"
+#include "runtime/watch/recorder.hpp"
 
 namespace pal::runtime {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/pal/options/command_line.hpp"
 #include "pal/support/file_system.hpp"
+#include "programs/pal/options/command_line.hpp"
 
 using pal::program::ExitStatus;
 
@@ -29,7 +29,7 @@ int main(int count, char** arguments) {
   try {
     return static_cast<int>(
         delivered(pal::program::run(std::vector<std::string>(arguments + 1, arguments + count),
-                                   {std::cout, std::cerr, files, ::isatty(STDOUT_FILENO) == 1})));
+                                    {std::cout, std::cerr, files, ::isatty(STDOUT_FILENO) == 1})));
   } catch (const std::bad_alloc&) {
     std::cerr << "pal: there is not enough memory; with --max-states N a proof gives up sooner\n";
     return static_cast<int>(ExitStatus::usage);

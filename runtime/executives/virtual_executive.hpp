@@ -9,9 +9,9 @@
 #include "pal/runtime/cost_policy.hpp"
 #include "pal/runtime/executive.hpp"
 #include "runtime/executives/event_queue.hpp"
+#include "runtime/executives/scheduler.hpp"
 #include "runtime/kernel/journal.hpp"
 #include "runtime/kernel/kernel.hpp"
-#include "runtime/executives/scheduler.hpp"
 
 namespace pal::runtime {
 

@@ -16,8 +16,8 @@
 #include "runtime/kernel/frame_pool.hpp"
 #include "runtime/kernel/journal.hpp"
 #include "runtime/kernel/mail.hpp"
-#include "runtime/watch/processor_time.hpp"
 #include "runtime/kernel/promises.hpp"
+#include "runtime/watch/processor_time.hpp"
 
 namespace pal::runtime {
 

@@ -8,8 +8,8 @@
 #include "pal/runtime/broken_promise.hpp"
 #include "pal/runtime/outcome.hpp"
 #include "pal/runtime/skill.hpp"
-#include "runtime/watch/device_watch.hpp"
 #include "runtime/kernel/journal.hpp"
+#include "runtime/watch/device_watch.hpp"
 #include "runtime/watch/requirement_watch.hpp"
 
 namespace pal::runtime {

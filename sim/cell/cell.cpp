@@ -46,8 +46,8 @@ runtime::Time phase_of(const CellOptions& options) {
 template <class Emulator, class Driver>
 struct Attached {
   template <class MakeEmulator, class MakeDriver>
-  Attached(runtime::drivers::Timeline& timeline, runtime::drivers::LineSpeed speed, std::unique_ptr<runtime::drivers::Carrier> through,
-           MakeEmulator emulator_at, MakeDriver driver_at)
+  Attached(runtime::drivers::Timeline& timeline, runtime::drivers::LineSpeed speed,
+           std::unique_ptr<runtime::drivers::Carrier> through, MakeEmulator emulator_at, MakeDriver driver_at)
       : carrier(std::move(through)),
         wire(timeline, speed, carrier.get()),
         emulator(emulator_at(wire.b())),

@@ -49,8 +49,8 @@ std::size_t port_of(const runtime::drivers::Driver& driver, const std::string& m
 
 }  // namespace
 
-Answer ask(runtime::drivers::Station& station, runtime::drivers::Driver& driver, const std::string& message, bool prepare,
-           const runtime::RunControl* control) {
+Answer ask(runtime::drivers::Station& station, runtime::drivers::Driver& driver, const std::string& message,
+           bool prepare, const runtime::RunControl* control) {
   // False: it was stopped, or it takes too long.
   const auto pass_until = [&](runtime::Time limit, const auto& done) {
     const runtime::Time end = station.now() + limit;

@@ -14,8 +14,8 @@ namespace {
 
 /// The robot's controller with both of its lines.
 struct ServedController {
-  ServedController(runtime::drivers::Timeline& timeline, runtime::drivers::Link& terminal, runtime::drivers::Link& alter_line,
-                   Workcell& workcell)
+  ServedController(runtime::drivers::Timeline& timeline, runtime::drivers::Link& terminal,
+                   runtime::drivers::Link& alter_line, Workcell& workcell)
       : arm(workcell),
         alter(timeline, alter_line, arm),
         val(timeline, terminal, workcell, &alter),

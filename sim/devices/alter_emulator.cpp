@@ -23,7 +23,8 @@ alter::Figures figures_of(const Pose& pose) {
 
 }  // namespace
 
-AlterEmulator::AlterEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, AlterArm& arm)
+AlterEmulator::AlterEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                             AlterArm& arm)
     : timeline_(timeline), link_(link), arm_(arm) {
   link_.connect(this);
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "runtime/drivers/link.hpp"
-#include "runtime/drivers/wire.hpp"
 #include "runtime/drivers/timeline.hpp"
+#include "runtime/drivers/wire.hpp"
 #include "sim/random.hpp"
 #include "sim/workcell.hpp"
 
@@ -38,8 +38,8 @@ struct ForceTorqueEmulatorOptions {
 class ForceTorqueEmulator final : public runtime::drivers::LinkUser {
  public:
   /// `load`: what acts on the sensor now (Workcell::wrench). All that is given outlives the emulator.
-  ForceTorqueEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, std::function<Wrench()> load,
-                      ForceTorqueEmulatorOptions options = {});
+  ForceTorqueEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                      std::function<Wrench()> load, ForceTorqueEmulatorOptions options = {});
   ForceTorqueEmulator(const ForceTorqueEmulator&) = delete;
   ForceTorqueEmulator& operator=(const ForceTorqueEmulator&) = delete;
   ~ForceTorqueEmulator() override;

@@ -31,8 +31,8 @@ struct GripperEmulatorOptions {
 class GripperEmulator final : public runtime::drivers::LinkUser {
  public:
   /// `state`: how the gripper stands now. All that is given outlives the emulator.
-  GripperEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, std::function<GripperState()> state,
-                  GripperEmulatorOptions options = {});
+  GripperEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                  std::function<GripperState()> state, GripperEmulatorOptions options = {});
   GripperEmulator(const GripperEmulator&) = delete;
   GripperEmulator& operator=(const GripperEmulator&) = delete;
   ~GripperEmulator() override;

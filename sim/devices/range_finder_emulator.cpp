@@ -43,8 +43,8 @@ double range_error(double z) {
   return a.error * std::pow(above->error / a.error, part);
 }
 
-RangeFinderEmulator::RangeFinderEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, RangeView view,
-                                         RangeFinderEmulatorOptions options)
+RangeFinderEmulator::RangeFinderEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                                         RangeView view, RangeFinderEmulatorOptions options)
     : timeline_(timeline),
       link_(link),
       view_(std::move(view)),

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "sim/picture/picture.hpp"
 #include "sim/picture/framing.hpp"
 #include "sim/picture/offscreen.hpp"
+#include "sim/picture/picture.hpp"
 #include "sim/picture/stage.hpp"
 
 namespace pal::sim {

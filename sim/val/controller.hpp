@@ -2,8 +2,8 @@
 #pragma once
 
 #include "runtime/drivers/link.hpp"
-#include "runtime/drivers/wire.hpp"
 #include "runtime/drivers/timeline.hpp"
+#include "runtime/drivers/wire.hpp"
 #include "sim/val/terminal.hpp"
 #include "sim/val/workcell_arm.hpp"
 

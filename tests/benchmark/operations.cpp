@@ -15,11 +15,11 @@
 
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
+#include "programs/workcell/session/instruments.hpp"
 #include "server/client.hpp"
 #include "server/server.hpp"
 #include "sim/cell/cell.hpp"
-#include "programs/workcell/session/cell_runner.hpp"
-#include "programs/workcell/session/instruments.hpp"
 
 using namespace pal;
 
@@ -160,8 +160,7 @@ class ServedCell {
     for (int i = 0; i < skills; ++i) {
       const double dz = down_ ? 30.0 : -30.0;
       down_ = !down_;
-      desk_->ask(me_, server::RunSkill{"relative-move", {{"dz", dz, {}, {}}}},
-                 [](const server::Reply&) {});
+      desk_->ask(me_, server::RunSkill{"relative-move", {{"dz", dz, {}, {}}}}, [](const server::Reply&) {});
       const double begin = processor_time();
       desk_->work();
       spent += processor_time() - begin;

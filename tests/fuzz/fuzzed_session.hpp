@@ -41,8 +41,7 @@ class Counting final : public operations::SkillRunner {
 
 class FuzzedSession final : public server::EventSink {
  public:
-  using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&,
-                                                            server::SessionOutput);
+  using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
 
   explicit FuzzedSession(Make make)
       : session(make(context, {[](const std::string&) {}, [](const auto& sample) { sample(0); },
@@ -90,7 +89,7 @@ class FuzzedSession final : public server::EventSink {
   std::vector<server::Event> waiting;
   server::Desk desk{runner, skills(), *this, options()};
   server::SessionContext context{desk, history, "0123456789abcdef0123456789abcdef",
-                                         [](const std::function<void()>& action) { action(); }};
+                                 [](const std::function<void()>& action) { action(); }};
   bool hung_up = false, was_admitted = false;
   std::unique_ptr<server::Session> session;
 };

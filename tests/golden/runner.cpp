@@ -11,14 +11,14 @@
 
 #include "pal/check/check.hpp"
 #include "pal/check/read_sources.hpp"
-#include "programs/pal/options/command_line.hpp"
-#include "programs/pal/session/proof.hpp"
-#include "programs/pal/session/selection.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/line_difference.hpp"
 #include "pal/support/render.hpp"
 #include "pal/syntax/print.hpp"
+#include "programs/pal/options/command_line.hpp"
+#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/selection.hpp"
 
 namespace {
 
@@ -74,12 +74,12 @@ Outcome check_operation(const std::string& file) {
   const pal::DiskFileSystem files;
   std::ostringstream out;
   auto status = pal::program::run({"operation", "check", file, "--skills", "skills.pal", "-e", "cell.pal",
-                                  "--location", "HOME", "--sensor", "eye"},
-                                 {out, out, files});
+                                   "--location", "HOME", "--sensor", "eye"},
+                                  {out, out, files});
   const std::string log = std::filesystem::path(file).replace_extension(".jsonl").string();
   if (std::filesystem::exists(log))
     status = pal::program::run({"operation", "storyboard", file, "--skills", "skills.pal", "--run", log},
-                              {out, out, files});
+                               {out, out, files});
   return {out.str(), status == pal::program::ExitStatus::wrong_specification};
 }
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "programs/pal/reports/proof_chart.hpp"
 #include "pal/runtime/dispatcher.hpp"
+#include "programs/pal/reports/proof_chart.hpp"
 #include "skills_pal/registry.hpp"
 #include "tests/run/support/bench.hpp"
 #include "tests/run/support/touch_cell.hpp"

@@ -20,7 +20,8 @@ inline std::string refusal(const analyzer::Problem& problem, const analyzer::Req
                            const analyzer::Witness& witness, const trace::Trace& run) {
   const analyzer::Measurement& measured = witness.measured;
   const auto until = witness.grows ? std::optional(measured.at) : std::nullopt;
-  const analyzer::run_checker::Ruling ruling = analyzer::run_checker::check_run(problem, &requirement, run, until);
+  const analyzer::run_checker::Ruling ruling =
+      analyzer::run_checker::check_run(problem, &requirement, run, until);
   if (!ruling.broken.empty()) return ruling.broken;
   if (requirement.measure == analyzer::Requirement::Measure::load) return {};
   if (witness.grows) {

@@ -16,7 +16,8 @@ bool exhaustive(const std::vector<pan::Guard>& guards) {
     std::map<pan::ConditionId, bool> values;
     for (std::size_t i = 0; i < conditions.size(); ++i) values[conditions[i]] = (bits >> i & 1) != 0;
     const auto read = [&](pan::ConditionId condition) { return values.at(condition); };
-    if (std::none_of(guards.begin(), guards.end(), [&](const auto& guard) { return conditions::holds(guard, read); }))
+    if (std::none_of(guards.begin(), guards.end(),
+                     [&](const auto& guard) { return conditions::holds(guard, read); }))
       return false;
   }
   return true;

@@ -9,8 +9,8 @@ namespace pal::check {
 
 namespace {
 
-void report_no_arm(const pan::Node& node, const std::vector<conditions::RunStep>& run, const pan::Network& network,
-                   Diagnostics& diagnostics) {
+void report_no_arm(const pan::Node& node, const std::vector<conditions::RunStep>& run,
+                   const pan::Network& network, Diagnostics& diagnostics) {
   auto& finding =
       diagnostics.report(Code::PAL0405, node.where,
                          "no arm of this CASE may hold, and the skill would end with its error completion",

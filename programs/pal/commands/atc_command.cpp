@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "analyzer/chart/chart.hpp"
-#include "programs/pal/reports/chart_book.hpp"
 #include "programs/pal/commands/commands.hpp"
-#include "programs/pal/session/interruption.hpp"
+#include "programs/pal/reports/chart_book.hpp"
 #include "programs/pal/reports/proof_chart.hpp"
+#include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/write.hpp"
 
 namespace pal::program {
@@ -130,8 +130,9 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
     picture = analyzer::chart::html(book_of(proofs, *what->proof, what->index, measured));
   } else {
     if (path.empty()) path = skill + "." + requirement + ".svg";
-    picture = measured ? overlay_chart(*what->proof, what->index, *measured)
-                       : analyzer::chart::svg(analyzer::chart::timeline(what->shown.run), what->shown.options);
+    picture = measured
+                  ? overlay_chart(*what->proof, what->index, *measured)
+                  : analyzer::chart::svg(analyzer::chart::timeline(what->shown.run), what->shown.options);
   }
   std::vector<OutputFile> files{{path, std::move(picture)}};
   if (!options.trace.empty()) files.push_back({options.trace, trace_text(what->shown.run, options.chrome)});

@@ -2,17 +2,17 @@
 #include <sstream>
 
 #include "pal/check/read_sources.hpp"
-#include "programs/pal/reports/check_report.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/output.hpp"
+#include "pal/syntax/print.hpp"
 #include "programs/pal/commands/commands.hpp"
-#include "programs/pal/session/interruption.hpp"
+#include "programs/pal/reports/check_report.hpp"
 #include "programs/pal/reports/junit.hpp"
 #include "programs/pal/reports/sarif.hpp"
 #include "programs/pal/reports/statistics.hpp"
 #include "programs/pal/reports/witness.hpp"
+#include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/write.hpp"
-#include "pal/pan/dump.hpp"
-#include "pal/support/output.hpp"
-#include "pal/syntax/print.hpp"
 
 namespace pal::program {
 namespace {

@@ -2,9 +2,9 @@
 #include <ostream>
 
 #include "pal/doc/document.hpp"
+#include "pal/pan/dot.hpp"
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/session/write.hpp"
-#include "pal/pan/dot.hpp"
 
 namespace pal::program {
 namespace {

@@ -1,8 +1,8 @@
 #include <ostream>
 
-#include "programs/pal/commands/commands.hpp"
 #include "pal/explain/codes.hpp"
 #include "pal/explain/reference.hpp"
+#include "programs/pal/commands/commands.hpp"
 
 namespace pal::program {
 namespace {

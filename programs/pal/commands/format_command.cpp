@@ -1,12 +1,12 @@
 #include <ostream>
 #include <set>
 
-#include "programs/pal/commands/commands.hpp"
 #include "pal/support/line_difference.hpp"
 #include "pal/support/output.hpp"
 #include "pal/support/render.hpp"
 #include "pal/support/text_check.hpp"
 #include "pal/syntax/format.hpp"
+#include "programs/pal/commands/commands.hpp"
 
 namespace pal::program {
 namespace {

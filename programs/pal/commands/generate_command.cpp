@@ -65,9 +65,9 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
              "choose with --environment-name NAME", console.err);
   if (one) {
     check::check_listed(session.specification.skills.front(), session.specification.environments.front(),
-                          session.diagnostics);
+                        session.diagnostics);
     check::check_shared_messages(session.specification.skills.front(),
-                                   session.specification.environments.front(), session.diagnostics);
+                                 session.specification.environments.front(), session.diagnostics);
     const auto plan =
         codegen::make_plan(session.specification.skills.front(), session.specification.environments.front(),
                            session.sources, session.diagnostics);

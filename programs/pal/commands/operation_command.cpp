@@ -8,12 +8,12 @@
 #include "operations/load.hpp"
 #include "operations/ways.hpp"
 #include "pal/check/resources.hpp"
-#include "programs/pal/reports/check_report.hpp"
-#include "programs/pal/commands/commands.hpp"
-#include "programs/pal/session/interruption.hpp"
-#include "programs/pal/commands/operation_files.hpp"
-#include "programs/pal/reports/sarif.hpp"
 #include "pal/support/duration_text.hpp"
+#include "programs/pal/commands/commands.hpp"
+#include "programs/pal/commands/operation_files.hpp"
+#include "programs/pal/reports/check_report.hpp"
+#include "programs/pal/reports/sarif.hpp"
+#include "programs/pal/session/interruption.hpp"
 
 namespace pal::program {
 namespace {

@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "pal/check/to_unit.hpp"
-#include "programs/pal/commands/commands.hpp"
-#include "programs/pal/session/write.hpp"
 #include "pal/pan/dot.hpp"
 #include "pal/syntax/print.hpp"
+#include "programs/pal/commands/commands.hpp"
+#include "programs/pal/session/write.hpp"
 
 namespace pal::program {
 namespace {
@@ -44,7 +44,8 @@ ExitStatus no_module(const PanOptions& options, const Console& console) {
   return ExitStatus::usage;
 }
 
-ExitStatus print_pal(const check::Specification& specification, const PanOptions& options, const Console& console) {
+ExitStatus print_pal(const check::Specification& specification, const PanOptions& options,
+                     const Console& console) {
   syntax::Tree tree;
   for (const pan::Network& network : specification.skills) add_units(network, options, tree);
   for (const pan::Network& network : specification.sketches) add_units(network, options, tree);

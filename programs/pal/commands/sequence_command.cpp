@@ -7,10 +7,10 @@
 
 #include "analyzer/chart/sequence.hpp"
 #include "pal/check/deadlock/stories.hpp"
-#include "programs/pal/commands/commands.hpp"
-#include "programs/pal/session/write.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
+#include "programs/pal/commands/commands.hpp"
+#include "programs/pal/session/write.hpp"
 
 namespace pal::program {
 namespace {
@@ -167,8 +167,9 @@ ExitStatus draw_sequences(const SequenceOptions& options, const Console& console
   for (const pan::Network& skill : session.specification.skills) {
     const auto stories = check::deadlock::stories(skill);
     for (std::size_t i = 0; i < stories.size(); ++i) {
-      files.push_back({fmt::format("{}/{}.{}.sequence.svg", options.output, skill.skill.name, i + 1),
-                       analyzer::chart::sequence_svg(Converter(stories[i], skill, session.sources).convert())});
+      files.push_back(
+          {fmt::format("{}/{}.{}.sequence.svg", options.output, skill.skill.name, i + 1),
+           analyzer::chart::sequence_svg(Converter(stories[i], skill, session.sources).convert())});
     }
   }
   if (files.empty()) {

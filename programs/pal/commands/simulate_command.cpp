@@ -7,14 +7,14 @@
 #include <sstream>
 
 #include "analyzer/chart/chart.hpp"
-#include "programs/pal/reports/chart_caption.hpp"
+#include "pal/support/duration_text.hpp"
 #include "programs/pal/commands/commands.hpp"
-#include "programs/pal/session/interruption.hpp"
-#include "programs/pal/session/runs.hpp"
+#include "programs/pal/reports/chart_caption.hpp"
 #include "programs/pal/reports/simulated.hpp"
 #include "programs/pal/reports/witness.hpp"
+#include "programs/pal/session/interruption.hpp"
+#include "programs/pal/session/runs.hpp"
 #include "programs/pal/session/write.hpp"
-#include "pal/support/duration_text.hpp"
 
 namespace pal::program {
 namespace {

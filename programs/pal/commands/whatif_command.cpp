@@ -4,10 +4,10 @@
 #include <sstream>
 
 #include "programs/pal/commands/commands.hpp"
-#include "programs/pal/session/interruption.hpp"
 #include "programs/pal/reports/slack_display.hpp"
 #include "programs/pal/reports/whatif_answer.hpp"
 #include "programs/pal/reports/witness.hpp"
+#include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/write.hpp"
 
 namespace pal::program {

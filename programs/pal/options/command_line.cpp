@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <ostream>
 
+#include "pal/support/nearest.hpp"
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/options/shared_options.hpp"
 #include "programs/pal/options/subcommands.hpp"
-#include "pal/support/nearest.hpp"
 
 namespace pal::program {
 namespace {

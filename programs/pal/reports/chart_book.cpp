@@ -5,8 +5,8 @@
 
 #include "analyzer/chart/timeline.hpp"
 #include "programs/pal/reports/chart_caption.hpp"
-#include "programs/pal/session/measure_text.hpp"
 #include "programs/pal/reports/proof_chart.hpp"
+#include "programs/pal/session/measure_text.hpp"
 
 namespace pal::program {
 namespace {
@@ -47,7 +47,7 @@ class Writer {
 }  // namespace
 
 analyzer::chart::Book book_of(const std::vector<Proof>& proofs, const Proof& first, std::size_t index,
-                    const std::optional<trace::Trace>& measured) {
+                              const std::optional<trace::Trace>& measured) {
   Writer writer;
   writer.book.title = first.problem.skill;
   for (const Proof& proof : proofs) {

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "analyzer/chart/html.hpp"
-#include "programs/pal/session/proof.hpp"
 #include "pal/trace/trace.hpp"
+#include "programs/pal/session/proof.hpp"
 
 namespace pal::program {
 
 /// The page's content; it opens with requirement `index` of `first`, which is one of `proofs`. A measured run
 /// is shown for each requirement of its skill.
 analyzer::chart::Book book_of(const std::vector<Proof>& proofs, const Proof& first, std::size_t index,
-                    const std::optional<trace::Trace>& measured);
+                              const std::optional<trace::Trace>& measured);
 
 }  // namespace pal::program

@@ -38,7 +38,8 @@ std::string with_limit(const std::string& known, Measure measure, bool at_least,
 std::string bound_of(const analyzer::Verdict& verdict) {
   const std::string value = caption_value(verdict.measure, *verdict.bound);
   if (verdict.exact && verdict.measure == Measure::loss && verdict.witness && verdict.bound->count() > 0)
-    return "worst case " + value + " (exact: by " + analyzer::chart::duration_text(verdict.witness->measured.at) + ")";
+    return "worst case " + value + " (exact: by " +
+           analyzer::chart::duration_text(verdict.witness->measured.at) + ")";
   const bool shown = verdict.measure != Measure::load && verdict.measure != Measure::loss;
   if (verdict.exact && !shown) return "worst case " + value + " (exact)";
   if (verdict.exact) return "worst case " + value + " (exact: the run below attains it)";

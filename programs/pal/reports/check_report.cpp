@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "pal/support/render.hpp"
 #include "programs/pal/reports/arithmetic.hpp"
 #include "programs/pal/reports/statistics.hpp"
-#include "pal/support/render.hpp"
 
 namespace pal::program {
 namespace {

@@ -76,8 +76,8 @@ std::optional<Nanoseconds> next_taken(const trace::Trace& run, std::int32_t acto
 
 /// Of a frame that was not requested: which thread asked too late, and what that thread did since the device
 /// gave it the frame before.
-void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, const analyzer::chart::Loss& loss,
-                   LossRun& shown) {
+void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device,
+                   const analyzer::chart::Loss& loss, LossRun& shown) {
   const std::vector<analyzer::ChannelId>& requests = problem.devices[device].requests;
   const auto late = std::find_if(shown.run.events.begin(), shown.run.events.end(), [&](const Event& event) {
     return event.kind == Kind::put && event.time_ns > loss.from_ns &&
@@ -85,7 +85,8 @@ void explain_frame(const analyzer::Problem& problem, analyzer::DeviceId device, 
                requests.end();
   });
   if (late == shown.run.events.end()) return;
-  shown.highlight = analyzer::chart::Highlight{loss.from_ns, late->time_ns, "asked for too late by", true, -1};
+  shown.highlight =
+      analyzer::chart::Highlight{loss.from_ns, late->time_ns, "asked for too late by", true, -1};
   Nanoseconds before = loss.from_ns;
   for (const Event& put : events_of(shown.run, actor_of(problem, device), Kind::put)) {
     if (put.time_ns <= loss.from_ns) before = put.time_ns;
@@ -102,8 +103,8 @@ void explain_overrun(const analyzer::Problem& problem, const Event& overrun, Los
     return event.kind == Kind::take && event.subject == overrun.subject && event.time_ns > overrun.time_ns;
   });
   if (take == events.end()) return;
-  shown.highlight =
-      analyzer::chart::Highlight{overrun.time_ns, take->time_ns, "the one before is taken too late by", true, -1};
+  shown.highlight = analyzer::chart::Highlight{overrun.time_ns, take->time_ns,
+                                               "the one before is taken too late by", true, -1};
   Nanoseconds before = overrun.time_ns;
   for (const Event& event : events) {
     if (event.kind == Kind::put && event.subject == overrun.subject && event.time_ns <= overrun.time_ns)
@@ -115,9 +116,11 @@ void explain_overrun(const analyzer::Problem& problem, const Event& overrun, Los
 
 /// The first loss that is not before an instant at which one was counted: the end of its work, or its
 /// beginning.
-const analyzer::chart::Loss* counted_at(const std::vector<analyzer::chart::Loss>& losses, Nanoseconds instant) {
-  const auto found = std::find_if(losses.begin(), losses.end(),
-                                  [instant](const analyzer::chart::Loss& loss) { return loss.to_ns >= instant; });
+const analyzer::chart::Loss* counted_at(const std::vector<analyzer::chart::Loss>& losses,
+                                        Nanoseconds instant) {
+  const auto found = std::find_if(losses.begin(), losses.end(), [instant](const analyzer::chart::Loss& loss) {
+    return loss.to_ns >= instant;
+  });
   return found == losses.end() ? nullptr : &*found;
 }
 
@@ -146,8 +149,8 @@ LossRun with_loss(const Proof& proof, std::size_t index) {
   const Nanoseconds next = next_taken(shown.run, actor, loss->to_ns + 1).value_or(loss->to_ns + 2 * distance);
   // As many in a row as the requirement speaks of, the last lost one, and the next.
   const Nanoseconds row = std::max<Nanoseconds>(1, requirement.in) * distance;
-  shown.window =
-      analyzer::chart::Window{std::max<Nanoseconds>(0, loss->from_ns - row - distance / 8), next + distance / 8};
+  shown.window = analyzer::chart::Window{std::max<Nanoseconds>(0, loss->from_ns - row - distance / 8),
+                                         next + distance / 8};
   const std::vector<Event> overruns = events_of(shown.run, actor, Kind::overrun);
   const Event* overrun = first_from(overruns, loss->to_ns);
   if (overrun != nullptr && overrun->time_ns == loss->to_ns) {
@@ -173,8 +176,8 @@ std::optional<LossRun> without_loss(const analyzer::Problem& problem, analyzer::
     shown.run.origin = "simulated";
     const Event& last = puts[std::min(wanted, puts.size()) - 1];
     const Nanoseconds end = next_taken(shown.run, actor, last.time_ns).value_or(last.time_ns);
-    shown.window =
-        analyzer::chart::Window{std::max<Nanoseconds>(0, puts.front().time_ns - distance), end + distance / 4};
+    shown.window = analyzer::chart::Window{std::max<Nanoseconds>(0, puts.front().time_ns - distance),
+                                           end + distance / 4};
     shown.losses = losses_in(problem, shown.run, device);
     return shown;
   }
@@ -184,7 +187,7 @@ std::optional<LossRun> without_loss(const analyzer::Problem& problem, analyzer::
 }  // namespace
 
 std::vector<analyzer::chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run,
-                                   analyzer::DeviceId device) {
+                                             analyzer::DeviceId device) {
   const std::int32_t actor = actor_of(problem, device);
   const std::string& name = problem.devices[device].name;
   const std::vector<Event> puts = events_of(run, actor, Kind::put);
@@ -210,8 +213,9 @@ std::vector<analyzer::chart::Loss> losses_in(const analyzer::Problem& problem, c
     if (std::find(with_work.begin(), with_work.end(), event.time_ns) == with_work.end())
       losses.push_back({name, event.time_ns, event.time_ns, "lost: the one before it was not taken yet"});
   }
-  std::stable_sort(losses.begin(), losses.end(),
-                   [](const analyzer::chart::Loss& a, const analyzer::chart::Loss& b) { return a.from_ns < b.from_ns; });
+  std::stable_sort(
+      losses.begin(), losses.end(),
+      [](const analyzer::chart::Loss& a, const analyzer::chart::Loss& b) { return a.from_ns < b.from_ns; });
   return losses;
 }
 

@@ -8,8 +8,8 @@
 
 #include "analyzer/chart/options.hpp"
 #include "analyzer/verdict/verdict.hpp"
-#include "programs/pal/session/proof.hpp"
 #include "pal/trace/trace.hpp"
+#include "programs/pal/session/proof.hpp"
 
 namespace pal::program {
 
@@ -25,7 +25,7 @@ struct LossRun {
 /// messages that found the one before them still in their slot. Frames count from the first that is passed
 /// on, and only whole ones.
 std::vector<analyzer::chart::Loss> losses_in(const analyzer::Problem& problem, const trace::Trace& run,
-                                   analyzer::DeviceId device);
+                                             analyzer::DeviceId device);
 
 /// The run for requirement `index`, which is one on losses. Nothing if it cannot be simulated.
 std::optional<LossRun> loss_run(const Proof& proof, std::size_t index);

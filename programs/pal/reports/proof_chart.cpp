@@ -38,12 +38,14 @@ std::optional<analyzer::chart::Highlight> unanswered(const Proof& proof, std::si
     });
     const std::int64_t end = run.events.back().time_ns;
     if (!has && event.time_ns < end)
-      return analyzer::chart::Highlight{event.time_ns, end, message + " without a response", true, requirement.limit};
+      return analyzer::chart::Highlight{event.time_ns, end, message + " without a response", true,
+                                        requirement.limit};
   }
   return std::nullopt;
 }
 
-analyzer::chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from, std::int64_t to) {
+analyzer::chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from,
+                                     std::int64_t to) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const std::int64_t limit = verdict.limit.count();
   const bool over = verdict.at_least ? to - from < limit : to - from > limit;
@@ -74,7 +76,8 @@ std::vector<bool> told(const std::vector<analyzer::Reason>& reasons) {
 }
 
 /// These parts in their order, the longest of them with what is inside it, and so on.
-void unfold(const std::vector<analyzer::Reason>& reasons, int depth, std::vector<analyzer::chart::Segment>& out) {
+void unfold(const std::vector<analyzer::Reason>& reasons, int depth,
+            std::vector<analyzer::chart::Segment>& out) {
   const std::vector<bool> tells = depth == 0 ? std::vector<bool>(reasons.size(), true) : told(reasons);
   const auto longest = std::max_element(reasons.begin(), reasons.end(),
                                         [](const auto& a, const auto& b) { return length(a) < length(b); });
@@ -176,7 +179,7 @@ std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof
 namespace {
 
 std::optional<analyzer::chart::Highlight> longest_interval(const Proof& proof, std::size_t index,
-                                                 const trace::Trace& run) {
+                                                           const trace::Trace& run) {
   const auto found = longest_in(run, proof, index);
   if (!found || found->length_ns() == 0) return std::nullopt;
   return highlight(proof, index, found->from_ns, found->to_ns);
@@ -242,8 +245,9 @@ std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Tr
   analyzer::chart::OverlayOptions options;
   options.proved = options_for(proof, index);
   options.measured.highlight = longest_interval(proof, index, measured);
-  return analyzer::chart::overlay_svg(analyzer::chart::timeline(proof.analysis.verdicts[index].witness->trace),
-                            analyzer::chart::timeline(measured), options);
+  return analyzer::chart::overlay_svg(
+      analyzer::chart::timeline(proof.analysis.verdicts[index].witness->trace),
+      analyzer::chart::timeline(measured), options);
 }
 
 }  // namespace pal::program

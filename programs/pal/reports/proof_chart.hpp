@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "analyzer/chart/options.hpp"
-#include "programs/pal/session/proof.hpp"
 #include "pal/trace/measure.hpp"
 #include "pal/trace/trace.hpp"
+#include "programs/pal/session/proof.hpp"
 
 namespace pal::program {
 

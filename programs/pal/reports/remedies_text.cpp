@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "programs/pal/session/measure_text.hpp"
-#include "programs/pal/reports/whatif_answer.hpp"
 #include "pal/support/duration_text.hpp"
+#include "programs/pal/reports/whatif_answer.hpp"
+#include "programs/pal/session/measure_text.hpp"
 
 namespace pal::program {
 namespace {
@@ -43,7 +43,8 @@ std::string change_words(const std::string& change) {
   return "change a figure";
 }
 
-std::string change_lines(const WhatIfAnswer& answer, const analyzer::whatif::Candidate& candidate, bool first) {
+std::string change_lines(const WhatIfAnswer& answer, const analyzer::whatif::Candidate& candidate,
+                         bool first) {
   std::string out = first ? "" : "       and ";
   if (candidate.program.valid()) {
     const ProgramChange& change = answer.program_changes[candidate.program.index()];
@@ -64,7 +65,8 @@ std::string state_text(const analyzer::Verdict& verdict) {
 }
 
 /// What did not hold before, or does not now; of the rest how many.
-std::string verdict_lines(const analyzer::whatif::Remedies& remedies, const analyzer::whatif::Remedy& remedy) {
+std::string verdict_lines(const analyzer::whatif::Remedies& remedies,
+                          const analyzer::whatif::Remedy& remedy) {
   std::string out;
   std::size_t others = 0;
   for (std::size_t r = 0; r < remedy.after.size(); ++r) {

@@ -1,8 +1,8 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include "programs/pal/reports/sarif.hpp"
 #include "pal/explain/page.hpp"
+#include "programs/pal/reports/sarif.hpp"
 
 namespace pal::program {
 namespace {

@@ -10,7 +10,8 @@ constexpr std::size_t bar_width = 30;
 
 std::vector<std::string> names(const pan::Network& skill, const pan::Environment& environment) {
   std::vector<std::string> all;
-  for (const analyzer::whatif::Figure& figure : analyzer::whatif::figures(skill, environment)) all.push_back(figure.name);
+  for (const analyzer::whatif::Figure& figure : analyzer::whatif::figures(skill, environment))
+    all.push_back(figure.name);
   return all;
 }
 

@@ -20,10 +20,10 @@ struct WhatIfAnswer {
   std::string environment;
   std::vector<std::string> requirements;
   std::vector<analyzer::whatif::Slack> slacks;
-  bool slacks_shown = false;                   // while they were found: text() leaves them out
+  bool slacks_shown = false;                           // while they were found: text() leaves them out
   std::optional<analyzer::whatif::Remedies> remedies;  // of what does not hold as things are
-  std::vector<ProgramChange> program_changes;  // by ProgramChangeId: those that remedies speak of
-  std::vector<Proof> before_and_after;         // both, or neither
+  std::vector<ProgramChange> program_changes;          // by ProgramChangeId: those that remedies speak of
+  std::vector<Proof> before_and_after;                 // both, or neither
   std::vector<analyzer::whatif::Placements> placements;
   std::vector<std::string> witnesses;  // of refuted placements, if asked for: as they are filed
   bool fewest = false;                 // the placements answer how few processors do

@@ -57,7 +57,8 @@ Json remedy_row(const WhatIfAnswer& answer, const analyzer::whatif::Remedy& reme
 Json remedies_row(const WhatIfAnswer& answer) {
   const analyzer::whatif::Remedies& remedies = *answer.remedies;
   Json row{{"tried", remedies.tried}, {"complete", remedies.complete}, {"found", Json::array()}};
-  for (const analyzer::whatif::Remedy& remedy : remedies.found) row["found"].push_back(remedy_row(answer, remedy));
+  for (const analyzer::whatif::Remedy& remedy : remedies.found)
+    row["found"].push_back(remedy_row(answer, remedy));
   row["nearest"] = remedies.nearest ? remedy_row(answer, *remedies.nearest) : Json();
   row["short_enough"] = Json::array();
   for (const analyzer::whatif::ShortEnough& each : remedies.short_enough)

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <map>
 
-#include "programs/pal/reports/whatif_answer.hpp"
 #include "pal/support/duration_text.hpp"
+#include "programs/pal/reports/whatif_answer.hpp"
 
 namespace pal::program {
 namespace {

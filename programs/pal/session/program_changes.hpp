@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "analyzer/whatif/remedy.hpp"
+#include "pal/rewrite/rewrite.hpp"
 #include "programs/pal/session/console.hpp"
 #include "programs/pal/session/selection.hpp"
-#include "pal/rewrite/rewrite.hpp"
 
 namespace pal::program {
 

@@ -41,8 +41,8 @@ bool choose(std::vector<Thing>& things, const std::string& name, const char* kin
 /// Measured times are no part of the specification. False, with a message, if the files have none.
 bool compare_measured(const std::vector<std::string>& paths, const Console& console, Session& session) {
   if (paths.empty()) return true;
-  const check::Specification measured =
-      check::check(check::read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
+  const check::Specification measured = check::check(
+      check::read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
   check::check_measured(session.specification.environments, measured.environments, session.diagnostics);
   if (!measured.environments.empty() || session.diagnostics.has_errors()) return true;
   console.err << "pal: the files of --measured have no ENVIRONMENT; workcell run --measure writes one\n";

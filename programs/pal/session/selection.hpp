@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "pal/check/check.hpp"
-#include "programs/pal/session/console.hpp"
-#include "programs/pal/session/exit_status.hpp"
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
+#include "programs/pal/session/console.hpp"
+#include "programs/pal/session/exit_status.hpp"
 
 namespace pal::program {
 

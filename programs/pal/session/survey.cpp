@@ -53,8 +53,8 @@ Survey::Survey(const analyzer::Problem& problem) : problem_(problem), seen_(prob
 
 bool Survey::add(const KnownRun& run, std::size_t number, const std::function<bool()>& stop) {
   const auto ruling = analyzer::run_checker::check_run(problem_, nullptr, run.trace,
-                                                 run.completed ? std::nullopt : std::optional(run.end),
-                                                 analyzer::run_checker::BusyFrom::each_pause, stop);
+                                                       run.completed ? std::nullopt : std::optional(run.end),
+                                                       analyzer::run_checker::BusyFrom::each_pause, stop);
   if (ruling.stopped) return false;
   if (!ruling.broken.empty()) {
     refused_.push_back("run " + std::to_string(number) + ": " + ruling.broken);
@@ -79,7 +79,7 @@ bool Survey::measure(std::size_t index, const KnownRun& run, std::size_t number,
   const Requirement& requirement = problem_.requirements[index];
   Seen& seen = seen_[index];
   const auto ruling = analyzer::run_checker::check_run(problem_, &requirement, run.trace, std::nullopt,
-                                                 analyzer::run_checker::BusyFrom::beginning, stop);
+                                                       analyzer::run_checker::BusyFrom::beginning, stop);
   if (ruling.stopped) return false;
   bool breaks = ruling.failed;
   bool open = false;

@@ -4,10 +4,10 @@
 
 #include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/verdict/explain.hpp"
-#include "programs/pal/session/measure_text.hpp"
-#include "programs/pal/session/proof.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
+#include "programs/pal/session/measure_text.hpp"
+#include "programs/pal/session/proof.hpp"
 
 namespace pal::program {
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "pal/support/output.hpp"
 #include "programs/pal/session/console.hpp"
 #include "programs/pal/session/exit_status.hpp"
 #include "programs/pal/session/selection.hpp"
-#include "pal/support/output.hpp"
 
 namespace pal::program {
 

@@ -10,11 +10,11 @@
 #include "operations/debugger.hpp"
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
-#include "programs/workcell/session/cell_runner.hpp"
+#include "programs/workcell/commands/refused_operation.hpp"
 #include "programs/workcell/options/command_line.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
 #include "programs/workcell/session/fault_file.hpp"
 #include "programs/workcell/session/needed_tool.hpp"
-#include "programs/workcell/commands/refused_operation.hpp"
 
 namespace pal::workcell {
 namespace {

@@ -8,11 +8,11 @@
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
 #include "pal/runtime/run_control.hpp"
-#include "server/announcement.hpp"
-#include "server/client.hpp"
+#include "programs/workcell/commands/refused_operation.hpp"
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/interrupt.hpp"
-#include "programs/workcell/commands/refused_operation.hpp"
+#include "server/announcement.hpp"
+#include "server/client.hpp"
 
 namespace pal::workcell {
 namespace {

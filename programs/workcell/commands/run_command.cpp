@@ -11,16 +11,16 @@
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 #include "pal/support/output.hpp"
-#include "runtime/drivers/streams/carrier.hpp"
-#include "runtime/drivers/streams/outside.hpp"
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/reports/comparison.hpp"
+#include "programs/workcell/reports/live_trace.hpp"
+#include "programs/workcell/reports/report_files.hpp"
 #include "programs/workcell/session/control_terminal.hpp"
 #include "programs/workcell/session/fault_file.hpp"
 #include "programs/workcell/session/interrupt.hpp"
-#include "programs/workcell/reports/live_trace.hpp"
 #include "programs/workcell/session/needed_tool.hpp"
-#include "programs/workcell/reports/report_files.hpp"
+#include "runtime/drivers/streams/carrier.hpp"
+#include "runtime/drivers/streams/outside.hpp"
 
 namespace pal::workcell {
 namespace {

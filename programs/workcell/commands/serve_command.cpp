@@ -5,14 +5,14 @@
 #include <ostream>
 
 #include "operations/step_log.hpp"
+#include "programs/workcell/options/command_line.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
+#include "programs/workcell/session/fault_file.hpp"
+#include "programs/workcell/session/instruments.hpp"
 #include "runtime/drivers/streams/outside.hpp"
 #include "server/announcement.hpp"
 #include "server/server.hpp"
 #include "sim/cell/cell.hpp"
-#include "programs/workcell/session/cell_runner.hpp"
-#include "programs/workcell/options/command_line.hpp"
-#include "programs/workcell/session/fault_file.hpp"
-#include "programs/workcell/session/instruments.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -60,9 +60,8 @@ class Announced {
   std::string path_;
 };
 
-void tell_addresses(const ServeCommand& command, const sim::Scene& scene,
-                    const server::Server& server, const std::string& announcement,
-                    std::ostream& out) {
+void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const server::Server& server,
+                    const std::string& announcement, std::ostream& out) {
   out << fmt::format("serving scene {}; Ctrl-C ends it\n", scene.name)
       << fmt::format("  JSON-RPC at ws://{}:{}\n", command.address, server.port());
   if (const auto port = server.line_port()) out << fmt::format("  lines at {}:{}\n", command.address, *port);
@@ -109,8 +108,8 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
   runner.on_broken_promise(policy_named(command.on_broken_promise));
   server::Desk desk(runner, templates_of(known), *server,
-                            {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log,
-                             sensors_of(cell), locations_of(cell)});
+                    {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log, sensors_of(cell),
+                     locations_of(cell)});
   server->start(desk, true);
   const std::string path =
       command.announcement.empty() ? server::default_announcement() : command.announcement;

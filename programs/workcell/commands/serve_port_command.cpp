@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "pal/support/nearest.hpp"
+#include "programs/workcell/options/command_line.hpp"
+#include "programs/workcell/session/interrupt.hpp"
 #include "runtime/drivers/streams/bridge.hpp"
 #include "runtime/drivers/streams/outside.hpp"
 #include "sim/cell/served_port.hpp"
-#include "programs/workcell/options/command_line.hpp"
-#include "programs/workcell/session/interrupt.hpp"
 #include "sim/scene.hpp"
 
 namespace pal::workcell {
@@ -30,8 +30,9 @@ sim::ServedPort find_port(const std::string& wanted) {
 
 /// The `number`th line of the device: TCP ports follow one another, a serial port is for the first alone.
 std::unique_ptr<runtime::drivers::OutsideLink> open_link(const ServePortCommand& command, std::size_t number,
-                                                const runtime::drivers::LineSpeed& speed, runtime::drivers::Outside& outside,
-                                                runtime::drivers::Timeline& timeline) {
+                                                         const runtime::drivers::LineSpeed& speed,
+                                                         runtime::drivers::Outside& outside,
+                                                         runtime::drivers::Timeline& timeline) {
   try {
     if (command.tcp >= 0) {
       const int port = command.tcp == 0 ? 0 : command.tcp + static_cast<int>(number);

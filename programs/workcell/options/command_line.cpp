@@ -9,8 +9,8 @@
 #include <ostream>
 #include <system_error>
 
-#include "sim/cell/served_port.hpp"
 #include "programs/workcell/session/interrupt.hpp"
+#include "sim/cell/served_port.hpp"
 #include "sim/report/video.hpp"
 #include "sim/scene.hpp"
 

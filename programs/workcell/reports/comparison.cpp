@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact_stiffness.hpp"
 #include "programs/workcell/reports/statistics.hpp"
+#include "sim/contact_stiffness.hpp"
 
 namespace pal::workcell {
 namespace {

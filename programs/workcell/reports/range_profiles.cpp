@@ -54,7 +54,8 @@ void add_points(sim::RangeProfile& shown, const skills::sensing::Points& points,
   }
 }
 
-void add_edge(sim::RangeProfile& shown, const skills::sensing::Points& points, const skills::sensing::Edge& edge) {
+void add_edge(sim::RangeProfile& shown, const skills::sensing::Points& points,
+              const skills::sensing::Edge& edge) {
   const std::size_t window = skills::sensing::EdgeOptions{}.window;
   const auto* const place =
       std::lower_bound(points.index.data(), points.index.data() + points.count, edge.index);

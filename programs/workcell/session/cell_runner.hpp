@@ -12,9 +12,9 @@
 #include "operations/check.hpp"
 #include "operations/executor.hpp"
 #include "pal/runtime/observer.hpp"
-#include "sim/cell/cell.hpp"
 #include "programs/workcell/session/interrupt.hpp"
 #include "programs/workcell/session/skills.hpp"
+#include "sim/cell/cell.hpp"
 
 namespace pal::workcell {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "pal/runtime/outcome.hpp"
-#include "sim/cell/fault_plan.hpp"
 #include "programs/workcell/session/failure.hpp"
+#include "sim/cell/fault_plan.hpp"
 
 namespace pal::workcell {
 

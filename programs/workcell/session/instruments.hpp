@@ -5,8 +5,8 @@
 #include <span>
 
 #include "pal/runtime/observer.hpp"
-#include "server/telemetry.hpp"
 #include "programs/workcell/session/watched_world.hpp"
+#include "server/telemetry.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::workcell {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/cell/served_port.hpp"
 #include "programs/workcell/session/failure.hpp"
+#include "sim/cell/served_port.hpp"
 
 namespace pal::workcell {
 namespace {

@@ -74,8 +74,12 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       const analyzer::Requirement& requirement = proof.problem.requirements[i];
       if (!program::shows_in_runs(requirement) || !verdict.witness || !verdict.bound) continue;
-      Promise promise{
-          verdict.requirement, program::measure_text(proof.problem, i), *verdict.bound, verdict.exact, {}, {}};
+      Promise promise{verdict.requirement,
+                      program::measure_text(proof.problem, i),
+                      *verdict.bound,
+                      verdict.exact,
+                      {},
+                      {}};
       if (const auto longest = program::longest_in(run, proof, i))
         promise.measured = Duration(longest->length_ns());
       promise.chart = program::overlay_chart(proof, i, run);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/cell/cell.hpp"
 #include "programs/workcell/session/run_observers.hpp"
+#include "sim/cell/cell.hpp"
 
 namespace pal::workcell {
 namespace {

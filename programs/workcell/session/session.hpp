@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "pal/runtime/measurement.hpp"
+#include "programs/workcell/session/skills.hpp"
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "pal/runtime/measurement.hpp"
 #include "sim/cell/fault_plan.hpp"
 #include "sim/picture/picture.hpp"
-#include "programs/workcell/session/skills.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/scene.hpp"
 #include "sim/workcell.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/drivers/val/codec.hpp"
 #include "pal/runtime/payload.hpp"
+#include "runtime/drivers/val/codec.hpp"
 
 namespace pal::runtime::drivers {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "runtime/drivers/driver.hpp"
 #include "runtime/drivers/link.hpp"
-#include "runtime/drivers/val/protocol.hpp"
 #include "runtime/drivers/timeline.hpp"
+#include "runtime/drivers/val/protocol.hpp"
 
 namespace pal::runtime::drivers {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pal/runtime/thread.hpp"
-#include "runtime/kernel/journal.hpp"
 #include "runtime/executives/real_time/doorbell.hpp"
+#include "runtime/kernel/journal.hpp"
 
 namespace pal::runtime {
 

@@ -12,11 +12,11 @@
 #include "pal/runtime/executive.hpp"
 #include "pal/runtime/outcome.hpp"
 #include "runtime/executives/event_queue.hpp"
-#include "runtime/kernel/journal.hpp"
-#include "runtime/kernel/kernel.hpp"
 #include "runtime/executives/real_time/kernel_lock.hpp"
 #include "runtime/executives/real_time/levels.hpp"
 #include "runtime/executives/real_time/os_thread.hpp"
+#include "runtime/kernel/journal.hpp"
+#include "runtime/kernel/kernel.hpp"
 
 namespace pal::runtime {
 

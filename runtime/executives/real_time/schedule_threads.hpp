@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/kernel/journal.hpp"
 #include "runtime/executives/real_time/levels.hpp"
 #include "runtime/executives/real_time/os_thread.hpp"
+#include "runtime/kernel/journal.hpp"
 
 namespace pal::runtime {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "pal/runtime/still_world.hpp"
 #include "pal/runtime/dispatcher.hpp"
+#include "pal/runtime/still_world.hpp"
 #include "runtime/executives/real_time/clock.hpp"
 #include "runtime/executives/real_time/os_thread.hpp"
 #include "tests/run/support/bench.hpp"

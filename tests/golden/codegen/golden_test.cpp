@@ -41,7 +41,8 @@ class InSourceTree final : public FileSystem {
 struct Input {
   Input(const std::string& skill, const std::string& environment, const std::string& working_folder = "") {
     specification = check::check(
-        check::read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics), diagnostics);
+        check::read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics),
+        diagnostics);
     std::ostringstream findings;
     render_text(diagnostics.sorted(), sources, findings);
     INFO(findings.str());

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "pal/trace/trace.hpp"
-#include "programs/workcell/session/progress.hpp"
 #include "programs/workcell/reports/statistics.hpp"
+#include "programs/workcell/session/progress.hpp"
 #include "sim/scene.hpp"
 #include "tests/run/workcell/written_touch.hpp"
 

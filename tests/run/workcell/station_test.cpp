@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "programs/workcell/session/session.hpp"
 #include "runtime/drivers/streams/carrier.hpp"
 #include "sim/cell/cell.hpp"
-#include "programs/workcell/session/session.hpp"
 #include "skills_pal/registry.hpp"
 #include "skills_pal/touch/touch.hpp"
 

@@ -90,4 +90,4 @@ TEST_CASE("the protocol keeps the environment's times: a tick every 28 ms, an an
 }
 
 }  // namespace
-}  // namespace pal::runtime::drivers::alter
+}  // namespace pal::runtime::alter

@@ -100,4 +100,4 @@ TEST_CASE("force-torque codec: says what is missing", "[force-torque]") {
 }
 
 }  // namespace
-}  // namespace pal::runtime::drivers::force_torque
+}  // namespace pal::runtime::force_torque

@@ -12,9 +12,9 @@ namespace pal::sim {
 namespace {
 
 using namespace std::chrono_literals;
+using runtime::Time;
 using runtime::drivers::ForceTorqueDriver;
 using runtime::drivers::LineSpeed;
-using runtime::Time;
 using runtime::drivers::Timeline;
 using runtime::drivers::Wire;
 using Direction = runtime::drivers::Carrier::Direction;

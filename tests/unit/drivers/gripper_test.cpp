@@ -11,9 +11,9 @@ namespace pal::sim {
 namespace {
 
 using namespace std::chrono_literals;
+using runtime::Time;
 using runtime::drivers::GripperDriver;
 using runtime::drivers::LineSpeed;
-using runtime::Time;
 using runtime::drivers::Timeline;
 using runtime::drivers::Wire;
 

@@ -96,4 +96,4 @@ TEST_CASE("range finder codec: says what is missing", "[range-finder]") {
 }
 
 }  // namespace
-}  // namespace pal::runtime::drivers::range_finder
+}  // namespace pal::runtime::range_finder

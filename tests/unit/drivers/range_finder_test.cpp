@@ -13,8 +13,8 @@ namespace pal::sim {
 namespace {
 
 using namespace std::chrono_literals;
-using runtime::drivers::RangeFinderDriver;
 using runtime::Time;
+using runtime::drivers::RangeFinderDriver;
 using runtime::drivers::Timeline;
 using runtime::drivers::Wire;
 namespace protocol = runtime::drivers::range_finder;
@@ -285,13 +285,15 @@ TEST_CASE("range finder: what goes wrong on the line ends the skill, in words", 
   SECTION("dropout") {
     cell.driver.receive(request_profile, {});
     cell.run(cell.next_scan() + 10500us - cell.timeline.now());
-    cell.wire.tamper([](runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
+    cell.wire.tamper(
+        [](runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
     expected =
         "only 34 of the 255 points of a profile came within 200 ms; is it switched on, and is its cable "
         "plugged in?";
   }
   SECTION("a request that is lost") {
-    cell.wire.tamper([](runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
+    cell.wire.tamper(
+        [](runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
     cell.driver.receive(request_profile, {});
     expected = "no profile came within 200 ms; is it switched on, and is its cable plugged in?";
   }

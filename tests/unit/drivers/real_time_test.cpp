@@ -9,11 +9,11 @@
 
 using namespace pal;
 using namespace pal::test;
-using runtime::drivers::Bytes;
 using runtime::from;
 using runtime::Task;
 using runtime::Thread;
 using runtime::Time;
+using runtime::drivers::Bytes;
 
 namespace {
 

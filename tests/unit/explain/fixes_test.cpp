@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "programs/pal/session/proof.hpp"
-#include "programs/pal/session/selection.hpp"
 #include "pal/explain/codes.hpp"
 #include "pal/support/edit.hpp"
 #include "pal/support/render.hpp"
+#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/selection.hpp"
 
 using namespace pal;
 using namespace pal::explain;

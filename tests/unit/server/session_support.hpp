@@ -8,8 +8,7 @@ namespace pal::test {
 
 /// A desk, a history and one session, all in one thread: the cell works when it is told to.
 struct SessionFixture : server::EventSink {
-  using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&,
-                                                            server::SessionOutput);
+  using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
 
   explicit SessionFixture(Make make) : make_(make) { open(); }
   void open() {
@@ -46,7 +45,7 @@ struct SessionFixture : server::EventSink {
   std::vector<server::Event> waiting;
   server::Desk desk{cell, clockwork_skills(), *this};
   server::SessionContext context{desk, history, "secret",
-                                         [](const std::function<void()>& action) { action(); }};
+                                 [](const std::function<void()>& action) { action(); }};
   std::vector<std::string> said;
   bool hung_up = false;
   std::unique_ptr<server::Session> session;

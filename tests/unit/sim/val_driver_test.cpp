@@ -154,7 +154,8 @@ TEST_CASE("VAL's driver: a garbled line is not carried out, and sent again") {
   REQUIRE(cell.ask(Verb::speed, {}, {10}).ok);
   int garble = 1;
   cell.wire.tamper([&](pal::runtime::drivers::Carrier::Direction to, std::vector<std::uint8_t>& bytes) {
-    if (to == pal::runtime::drivers::Carrier::Direction::to_b && bytes.size() > 5 && garble-- > 0) bytes.back() = '9';
+    if (to == pal::runtime::drivers::Carrier::Direction::to_b && bytes.size() > 5 && garble-- > 0)
+      bytes.back() = '9';
   });
   CHECK(cell.ask(Verb::speed, {}, {20}).ok);
   CHECK(cell.machine.monitor_speed == 20);

@@ -21,7 +21,9 @@ namespace {
 
 struct Bench final : pal::runtime::drivers::LinkUser {
   explicit Bench(const std::string& name) : workcell(scene(name)) { wire.a().connect(this); }
-  void on_bytes(pal::runtime::drivers::Bytes bytes) override { seen += pal::runtime::drivers::as_text(bytes); }
+  void on_bytes(pal::runtime::drivers::Bytes bytes) override {
+    seen += pal::runtime::drivers::as_text(bytes);
+  }
   void on_break(std::string_view) override {}
 
   void pass(Time time) {
@@ -110,7 +112,8 @@ TEST_CASE("VAL in the workcell: VAL opens ALTER, and TOOL sets the point that tu
   CHECK(problem.find("ALTER") == 0);
   std::optional<pal::runtime::drivers::val::Answer> answer;
   val.submit({pal::runtime::drivers::val::Verb::set_figures, "SEAM", {}, {49, 0, 397, 90, -90, 0}}, nullptr);
-  val.submit({pal::runtime::drivers::val::Verb::tool, "SEAM", {}, {}}, [&](const auto& given) { answer = given; });
+  val.submit({pal::runtime::drivers::val::Verb::tool, "SEAM", {}, {}},
+             [&](const auto& given) { answer = given; });
   cell.pass(500ms);
   REQUIRE(answer);
   CHECK(answer->ok);

@@ -13,8 +13,8 @@
 #include "pal/runtime/observer.hpp"
 #include "pal/runtime/real_time.hpp"
 #include "pal/runtime/run_control.hpp"
-#include "pal/trace/trace.hpp"
 #include "pal/runtime/trace_ring.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::runtime {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "pal/trace/trace.hpp"
 #include "pal/runtime/wiring.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::runtime {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "programs/pal/reports/proof_chart.hpp"
 #include "pal/support/file_system.hpp"
+#include "programs/pal/reports/proof_chart.hpp"
 #include "skills_pal/registry.hpp"
 
 namespace pal::test {
@@ -64,7 +64,8 @@ program::Proof prove(const std::string& name, const FileSystem& files, std::size
   program::Selection selection;
   selection.files = {folder + std::string(skill.pal_file)};
   selection.environments = {folder + std::string(skill.environment_file)};
-  if (!program::read(selection, {out, err, files}, session)) throw std::runtime_error(name + ": " + err.str());
+  if (!program::read(selection, {out, err, files}, session))
+    throw std::runtime_error(name + ": " + err.str());
   auto proofs = program::prove(session, {.max_states = most_states});
   if (proofs.size() != 1) throw std::runtime_error(name + " is not one skill in one workcell");
   return std::move(proofs.front());

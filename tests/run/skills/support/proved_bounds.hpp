@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "programs/pal/session/proof.hpp"
 #include "pal/trace/trace.hpp"
+#include "programs/pal/session/proof.hpp"
 #include "tests/run/skills/support/alter_cycles.hpp"
 #include "tests/run/skills/support/slower.hpp"
 
