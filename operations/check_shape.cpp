@@ -2,122 +2,136 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "operations/check.hpp"
+#include "operations/graph.hpp"
+#include "operations/suggestion.hpp"
 #include "pal/support/diagnostic_code.hpp"
-#include "pal/support/nearest.hpp"
 
 namespace pal::operations {
 namespace {
 
-std::vector<std::string> ids(const Operation& operation) {
-  std::vector<std::string> result;
-  for (const Icon& icon : operation.icons) result.push_back(icon.id);
-  return result;
-}
+/// The checks of one operation that look at its names and lines.
+class OperationShape {
+ public:
+  OperationShape(const Graph& graph, std::size_t index, Suggestions& suggestions, Diagnostics& diagnostics)
+      : graph_(graph),
+        index_(index),
+        operation_(graph.program().operations[index]),
+        suggestions_(suggestions),
+        diagnostics_(diagnostics) {}
 
-void check_names(const Operation& operation, Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < operation.icons.size(); ++i) {
-    const Icon& icon = operation.icons[i];
-    const auto first = find_icon(operation, icon.id);
-    if (*first == i) continue;
-    diagnostics
-        .report(Code::PAL1003, icon.where, fmt::format("a second icon is called '{}'", icon.id),
-                "give it another id")
-        .notes.push_back({operation.icons[*first].where, "the first is here"});
-  }
-}
-
-void check_connection(const Operation& operation, const Icon& icon, const Connection& connection,
-                      const std::string& output, bool needed, Diagnostics& diagnostics) {
-  if (!connection.connected()) {
-    if (needed)
-      diagnostics.report(Code::PAL1004, icon.where,
-                         fmt::format("the output {} of '{}' leads nowhere", output, icon.id),
-                         "connect it; where the operation is to end, to an EXIT");
-    return;
-  }
-  const auto to = find_icon(operation, connection.icon);
-  if (!to) {
-    const auto near = nearest(connection.icon, ids(operation));
-    diagnostics.report(
-        Code::PAL1004, connection.where,
-        fmt::format("there is no icon '{}' in operation '{}'", connection.icon, operation.name),
-        near ? fmt::format("did you mean '{}'?", *near) : "name an icon of this operation");
-  } else if (operation.icons[*to].kind == IconKind::start) {
-    diagnostics.report(Code::PAL1004, connection.where, "START has no input",
-                       "lead to a RESTART instead, or to the icon behind START");
-  }
-}
-
-/// What is counted can end normally.
-void check_counts(const Operation& operation, const Icon& icon, Diagnostics& diagnostics) {
-  for (const Parameter& parameter : icon.parameters) {
-    if (parameter.count_of.empty()) continue;
-    const auto counted = find_icon(operation, parameter.count_of);
-    const IconKind kind = counted ? operation.icons[*counted].kind : IconKind::merge;
-    if (kind == IconKind::skill || kind == IconKind::sub_operation) continue;
-    const auto near = nearest(parameter.count_of, ids(operation));
-    diagnostics.report(Code::PAL1004, parameter.where,
-                       fmt::format("operation '{}' has no skill or sub-operation '{}' to count",
-                                   operation.name, parameter.count_of),
-                       near && *near != parameter.count_of
-                           ? fmt::format("did you mean '{}'?", *near)
-                           : "name an icon of this operation that runs a skill or a sub-operation");
-  }
-}
-
-void check_connections(const Operation& operation, Diagnostics& diagnostics) {
-  for (const Icon& icon : operation.icons) {
-    check_counts(operation, icon, diagnostics);
-    const bool ends = icon.kind == IconKind::exit || icon.kind == IconKind::restart;
-    if (icon.kind == IconKind::branch) {
-      for (const Way& way : icon.ways)
-        check_connection(operation, icon, way.to, fmt::format("for code {}", fmt::join(way.codes, ", ")),
-                         true, diagnostics);
-      check_connection(operation, icon, icon.otherwise, "'default'", false, diagnostics);
-    } else if (!ends) {
-      check_connection(operation, icon, icon.next, "'next'", true, diagnostics);
-      check_connection(operation, icon, icon.error, "'error'", false, diagnostics);
+  void check_names() {
+    for (std::size_t i = 0; i < operation_.icons.size(); ++i) {
+      const Icon& icon = operation_.icons[i];
+      const auto first = graph_.find(index_, icon.id);
+      if (*first == i) continue;
+      diagnostics_
+          .report(Code::PAL1003, icon.where, fmt::format("a second icon is called '{}'", icon.id),
+                  "give it another id")
+          .notes.push_back({operation_.icons[*first].where, "the first is here"});
     }
   }
-}
 
-std::set<std::size_t> reachable(const Operation& operation, std::size_t from) {
-  std::set<std::size_t> seen{from};
-  std::vector<std::size_t> waiting{from};
-  while (!waiting.empty()) {
-    const std::size_t here = waiting.back();
-    waiting.pop_back();
-    for (const Connection& output : outputs(operation.icons[here]))
-      if (const auto to = find_icon(operation, output.icon); to && seen.insert(*to).second)
-        waiting.push_back(*to);
+  void check_connections() {
+    for (const Icon& icon : operation_.icons) {
+      check_counts(icon);
+      const bool ends = icon.kind == IconKind::exit || icon.kind == IconKind::restart;
+      if (icon.kind == IconKind::branch) {
+        for (const Way& way : icon.ways)
+          check_connection(icon, way.to, fmt::format("for code {}", fmt::join(way.codes, ", ")), true);
+        check_connection(icon, icon.otherwise, "'default'", false);
+      } else if (!ends) {
+        check_connection(icon, icon.next, "'next'", true);
+        check_connection(icon, icon.error, "'error'", false);
+      }
+    }
+  }
+
+  void check_start() {
+    const auto first = graph_.start(index_);
+    if (!first) {
+      diagnostics_.report(Code::PAL1015, operation_.where,
+                          fmt::format("operation '{}' has no START", operation_.name),
+                          R"(add {"id": "start", "kind": "start", "next": …})");
+      return;
+    }
+    for (std::size_t i = *first + 1; i < operation_.icons.size(); ++i)
+      if (operation_.icons[i].kind == IconKind::start)
+        diagnostics_.report(Code::PAL1015, operation_.icons[i].where,
+                            fmt::format("operation '{}' has a second START", operation_.name),
+                            "keep one; an operation has one token");
+  }
+
+ private:
+  const std::vector<std::string>& ids() {
+    if (ids_.empty())
+      for (const Icon& icon : operation_.icons) ids_.push_back(icon.id);
+    return ids_;
+  }
+
+  void check_connection(const Icon& icon, const Connection& connection, const std::string& output,
+                        bool needed) {
+    if (!connection.connected()) {
+      if (needed)
+        diagnostics_.report(Code::PAL1004, icon.where,
+                            fmt::format("the output {} of '{}' leads nowhere", output, icon.id),
+                            "connect it; where the operation is to end, to an EXIT");
+      return;
+    }
+    const auto to = graph_.target(index_, connection);
+    if (!to) {
+      diagnostics_.report(
+          Code::PAL1004, connection.where,
+          fmt::format("there is no icon '{}' in operation '{}'", connection.icon, operation_.name),
+          did_you_mean(suggestions_.nearest_to(connection.icon, ids()), "name an icon of this operation"));
+    } else if (operation_.icons[*to].kind == IconKind::start) {
+      diagnostics_.report(Code::PAL1004, connection.where, "START has no input",
+                          "lead to a RESTART instead, or to the icon behind START");
+    }
+  }
+
+  /// What is counted can end normally.
+  void check_counts(const Icon& icon) {
+    for (const Parameter& parameter : icon.parameters) {
+      if (parameter.count_of.empty()) continue;
+      const auto counted = graph_.find(index_, parameter.count_of);
+      const IconKind kind = counted ? operation_.icons[*counted].kind : IconKind::merge;
+      if (kind == IconKind::skill || kind == IconKind::sub_operation) continue;
+      auto near = suggestions_.nearest_to(parameter.count_of, ids());
+      if (near == parameter.count_of) near.reset();
+      diagnostics_.report(
+          Code::PAL1004, parameter.where,
+          fmt::format("operation '{}' has no skill or sub-operation '{}' to count", operation_.name,
+                      parameter.count_of),
+          did_you_mean(near, "name an icon of this operation that runs a skill or a sub-operation"));
+    }
+  }
+
+  const Graph& graph_;
+  std::size_t index_;
+  const Operation& operation_;
+  Suggestions& suggestions_;
+  Diagnostics& diagnostics_;
+  std::vector<std::string> ids_;
+};
+
+/// Every icon that one comes to by these lines, from any of these icons.
+std::vector<bool> reached(const std::vector<std::vector<std::size_t>>& leads_to,
+                          std::vector<std::size_t> from) {
+  std::vector<bool> seen(leads_to.size(), false);
+  for (const std::size_t icon : from) seen[icon] = true;
+  while (!from.empty()) {
+    const std::size_t here = from.back();
+    from.pop_back();
+    for (const std::size_t to : leads_to[here])
+      if (!seen[to]) {
+        seen[to] = true;
+        from.push_back(to);
+      }
   }
   return seen;
-}
-
-void check_start_and_reach(const Operation& operation, Diagnostics& diagnostics) {
-  std::vector<std::size_t> starts;
-  for (std::size_t i = 0; i < operation.icons.size(); ++i)
-    if (operation.icons[i].kind == IconKind::start) starts.push_back(i);
-  if (starts.empty()) {
-    diagnostics.report(Code::PAL1015, operation.where,
-                       fmt::format("operation '{}' has no START", operation.name),
-                       R"(add {"id": "start", "kind": "start", "next": …})");
-    return;
-  }
-  for (std::size_t i = 1; i < starts.size(); ++i)
-    diagnostics.report(Code::PAL1015, operation.icons[starts[i]].where,
-                       fmt::format("operation '{}' has a second START", operation.name),
-                       "keep one; an operation has one token");
-  const auto seen = reachable(operation, starts.front());
-  for (std::size_t i = 0; i < operation.icons.size(); ++i) {
-    if (seen.contains(i) || operation.icons[i].kind == IconKind::start) continue;
-    diagnostics.report(Code::PAL1005, operation.icons[i].where,
-                       fmt::format("no way leads to '{}'", operation.icons[i].id),
-                       "connect an output to it, or remove it");
-  }
 }
 
 bool takes_time(const Icon& icon) {
@@ -126,120 +140,157 @@ bool takes_time(const Icon& icon) {
          (icon.kind == IconKind::delay && icon.seconds > 0);
 }
 
-/// Where the token goes from `icon` without anything happening. A RESTART leads to START.
-std::vector<std::size_t> idle_steps(const Operation& operation, std::size_t at) {
-  std::vector<std::size_t> result;
-  const Icon& icon = operation.icons[at];
-  if (takes_time(icon)) return result;
-  if (icon.kind == IconKind::restart) {
-    for (std::size_t i = 0; i < operation.icons.size(); ++i)
-      if (operation.icons[i].kind == IconKind::start) result.push_back(i);
+/// The checks of one operation that follow its lines.
+class OperationLines {
+ public:
+  OperationLines(const Graph& graph, std::size_t index, Diagnostics& diagnostics)
+      : operation_(graph.program().operations[index]),
+        start_(graph.start(index)),
+        diagnostics_(diagnostics),
+        leads_to_(operation_.icons.size()) {
+    for (std::size_t i = 0; i < leads_to_.size(); ++i) leads_to_[i] = graph.targets({index, i});
+    if (start_) reached_ = reached(leads_to_, {*start_});
   }
-  for (const Connection& output : outputs(icon))
-    if (const auto to = find_icon(operation, output.icon)) result.push_back(*to);
-  return result;
-}
 
-void check_idle_loops(const Operation& operation, Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < operation.icons.size(); ++i) {
-    std::set<std::size_t> seen;
-    std::vector<std::size_t> waiting = idle_steps(operation, i);
-    bool back = false;
-    while (!waiting.empty() && !back) {
-      const std::size_t here = waiting.back();
-      waiting.pop_back();
-      back = here == i;
-      if (seen.insert(here).second)
-        for (const std::size_t next : idle_steps(operation, here)) waiting.push_back(next);
+  void check_reach() {
+    if (!start_) return;
+    for (std::size_t i = 0; i < operation_.icons.size(); ++i) {
+      if (reached_[i] || operation_.icons[i].kind == IconKind::start) continue;
+      diagnostics_.report(Code::PAL1005, operation_.icons[i].where,
+                          fmt::format("no way leads to '{}'", operation_.icons[i].id),
+                          "connect an output to it, or remove it");
     }
-    if (!back) continue;
-    diagnostics.report(Code::PAL1013, operation.icons[i].where,
-                       fmt::format("the token can go round from '{}' to itself while nothing happens",
-                                   operation.icons[i].id),
-                       "put a skill or a delay into the loop");
-    return;  // every icon of the circle would say the same
   }
-}
 
-void check_endless(const Operation& operation, Diagnostics& diagnostics) {
-  const auto start = std::find_if(operation.icons.begin(), operation.icons.end(),
-                                  [](const Icon& icon) { return icon.kind == IconKind::start; });
-  if (start == operation.icons.end()) return;
-  const auto seen = reachable(operation, static_cast<std::size_t>(start - operation.icons.begin()));
-  const auto any = [&](const std::set<std::size_t>& icons, IconKind kind) {
-    return std::any_of(icons.begin(), icons.end(),
-                       [&](std::size_t i) { return operation.icons[i].kind == kind; });
-  };
-  const bool from_start = any(seen, IconKind::exit);
-  // The first icon from which no EXIT can be reached tells where the endless part begins.
-  for (const std::size_t here : seen) {
-    const auto further = reachable(operation, here);
-    const bool ends = any(further, IconKind::exit) || (from_start && any(further, IconKind::restart));
-    if (ends) continue;
-    diagnostics.report(Code::PAL1011, operation.icons[here].where,
-                       fmt::format("from '{}' on there is no EXIT", operation.icons[here].id),
-                       "this is allowed: a stop must end the operation, or a code that no icon handles");
-    return;
+  /// A RESTART leads to START.
+  void check_idle_loops() {
+    auto idle = leads_to_;
+    for (std::size_t i = 0; i < idle.size(); ++i) {
+      if (takes_time(operation_.icons[i])) idle[i].clear();
+      if (operation_.icons[i].kind == IconKind::restart && start_) idle[i].push_back(*start_);
+    }
+    auto found = circles(idle);
+    if (found.empty()) return;
+    // One is enough: every icon of a circle would say the same.
+    const std::size_t first = std::min_element(found.begin(), found.end())->front();
+    diagnostics_.report(Code::PAL1013, operation_.icons[first].where,
+                        fmt::format("the token can go round from '{}' to itself while nothing happens",
+                                    operation_.icons[first].id),
+                        "put a skill or a delay into the loop");
   }
-}
+
+  /// The first icon from which no EXIT can be reached tells where the endless part begins.
+  void check_endless() {
+    if (!start_) return;
+    std::vector<std::size_t> exits, restarts;
+    std::vector<std::vector<std::size_t>> comes_from(leads_to_.size());
+    for (std::size_t i = 0; i < leads_to_.size(); ++i) {
+      for (const std::size_t to : leads_to_[i]) comes_from[to].push_back(i);
+      if (reached_[i] && operation_.icons[i].kind == IconKind::exit) exits.push_back(i);
+      if (reached_[i] && operation_.icons[i].kind == IconKind::restart) restarts.push_back(i);
+    }
+    if (!exits.empty()) exits.insert(exits.end(), restarts.begin(), restarts.end());
+    const std::vector<bool> ends = reached(comes_from, exits);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (!reached_[i] || ends[i]) continue;
+      diagnostics_.report(Code::PAL1011, operation_.icons[i].where,
+                          fmt::format("from '{}' on there is no EXIT", operation_.icons[i].id),
+                          "this is allowed: a stop must end the operation, or a code that no icon handles");
+      return;
+    }
+  }
+
+ private:
+  const Operation& operation_;
+  std::optional<std::size_t> start_;
+  Diagnostics& diagnostics_;
+  std::vector<std::vector<std::size_t>> leads_to_;
+  std::vector<bool> reached_;  // from START
+};
 
 class Containment {
  public:
-  Containment(const Program& program, Diagnostics& diagnostics)
-      : program_(program), diagnostics_(diagnostics), done_(program.operations.size(), 0) {}
+  Containment(const Graph& graph, Suggestions& suggestions, Diagnostics& diagnostics)
+      : graph_(graph), suggestions_(suggestions), diagnostics_(diagnostics) {}
 
-  void visit(std::size_t index) {
-    if (done_[index] == 2) return;
-    done_[index] = 1;
-    const Operation& operation = program_.operations[index];
-    for (const Icon& icon : operation.icons) {
+  void check() {
+    done_.assign(graph_.program().operations.size(), 0);
+    for (std::size_t i = 0; i < done_.size(); ++i)
+      if (done_[i] == 0) visit(i);
+  }
+
+ private:
+  /// The operation with all that is in it; without recursion, since they can be nested by the thousand.
+  void visit(std::size_t root) {
+    std::vector<Place> walk{{root, 0}};  // the next icon to look at
+    done_[root] = 1;
+    while (!walk.empty()) {
+      const Place at = walk.back();
+      const Operation& operation = graph_.program().operations[at.operation];
+      if (at.icon == operation.icons.size()) {
+        done_[at.operation] = 2;
+        walk.pop_back();
+        continue;
+      }
+      ++walk.back().icon;
+      const Icon& icon = operation.icons[at.icon];
       if (icon.kind != IconKind::sub_operation) continue;
-      const auto sub = find_sub_operation(program_, operation, icon);
+      const auto sub = graph_.sub_operation(at);
       if (!sub) {
         report_missing(operation, icon);
       } else if (done_[*sub] == 1) {
         diagnostics_.report(Code::PAL1012, icon.subject,
                             fmt::format("operation '{}' contains itself, by way of '{}'",
-                                        program_.operations[*sub].name, icon.id),
+                                        graph_.program().operations[*sub].name, icon.id),
                             "make a loop of it: by a connection back, or by RESTART");
-      } else {
-        visit(*sub);
+      } else if (done_[*sub] == 0) {
+        done_[*sub] = 1;
+        walk.push_back({*sub, 0});
       }
     }
-    done_[index] = 2;
   }
-
- private:
   void report_missing(const Operation& operation, const Icon& icon) {
-    std::vector<std::string> names;
-    for (const Operation& each : program_.operations)
-      if (each.from == operation.from) names.push_back(each.name);
-    const auto near = nearest(icon.operation, names);
-    diagnostics_.report(Code::PAL1014, icon.subject,
-                        icon.operation.empty()
-                            ? fmt::format("'{}' holds no operation", icon.file)
-                            : fmt::format("there is no operation '{}' in this file", icon.operation),
-                        near ? fmt::format("did you mean '{}'?", *near)
-                             : "add it under \"operations\", or name the file that has it with \"file\"");
+    if (names_of_ != operation.from) {
+      names_.clear();
+      for (const Operation& each : graph_.program().operations)
+        if (each.from == operation.from) names_.push_back(each.name);
+      names_of_ = operation.from;
+    }
+    diagnostics_.report(
+        Code::PAL1014, icon.subject,
+        icon.operation.empty() ? fmt::format("'{}' holds no operation", icon.file)
+                               : fmt::format("there is no operation '{}' in this file", icon.operation),
+        did_you_mean(suggestions_.nearest_to(icon.operation, names_),
+                     "add it under \"operations\", or name the file that has it with \"file\""));
   }
 
-  const Program& program_;
+  const Graph& graph_;
+  Suggestions& suggestions_;
   Diagnostics& diagnostics_;
   std::vector<int> done_;  // 1: being visited, 2: visited
+  std::string names_of_;   // the file of these names
+  std::vector<std::string> names_;
 };
 
 }  // namespace
 
-void check_shape(const Program& program, Diagnostics& diagnostics) {
-  for (const Operation& operation : program.operations) {
-    check_names(operation, diagnostics);
-    check_connections(operation, diagnostics);
-    check_start_and_reach(operation, diagnostics);
-    check_idle_loops(operation, diagnostics);
-    check_endless(operation, diagnostics);
+bool check_shape(const Program& program, Diagnostics& diagnostics, const Stop& stop) {
+  const Graph graph(program);
+  Suggestions suggestions;
+  for (std::size_t o = 0; o < program.operations.size(); ++o) {
+    if (stop && stop()) return false;
+    OperationShape shape(graph, o, suggestions, diagnostics);
+    shape.check_names();
+    shape.check_connections();
+    shape.check_start();
+    OperationLines lines(graph, o, diagnostics);
+    lines.check_reach();
+    lines.check_idle_loops();
+    lines.check_endless();
   }
-  Containment containment(program, diagnostics);
-  for (std::size_t i = 0; i < program.operations.size(); ++i) containment.visit(i);
+  if (stop && stop()) return false;
+  Containment(graph, suggestions, diagnostics).check();
+  return true;
 }
 
 std::set<std::string> skills_of(const Program& program) {

@@ -6,8 +6,8 @@
 
 #include "operations/check.hpp"
 #include "operations/codes.hpp"
+#include "operations/suggestion.hpp"
 #include "pal/support/diagnostic_code.hpp"
-#include "pal/support/nearest.hpp"
 
 namespace pal::operations {
 namespace {
@@ -59,7 +59,7 @@ class SkillChecks {
     if (found == skills_.end()) {
       std::vector<std::string> names;
       for (const auto& [name, skill] : skills_) names.push_back(name);
-      const auto near = nearest(icon.skill, names);
+      const auto near = suggestions_.nearest_to(icon.skill, names);
       diagnostics_.report(Code::PAL1007, icon.subject, fmt::format("the cell has no skill '{}'", icon.skill),
                           near ? fmt::format("did you mean '{}'?", *near)
                                : "name a skill of the cell, or give its file with --skills");
@@ -83,7 +83,7 @@ class SkillChecks {
             fmt::format("write {}", type_text(parameter)));
       return;
     }
-    const auto near = nearest(given.name, names);
+    const auto near = suggestions_.nearest_to(given.name, names);
     diagnostics_.report(Code::PAL1008, given.name_where,
                         fmt::format("skill '{}' has no parameter '{}'", skill.name, given.name),
                         near            ? fmt::format("did you mean '{}'?", *near)
@@ -105,7 +105,7 @@ class SkillChecks {
       where = given.where;
     }
     if (locations_->contains(named)) return;
-    const auto near = nearest(named, {locations_->begin(), locations_->end()});
+    const auto near = suggestions_.nearest_to(named, {locations_->begin(), locations_->end()});
     diagnostics_.report(
         Code::PAL1010, where, fmt::format("location '{}' is not taught", named),
         near ? fmt::format("did you mean '{}'?", *near) : "teach it, or name one that is taught");
@@ -113,6 +113,7 @@ class SkillChecks {
 
   const Skills& skills_;
   const std::optional<std::set<std::string>>& locations_;
+  Suggestions suggestions_;
   Diagnostics& diagnostics_;
 };
 
@@ -125,46 +126,74 @@ std::string completion_text(const Skills& skills, const Icon& icon, int code) {
   return {};
 }
 
-void check_codes(const Program& program, const Skills& skills, Diagnostics& diagnostics) {
-  const PossibleCodes codes = possible_codes(program, skills);
-  for (std::size_t o = 0; o < program.operations.size(); ++o) {
-    const Operation& operation = program.operations[o];
-    for (std::size_t i = 0; i < operation.icons.size(); ++i) {
-      const Icon& icon = operation.icons[i];
-      const std::set<int>& here = codes.at[o][i];
-      if (has_completions(icon.kind)) {
-        for (const auto& [code, normal] : completions_of(program, operation, icon, skills, codes.exits))
-          if (!route(operation, icon, code, normal))
-            diagnostics.report(Code::PAL1006, icon.where,
-                               fmt::format("no icon handles code {} of '{}'{}", code, icon.id,
-                                           completion_text(skills, icon, code)),
-                               "the operation ends there; connect 'error', or put a CASE behind it");
-      }
-      if (icon.kind != IconKind::branch || here.empty()) continue;
-      for (const int code : here)
-        if (!way_of(icon, code))
-          diagnostics.report(Code::PAL1006, icon.where,
-                             fmt::format("CASE '{}' has no way for code {}, which can come", icon.id, code),
-                             "the operation ends there; add a way for it, or a default");
-      for (const Way& way : icon.ways)
-        if (std::none_of(way.codes.begin(), way.codes.end(), [&](int code) { return here.contains(code); }))
-          diagnostics.report(
-              Code::PAL1016, way.where,
-              fmt::format("code {1} never comes to CASE '{0}'", icon.id, fmt::join(way.codes, " or ")),
-              "remove the way, or correct the code");
-    }
+/// What becomes of the codes with which icons end, and which codes come to a CASE.
+class CodeChecks {
+ public:
+  CodeChecks(const Graph& graph, const Skills& skills, PossibleCodes codes, Diagnostics& diagnostics)
+      : graph_(graph), skills_(skills), codes_(std::move(codes)), diagnostics_(diagnostics) {}
+
+  void check(Place at) {
+    const Icon& icon = graph_.icon(at);
+    if (has_completions(icon.kind)) check_endings(at, icon);
+    if (icon.kind == IconKind::branch) check_ways(icon, codes_.at[at.operation][at.icon]);
   }
-}
+
+ private:
+  void check_endings(Place at, const Icon& icon) {
+    for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits))
+      if (!route(graph_, at, ending.code, ending.normal()))
+        diagnostics_.report(Code::PAL1006, icon.where,
+                            fmt::format("no icon handles code {} of '{}'{}", ending.code, icon.id,
+                                        completion_text(skills_, icon, ending.code)),
+                            "the operation ends there; connect 'error', or put a CASE behind it");
+  }
+  void check_ways(const Icon& icon, const CodeSet& here) {
+    if (here.empty()) return;
+    for (const int code : here.list())
+      if (!way_of(icon, code))
+        diagnostics_.report(Code::PAL1006, icon.where,
+                            fmt::format("CASE '{}' has no way for code {}, which can come", icon.id, code),
+                            "the operation ends there; add a way for it, or a default");
+    for (const Way& way : icon.ways)
+      if (std::none_of(way.codes.begin(), way.codes.end(), [&](int code) { return here.contains(code); }))
+        diagnostics_.report(
+            Code::PAL1016, way.where,
+            fmt::format("code {1} never comes to CASE '{0}'", icon.id, fmt::join(way.codes, " or ")),
+            "remove the way, or correct the code");
+  }
+
+  const Graph& graph_;
+  const Skills& skills_;
+  PossibleCodes codes_;
+  Diagnostics& diagnostics_;
+};
 
 }  // namespace
 
-void check_skills(const Program& program, const Skills& skills,
-                  const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics) {
+void check_skill(const Icon& icon, const Skills& skills,
+                 const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics) {
+  SkillChecks(skills, locations, diagnostics).check(icon);
+}
+
+bool check_skills(const Program& program, const Skills& skills,
+                  const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics,
+                  const Stop& stop) {
+  const auto stopped = [&stop] { return stop && stop(); };
   SkillChecks checks(skills, locations, diagnostics);
-  for (const Operation& operation : program.operations)
+  for (const Operation& operation : program.operations) {
+    if (stopped()) return false;
     for (const Icon& icon : operation.icons)
       if (icon.kind == IconKind::skill) checks.check(icon);
-  check_codes(program, skills, diagnostics);
+  }
+  const Graph graph(program);
+  PossibleCodes codes = possible_codes(graph, skills, stop);
+  if (!codes.complete) return false;
+  CodeChecks code_checks(graph, skills, std::move(codes), diagnostics);
+  for (std::size_t o = 0; o < program.operations.size(); ++o) {
+    if (stopped()) return false;
+    for (std::size_t i = 0; i < program.operations[o].icons.size(); ++i) code_checks.check({o, i});
+  }
+  return true;
 }
 
 }  // namespace pal::operations

@@ -1,49 +1,89 @@
 #include "operations/codes.hpp"
 
 #include <algorithm>
+#include <deque>
 
 namespace pal::operations {
 namespace {
 
-bool names_code(const Icon& branch, int code) {
-  return std::any_of(branch.ways.begin(), branch.ways.end(), [&](const Way& way) {
-    return std::find(way.codes.begin(), way.codes.end(), code) != way.codes.end();
-  });
+using Kind = pan::Completion::Kind;
+
+constexpr std::size_t bits_of_word = 64;
+
+/// Every code that an icon may end with, in ascending order.
+std::shared_ptr<const std::vector<int>> all_codes(const Program& program, const Skills& skills) {
+  std::vector<int> codes{0, sensor_failed, waited_in_vain};
+  for (const auto& [name, skill] : skills)
+    for (const pan::Completion& completion : skill.completions) codes.push_back(completion.code);
+  for (const Operation& operation : program.operations) {
+    for (const Icon& icon : operation.icons) {
+      if (icon.code) codes.push_back(*icon.code);
+      for (std::size_t i = 1; i <= icon.limits.size(); ++i) codes.push_back(static_cast<int>(i));
+    }
+  }
+  std::sort(codes.begin(), codes.end());
+  codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+  return std::make_shared<const std::vector<int>>(std::move(codes));
 }
 
-/// Hands the codes of one icon on along its outputs.
+/// Hands the codes of one icon after the other on along its outputs, until none gets more.
 class Spread {
  public:
-  Spread(const Program& program, const Skills& skills, PossibleCodes& codes)
-      : program_(program), skills_(skills), codes_(codes) {}
+  Spread(const Graph& graph, const Skills& skills) : graph_(graph), skills_(skills) {
+    const Program& program = graph.program();
+    const CodeSet none(all_codes(program, skills));
+    for (const Operation& operation : program.operations) {
+      codes_.at.emplace_back(operation.icons.size(), none);
+      waiting_.emplace_back(operation.icons.size(), false);
+    }
+    codes_.exits.resize(program.operations.size(), none);
+    for (std::size_t o = 0; o < program.operations.size(); ++o)
+      for (std::size_t i = 0; i < program.operations[o].icons.size(); ++i)
+        if (program.operations[o].icons[i].kind == IconKind::start) wait({o, i});
+  }
 
-  bool go_once() {
-    changed_ = false;
-    for (std::size_t o = 0; o < program_.operations.size(); ++o)
-      for (std::size_t i = 0; i < program_.operations[o].icons.size(); ++i) spread(o, i);
-    return changed_;
+  PossibleCodes all(const Stop& stop) {
+    while (!next_.empty()) {
+      if (stop && stop()) {
+        codes_.complete = false;
+        break;
+      }
+      const Place at = next_.front();
+      next_.pop_front();
+      waiting_[at.operation][at.icon] = false;
+      spread(at);
+    }
+    return std::move(codes_);
   }
 
  private:
-  void spread(std::size_t o, std::size_t i) {
-    const Operation& operation = program_.operations[o];
-    const Icon& icon = operation.icons[i];
-    const std::set<int> here = codes_.at[o][i];
-    if (here.empty() && icon.kind != IconKind::start) return;
+  void wait(Place at) {
+    if (waiting_[at.operation][at.icon]) return;
+    waiting_[at.operation][at.icon] = true;
+    next_.push_back(at);
+  }
+  void spread(Place at) {
+    const Icon& icon = graph_.icon(at);
+    const CodeSet& here = codes_.at[at.operation][at.icon];
     switch (icon.kind) {
       case IconKind::start:
-        send(o, icon.next, 0);
+        send(at, icon.next, 0);
         break;
       case IconKind::merge:
       case IconKind::delay:
-        for (const int code : here) send(o, icon.next, code);
+        if (const auto to = graph_.target(at.operation, icon.next);
+            to && codes_.at[at.operation][*to].insert(here))
+          wait({at.operation, *to});
         break;
       case IconKind::branch:
-        for (const int code : here)
-          if (const auto way = way_of(icon, code)) send(o, *way, code);
+        for (const int code : here.list())
+          if (const auto way = way_of(icon, code)) send(at, *way, code);
         break;
       case IconKind::exit:
-        for (const int code : here) add(codes_.exits[o], icon.code.value_or(code));
+        if (icon.code ? codes_.exits[at.operation].insert(*icon.code)
+                      : codes_.exits[at.operation].insert(here))
+          for (const Place& user : graph_.users(at.operation))
+            if (!codes_.at[user.operation][user.icon].empty()) wait(user);
         break;
       case IconKind::restart:
         break;
@@ -51,22 +91,26 @@ class Spread {
       case IconKind::wait:
       case IconKind::test:
       case IconKind::sub_operation:
-        for (const auto& [code, normal] : completions_of(program_, operation, icon, skills_, codes_.exits))
-          if (const auto way = route(operation, icon, code, normal)) send(o, *way, code);
+        for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits))
+          if (const auto way = route(graph_, at, ending.code, ending.normal())) send(at, *way, ending.code);
         break;
     }
   }
-  void send(std::size_t o, const Connection& connection, int code) {
-    if (const auto to = find_icon(program_.operations[o], connection.icon)) add(codes_.at[o][*to], code);
-  }
-  void add(std::set<int>& codes, int code) {
-    if (codes.insert(code).second) changed_ = true;
+  void send(Place from, const Connection& connection, int code) {
+    const auto to = graph_.target(from.operation, connection);
+    if (!to) return;
+    CodeSet& there = codes_.at[from.operation][*to];
+    const bool first = there.empty();
+    // What an icon ends with does not depend on the code with which the token came.
+    if (there.insert(code) && (first || !has_completions(graph_.icon({from.operation, *to}).kind)))
+      wait({from.operation, *to});
   }
 
-  const Program& program_;
+  const Graph& graph_;
   const Skills& skills_;
-  PossibleCodes& codes_;
-  bool changed_ = false;
+  PossibleCodes codes_;
+  std::vector<std::vector<bool>> waiting_;
+  std::deque<Place> next_;
 };
 
 }  // namespace
@@ -76,6 +120,12 @@ bool has_completions(IconKind kind) {
          kind == IconKind::test;
 }
 
+bool names_code(const Icon& branch, int code) {
+  return std::any_of(branch.ways.begin(), branch.ways.end(), [&](const Way& way) {
+    return std::find(way.codes.begin(), way.codes.end(), code) != way.codes.end();
+  });
+}
+
 std::optional<Connection> way_of(const Icon& branch, int code) {
   for (const Way& way : branch.ways)
     if (std::find(way.codes.begin(), way.codes.end(), code) != way.codes.end()) return way.to;
@@ -83,21 +133,10 @@ std::optional<Connection> way_of(const Icon& branch, int code) {
   return std::nullopt;
 }
 
-std::optional<std::size_t> case_behind(const Operation& operation, const Connection& connection) {
-  auto at = find_icon(operation, connection.icon);
-  for (std::size_t steps = 0; at && steps <= operation.icons.size(); ++steps) {
-    const Icon& icon = operation.icons[*at];
-    if (icon.kind == IconKind::branch) return at;
-    if (icon.kind != IconKind::merge && icon.kind != IconKind::delay) return std::nullopt;
-    at = find_icon(operation, icon.next.icon);
-  }
-  return std::nullopt;
-}
-
-std::optional<Connection> route(const Operation& operation, const Icon& icon, int code, bool normal) {
-  const auto branch = case_behind(operation, icon.next);
-  if (branch) {
-    const Icon& found = operation.icons[*branch];
+std::optional<Connection> route(const Graph& graph, Place at, int code, bool normal) {
+  const Icon& icon = graph.icon(at);
+  if (const auto branch = graph.case_behind(at)) {
+    const Icon& found = graph.icon({at.operation, *branch});
     if (names_code(found, code)) return icon.next;
     if (!normal && icon.error.connected()) return icon.error;
     if (found.otherwise.connected()) return icon.next;
@@ -108,42 +147,76 @@ std::optional<Connection> route(const Operation& operation, const Icon& icon, in
   return std::nullopt;
 }
 
-std::vector<std::pair<int, bool>> completions_of(const Program& program, const Operation& operation,
-                                                 const Icon& icon, const Skills& skills,
-                                                 const std::vector<std::set<int>>& exits) {
-  std::vector<std::pair<int, bool>> result;
-  if (icon.kind == IconKind::sub_operation) {
-    if (const auto sub = find_sub_operation(program, operation, icon))
-      for (const int code : exits[*sub]) result.emplace_back(code, code == 0);
-    return result;
-  }
-  if (icon.kind == IconKind::test) {
-    for (int code = 0; code <= static_cast<int>(icon.limits.size()); ++code) result.emplace_back(code, true);
-    result.emplace_back(sensor_failed, false);
-    return result;
-  }
-  if (icon.kind == IconKind::wait) {
-    result.emplace_back(0, true);
-    if (icon.timeout) result.emplace_back(waited_in_vain, false);
-    result.emplace_back(sensor_failed, false);
-    return result;
-  }
-  const auto skill = skills.find(icon.skill);
-  if (skill == skills.end()) return {{0, true}};
-  for (const pan::Completion& completion : skill->second.completions)
-    result.emplace_back(completion.code, completion.kind == pan::Completion::Kind::normal);
+CodeSet::CodeSet(std::shared_ptr<const std::vector<int>> all)
+    : all_(std::move(all)), bits_((all_->size() + bits_of_word - 1) / bits_of_word, 0) {}
+
+bool CodeSet::contains(int code) const {
+  const auto found = std::lower_bound(all_->begin(), all_->end(), code);
+  if (found == all_->end() || *found != code) return false;
+  const auto index = static_cast<std::size_t>(found - all_->begin());
+  return (bits_[index / bits_of_word] >> (index % bits_of_word) & 1) != 0;
+}
+
+bool CodeSet::empty() const {
+  return std::all_of(bits_.begin(), bits_.end(), [](std::uint64_t word) { return word == 0; });
+}
+
+std::vector<int> CodeSet::list() const {
+  std::vector<int> result;
+  for (std::size_t i = 0; i < all_->size(); ++i)
+    if ((bits_[i / bits_of_word] >> (i % bits_of_word) & 1) != 0) result.push_back((*all_)[i]);
   return result;
 }
 
-PossibleCodes possible_codes(const Program& program, const Skills& skills) {
-  PossibleCodes codes;
-  for (const Operation& operation : program.operations) codes.at.emplace_back(operation.icons.size());
-  codes.exits.resize(program.operations.size());
-  Spread spread(program, skills, codes);
-  // Sets only grow, so this ends.
-  while (spread.go_once()) {
+bool CodeSet::insert(int code) {
+  const auto index =
+      static_cast<std::size_t>(std::lower_bound(all_->begin(), all_->end(), code) - all_->begin());
+  std::uint64_t& word = bits_[index / bits_of_word];
+  const std::uint64_t before = word;
+  word |= std::uint64_t{1} << (index % bits_of_word);
+  return word != before;
+}
+
+bool CodeSet::insert(const CodeSet& codes) {
+  bool grown = false;
+  for (std::size_t i = 0; i < bits_.size(); ++i) {
+    grown = grown || (codes.bits_[i] & ~bits_[i]) != 0;
+    bits_[i] |= codes.bits_[i];
   }
-  return codes;
+  return grown;
+}
+
+std::vector<Ending> endings_of(const Graph& graph, Place at, const Skills& skills,
+                               const std::vector<CodeSet>& exits) {
+  const Icon& icon = graph.icon(at);
+  std::vector<Ending> result;
+  if (icon.kind == IconKind::sub_operation) {
+    if (const auto sub = graph.sub_operation(at))
+      for (const int code : exits[*sub].list())
+        result.push_back({code, code == 0 ? Kind::normal : Kind::contingency});
+    return result;
+  }
+  if (icon.kind == IconKind::test) {
+    for (int code = 0; code <= static_cast<int>(icon.limits.size()); ++code)
+      result.push_back({code, Kind::normal});
+    result.push_back({sensor_failed, Kind::error});
+    return result;
+  }
+  if (icon.kind == IconKind::wait) {
+    result.push_back({0, Kind::normal});
+    if (icon.timeout) result.push_back({waited_in_vain, Kind::contingency});
+    result.push_back({sensor_failed, Kind::error});
+    return result;
+  }
+  const auto skill = skills.find(icon.skill);
+  if (skill == skills.end()) return {{0, Kind::normal}};
+  for (const pan::Completion& completion : skill->second.completions)
+    result.push_back({completion.code, completion.kind});
+  return result;
+}
+
+PossibleCodes possible_codes(const Graph& graph, const Skills& skills, const Stop& stop) {
+  return Spread(graph, skills).all(stop);
 }
 
 }  // namespace pal::operations

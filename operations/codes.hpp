@@ -1,11 +1,14 @@
 // Where the token goes with a completion code.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
-#include <set>
+#include <utility>
 #include <vector>
 
 #include "operations/check.hpp"
+#include "operations/graph.hpp"
 #include "operations/model.hpp"
 
 namespace pal::operations {
@@ -13,7 +16,7 @@ namespace pal::operations {
 /// Whether the icon ends with a code: a skill, a hierarchical icon, a wait or a test.
 bool has_completions(IconKind kind);
 
-/// The output by which the token leaves a skill or a hierarchical icon that ended with `code`. `normal`: the
+/// The output by which the token leaves an icon that has_completions() and ended with `code`. `normal`: the
 /// skill's completion is a normal one; for a hierarchical icon, the code is 0. It is the first of these that
 /// fits:
 ///
@@ -24,27 +27,52 @@ bool has_completions(IconKind kind);
 /// 5. `error`.
 ///
 /// Nothing: no icon handles the code.
-std::optional<Connection> route(const Operation& operation, const Icon& icon, int code, bool normal);
+std::optional<Connection> route(const Graph& graph, Place at, int code, bool normal);
 
 /// The output of a CASE for a code; nothing if it has neither a way nor a default for it.
 std::optional<Connection> way_of(const Icon& branch, int code);
+/// Whether one of the ways of a CASE names the code.
+bool names_code(const Icon& branch, int code);
 
-/// The CASE that the token comes to by this connection, passing MERGEs and delays only; nothing if none.
-std::optional<std::size_t> case_behind(const Operation& operation, const Connection& connection);
+/// A set of completion codes of one program.
+class CodeSet {
+ public:
+  /// `all`: every code that there is, in ascending order.
+  explicit CodeSet(std::shared_ptr<const std::vector<int>> all);
+  bool contains(int code) const;
+  bool empty() const;
+  std::vector<int> list() const;
+  /// The answers say whether the set has grown.
+  bool insert(int code);
+  bool insert(const CodeSet& codes);
+
+ private:
+  std::shared_ptr<const std::vector<int>> all_;
+  std::vector<std::uint64_t> bits_;
+};
 
 /// The codes that can be the last ones at each icon.
 struct PossibleCodes {
-  std::vector<std::vector<std::set<int>>> at;  // by operation and icon: on arrival
-  std::vector<std::set<int>> exits;            // by operation: with what it ends
+  std::vector<std::vector<CodeSet>> at;  // by operation and icon: on arrival
+  std::vector<CodeSet> exits;            // by operation: with what it ends
+  bool complete = true;                  // false: it was stopped, and codes are missing
 };
 
-/// A skill that is not known ends with 0. The program has no errors of shape.
-PossibleCodes possible_codes(const Program& program, const Skills& skills);
+/// A skill that is not known ends with 0. The program has no errors of shape. `stop` is asked again and
+/// again; true ends the search.
+PossibleCodes possible_codes(const Graph& graph, const Skills& skills, const Stop& stop = {});
 
-/// All completions of what has_completions(): code, and whether it is normal. All codes of a test are normal
-/// but `sensor_failed`; of a wait 0 is.
-std::vector<std::pair<int, bool>> completions_of(const Program& program, const Operation& operation,
-                                                 const Icon& icon, const Skills& skills,
-                                                 const std::vector<std::set<int>>& exits);
+/// A way in which an icon ends: its code, and what that means.
+struct Ending {
+  int code = 0;
+  pan::Completion::Kind kind = pan::Completion::Kind::normal;
+
+  bool normal() const { return kind == pan::Completion::Kind::normal; }
+};
+
+/// All endings of what has_completions(). All codes of a test are normal but `sensor_failed`; of a wait and a
+/// sub-operation 0 is.
+std::vector<Ending> endings_of(const Graph& graph, Place at, const Skills& skills,
+                               const std::vector<CodeSet>& exits);
 
 }  // namespace pal::operations

@@ -27,12 +27,6 @@ bool is_step(IconKind kind) {
          kind == IconKind::test;
 }
 
-std::size_t start_of(const Operation& operation) {
-  for (std::size_t i = 0; i < operation.icons.size(); ++i)
-    if (operation.icons[i].kind == IconKind::start) return i;
-  throw ExecutionError(fmt::format("operation '{}' has no START", operation.name));
-}
-
 }  // namespace
 
 const char* name(ExecutionState state) {
@@ -41,7 +35,7 @@ const char* name(ExecutionState state) {
 }
 
 Executor::Executor(Program program, SkillRunner& runner, StepObserver* observer, const Skills* skills)
-    : program_(std::move(program)), runner_(runner), observer_(observer), skills_(skills) {
+    : program_(std::move(program)), graph_(program_), runner_(runner), observer_(observer), skills_(skills) {
   enter(0);
 }
 
@@ -125,14 +119,12 @@ std::vector<Executor::Frame> Executor::find(const std::string& path) const {
     const std::size_t end = std::min(path.find('/', begin), path.size());
     const std::string id = path.substr(begin, end - begin);
     const Operation& here = program_.operations[operation];
-    const auto found = find_icon(here, id);
+    const auto found = graph_.find(operation, id);
     if (!found) throw ExecutionError(fmt::format("operation '{}' has no icon '{}'", here.name, id));
     frames.push_back({operation, *found});
     begin = end + 1;
     if (end == path.size()) break;
-    const auto sub = here.icons[*found].kind == IconKind::sub_operation
-                         ? find_sub_operation(program_, here, here.icons[*found])
-                         : std::nullopt;
+    const auto sub = graph_.sub_operation({operation, *found});
     if (!sub) throw ExecutionError(fmt::format("'{}' is no hierarchical icon", id));
     operation = *sub;
   }
@@ -152,25 +144,25 @@ void Executor::start_from(const std::string& icon) {
 void Executor::set_parameter(const std::string& icon, const std::string& parameter, Value value) {
   if (state_ == ExecutionState::running) throw ExecutionError("a skill is running; pause first");
   const Frame frame = find(icon).back();
-  Program changed = program_;
-  Icon& found = changed.operations[frame.operation].icons[frame.icon];
+  Icon& found = program_.operations[frame.operation].icons[frame.icon];
   if (found.kind != IconKind::skill) throw ExecutionError(fmt::format("'{}' is no skill", icon));
-  const auto given = std::find_if(found.parameters.begin(), found.parameters.end(),
+  Icon changed = found;
+  const auto given = std::find_if(changed.parameters.begin(), changed.parameters.end(),
                                   [&](const Parameter& each) { return each.name == parameter; });
-  if (given != found.parameters.end()) {
+  if (given != changed.parameters.end()) {
     given->value = std::move(value);
     given->count_of.clear();
   } else {
-    found.parameters.push_back({parameter, std::move(value), {}, {}});
+    changed.parameters.push_back({parameter, std::move(value), {}, {}});
   }
   if (skills_ != nullptr) {
     Diagnostics diagnostics;
-    check_skills(changed, *skills_, std::nullopt, diagnostics);
+    check_skill(changed, *skills_, std::nullopt, diagnostics);
     for (const Diagnostic& finding : diagnostics.all())
       if (finding.severity == Severity::error)
         throw ExecutionError(fmt::format("{}; {}", finding.message, finding.hint));
   }
-  program_ = std::move(changed);
+  found.parameters = std::move(changed.parameters);
 }
 
 void Executor::add_breakpoint(Breakpoint breakpoint) {
@@ -209,10 +201,10 @@ void Executor::act() {
     case IconKind::test:
       return act_test();
     case IconKind::sub_operation:
-      if (const auto sub = find_sub_operation(program_, operation(), here)) return enter(*sub);
+      if (const auto sub = graph_.sub_operation(token_.back())) return enter(*sub);
       return halt(ExecutionState::failed, fmt::format("'{}' has no operation", token()));
     case IconKind::restart:
-      token_.back().icon = start_of(operation());
+      token_.back().icon = start_of(token_.back().operation);
       forget_counts(token_.back().operation);
       return;
     case IconKind::exit:
@@ -237,7 +229,7 @@ void Executor::act_skill() {
 
 void Executor::leave_with(const SkillResult& result) {
   last_code_ = result.code;
-  const auto way = route(operation(), icon(), last_code_, result.kind == SkillResult::Kind::normal);
+  const auto way = route(graph_, token_.back(), last_code_, result.kind == SkillResult::Kind::normal);
   if (way) return go(*way);
   halt(ExecutionState::failed,
        fmt::format("'{}' ended with code {}, which no icon handles: {}", token(), last_code_, result.reason));
@@ -306,7 +298,7 @@ void Executor::act_wait() {
 }
 
 void Executor::go(const Connection& to) {
-  const auto next = find_icon(operation(), to.icon);
+  const auto next = graph_.target(token_.back().operation, to);
   if (!next) return halt(ExecutionState::failed, fmt::format("'{}' leads to no icon '{}'", token(), to.icon));
   token_.back().icon = *next;
 }
@@ -329,9 +321,14 @@ void Executor::forget_counts(std::size_t operation) {
   std::erase_if(counts_, [&](const auto& each) { return each.first.first == operation; });
 }
 
+std::size_t Executor::start_of(std::size_t operation) const {
+  if (const auto start = graph_.start(operation)) return *start;
+  throw ExecutionError(fmt::format("operation '{}' has no START", program_.operations[operation].name));
+}
+
 void Executor::enter(std::size_t operation) {
   forget_counts(operation);
-  token_.push_back({operation, start_of(program_.operations[operation])});
+  token_.push_back({operation, start_of(operation)});
 }
 
 void Executor::exit_operation() {
@@ -341,7 +338,7 @@ void Executor::exit_operation() {
     return halt(ExecutionState::ended, fmt::format("exit '{}' with code {}", path, last_code_));
   token_.pop_back();
   if (last_code_ == 0) count_here();
-  if (const auto way = route(operation(), icon(), last_code_, last_code_ == 0)) return go(*way);
+  if (const auto way = route(graph_, token_.back(), last_code_, last_code_ == 0)) return go(*way);
   halt(ExecutionState::failed,
        fmt::format("'{}' ended with code {}, which no icon handles", token(), last_code_));
 }

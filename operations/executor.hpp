@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "operations/check.hpp"
+#include "operations/graph.hpp"
 #include "operations/model.hpp"
 #include "pal/support/time.hpp"
 
@@ -149,9 +150,7 @@ class Executor {
   const Program& program() const { return program_; }
 
  private:
-  struct Frame {
-    std::size_t operation = 0, icon = 0;
-  };
+  using Frame = Place;
   std::vector<Frame> find(const std::string& path) const;
   const Operation& operation() const { return program_.operations[token_.back().operation]; }
   const Icon& icon() const { return operation().icons[token_.back().icon]; }
@@ -165,6 +164,7 @@ class Executor {
   void leave_with(const SkillResult& result);
   void cut_off(Step& step);
   void go(const Connection& to);
+  std::size_t start_of(std::size_t operation) const;
   void enter(std::size_t operation);
   void exit_operation();
   std::vector<Parameter> counted(std::vector<Parameter> parameters) const;
@@ -173,6 +173,7 @@ class Executor {
   void halt(ExecutionState state, std::string reason);
 
   Program program_;
+  Graph graph_;  // of program_
   SkillRunner& runner_;
   StepObserver* observer_;
   const Skills* skills_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "operations/codes.hpp"
 #include "operations/json_value.hpp"
@@ -99,6 +100,7 @@ std::string read_count(const JsonValue& object, Fields& fields) {
 
 std::vector<Parameter> read_parameters(const JsonValue* object, Fields& fields) {
   std::vector<Parameter> result;
+  std::set<std::string> names;
   if (object == nullptr) return result;
   for (const JsonMember& member : object->members) {
     Parameter parameter{member.name, 0.0, member.value.where, member.where};
@@ -121,9 +123,7 @@ std::vector<Parameter> read_parameters(const JsonValue* object, Fields& fields) 
                       "write one of these");
         continue;
     }
-    const auto before = std::find_if(result.begin(), result.end(),
-                                     [&](const Parameter& each) { return each.name == member.name; });
-    if (before != result.end()) {
+    if (!names.insert(member.name).second) {
       fields.report(member.where, fmt::format("'{}' is given twice", member.name), "keep one of the two");
       continue;
     }

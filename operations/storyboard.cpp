@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "operations/codes.hpp"
+#include "operations/graph.hpp"
 #include "pal/pan/dot.hpp"
 #include "pal/support/xml.hpp"
 
@@ -27,11 +28,11 @@ struct Chapter {
 };
 
 /// The icons by which something is told, in the order in which the token first comes to them.
-std::vector<std::size_t> told(const Operation& operation) {
+std::vector<std::size_t> told(const Graph& graph, std::size_t index) {
+  const Operation& operation = graph.program().operations[index];
   std::vector<std::size_t> order, waiting;
   std::vector<bool> seen(operation.icons.size(), false);
-  for (std::size_t i = operation.icons.size(); i > 0; --i)
-    if (operation.icons[i - 1].kind == IconKind::start) waiting.push_back(i - 1);
+  if (const auto start = graph.start(index)) waiting.push_back(*start);
   while (!waiting.empty()) {
     const std::size_t here = waiting.back();
     waiting.pop_back();
@@ -39,23 +40,26 @@ std::vector<std::size_t> told(const Operation& operation) {
     seen[here] = true;
     const Icon& icon = operation.icons[here];
     if (has_completions(icon.kind) || icon.kind == IconKind::delay) order.push_back(here);
-    const auto next = outputs(icon);
-    for (auto to = next.rbegin(); to != next.rend(); ++to)
-      if (const auto index = find_icon(operation, to->icon)) waiting.push_back(*index);
+    const auto next = graph.targets({index, here});
+    waiting.insert(waiting.end(), next.rbegin(), next.rend());
   }
   return order;
 }
 
 class Teller {
  public:
-  Teller(const Program& program, const Skills& skills, std::size_t index, const Happened* run)
-      : program_(program),
+  Teller(const Graph& graph, const Skills& skills, const PossibleCodes& codes, std::size_t index,
+         const Happened* run)
+      : graph_(graph),
         index_(index),
         run_(run),
-        operation_(program.operations[index]),
+        operation_(graph.program().operations[index]),
         skills_(skills),
-        codes_(possible_codes(program, skills)),
-        order_(told(operation_)) {}
+        codes_(codes),
+        order_(told(graph, index)) {
+    scenes_.resize(operation_.icons.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) scenes_[order_[i]] = i;
+  }
 
   std::vector<Scene> scenes() const {
     std::vector<Scene> result;
@@ -74,40 +78,41 @@ class Teller {
 
  private:
   Scene scene(std::size_t number) const {
-    const Icon& icon = operation_.icons[order_[number]];
+    const Place at{index_, order_[number]};
+    const Icon& icon = graph_.icon(at);
     Scene scene;
     scene.title = fmt::format("Scene {}: {}", number + 1, icon.id);
     if (!icon.note.empty()) scene.sentences.push_back(icon.note);
     switch (icon.kind) {
       case IconKind::skill:
-        tell_skill(icon, scene);
+        tell_skill(at, icon, scene);
         break;
       case IconKind::sub_operation:
-        tell_sub_operation(icon, scene);
+        tell_sub_operation(at, icon, scene);
         break;
       case IconKind::test:
         scene.sentences.push_back(fmt::format("The sensor {} is read.", icon.sensor));
-        tell_branches(icon, scene);
+        tell_branches(at, icon, scene);
         break;
       case IconKind::wait:
         scene.sentences.push_back(
             fmt::format("The robot waits until the sensor {} shows {}{}.", icon.sensor, awaited(icon),
                         icon.timeout ? fmt::format("; it waits {:g} s at most", *icon.timeout) : ""));
-        tell_branches(icon, scene);
+        tell_branches(at, icon, scene);
         break;
       default:
         scene.sentences.push_back(fmt::format("The robot waits for {:g} s.", icon.seconds));
         scene.branches.push_back(destination(icon.next, 0));
     }
-    if (run_ != nullptr) scene.sentences.push_back(run_->at({index_, order_[number]}));
+    if (run_ != nullptr) scene.sentences.push_back(run_->at(at));
     return scene;
   }
 
-  void tell_skill(const Icon& icon, Scene& scene) const {
+  void tell_skill(Place at, const Icon& icon, Scene& scene) const {
     const auto found = skills_.find(icon.skill);
     if (found == skills_.end()) {
       scene.sentences.push_back(fmt::format("The skill {} runs. Nothing is known of it.", icon.skill));
-      tell_branches(icon, scene);
+      tell_branches(at, icon, scene);
       return;
     }
     const pan::Template& skill = found->second;
@@ -118,7 +123,7 @@ class Teller {
     if (!skill.postconditions.empty())
       scene.sentences.push_back(
           fmt::format("Afterwards, if the code is normal: {}", fmt::join(skill.postconditions, " ")));
-    tell_branches(icon, scene);
+    tell_branches(at, icon, scene);
   }
 
   /// "Moves the tool." becomes ": it moves the tool."
@@ -151,27 +156,28 @@ class Teller {
     return texts.empty() ? " with " + last : fmt::format(" with {} and {}", fmt::join(texts, ", "), last);
   }
 
-  void tell_sub_operation(const Icon& icon, Scene& scene) const {
-    if (const auto sub = find_sub_operation(program_, operation_, icon)) {
-      const Operation& inside = program_.operations[*sub];
+  void tell_sub_operation(Place at, const Icon& icon, Scene& scene) const {
+    if (const auto sub = graph_.sub_operation(at)) {
+      const Operation& inside = graph_.program().operations[*sub];
       scene.sentences.push_back(fmt::format("The operation {} runs{} Its own scenes are told below.",
                                             inside.name, continued(inside.description)));
     }
-    tell_branches(icon, scene);
+    tell_branches(at, icon, scene);
   }
 
-  void tell_branches(const Icon& icon, Scene& scene) const {
-    for (const auto& [code, normal] : completions_of(program_, operation_, icon, skills_, codes_.exits)) {
-      const auto way = route(operation_, icon, code, normal);
+  void tell_branches(Place at, const Icon& icon, Scene& scene) const {
+    for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits)) {
+      const int code = ending.code;
+      const auto way = route(graph_, at, code, ending.normal());
       scene.branches.push_back(
-          fmt::format("Code {}{} {}", code, meaning(icon, code),
+          fmt::format("Code {}{} {}", code, meaning(at, icon, code),
                       way ? destination(*way, code) : "No icon handles it, and the operation fails here."));
     }
   }
 
   /// ": It is there.", ", from its exit done." or "."
-  std::string meaning(const Icon& icon, int code) const {
-    if (icon.kind == IconKind::sub_operation) return exits_with(icon, code);
+  std::string meaning(Place at, const Icon& icon, int code) const {
+    if (icon.kind == IconKind::sub_operation) return exits_with(at, code);
     if (!icon.sensor.empty()) return ": " + meaning_of_reading(icon, code);
     const auto skill = skills_.find(icon.skill);
     if (skill == skills_.end()) return ".";
@@ -182,14 +188,14 @@ class Teller {
     return ".";
   }
   /// By which of its exits a sub-operation ends with the code.
-  std::string exits_with(const Icon& icon, int code) const {
-    const auto sub = find_sub_operation(program_, operation_, icon);
+  std::string exits_with(Place at, int code) const {
+    const auto sub = graph_.sub_operation(at);
     if (!sub) return ".";
     std::vector<std::string> names;
-    const Operation& inside = program_.operations[*sub];
+    const Operation& inside = graph_.program().operations[*sub];
     for (std::size_t i = 0; i < inside.icons.size(); ++i) {
       const Icon& exit = inside.icons[i];
-      const std::set<int>& codes = codes_.at[*sub][i];
+      const CodeSet& codes = codes_.at[*sub][i];
       if (exit.kind != IconKind::exit || codes.empty()) continue;
       if (exit.code ? *exit.code == code : codes.contains(code)) names.push_back(exit.id);
     }
@@ -217,15 +223,14 @@ class Teller {
   }
   /// After all MERGEs and CASEs; nothing: no scene comes.
   std::optional<std::size_t> scene_behind(const Connection& to, int code) const {
-    auto at = find_icon(operation_, to.icon);
+    auto at = graph_.target(index_, to);
     for (std::size_t steps = 0; at && steps <= operation_.icons.size(); ++steps) {
-      const auto scene = std::find(order_.begin(), order_.end(), *at);
-      if (scene != order_.end()) return static_cast<std::size_t>(scene - order_.begin());
+      if (scenes_[*at]) return scenes_[*at];
       const Icon& icon = operation_.icons[*at];
       if (icon.kind == IconKind::exit || icon.kind == IconKind::restart) return std::nullopt;
       const auto way = icon.kind == IconKind::branch ? way_of(icon, code) : std::optional(icon.next);
       if (!way) return std::nullopt;
-      at = find_icon(operation_, way->icon);
+      at = graph_.target(index_, *way);
     }
     return std::nullopt;
   }
@@ -234,7 +239,7 @@ class Teller {
   std::string destination(const Connection& to, int code) const {
     if (const auto scene = scene_behind(to, code))
       return fmt::format("The story goes on with {}.", name_of(*scene));
-    auto at = find_icon(operation_, to.icon);
+    auto at = graph_.target(index_, to);
     for (std::size_t steps = 0; at && steps <= operation_.icons.size(); ++steps) {
       const Icon& icon = operation_.icons[*at];
       if (icon.kind == IconKind::exit)
@@ -243,25 +248,28 @@ class Teller {
       if (icon.kind == IconKind::restart) return "All begins again from START.";
       const auto way = icon.kind == IconKind::branch ? way_of(icon, code) : std::optional(icon.next);
       if (!way) return fmt::format("CASE {} has no way for it, and the operation fails here.", icon.id);
-      at = find_icon(operation_, way->icon);
+      at = graph_.target(index_, *way);
     }
     return "Nothing follows.";
   }
 
-  const Program& program_;
+  const Graph& graph_;
   std::size_t index_;
   const Happened* run_;
   const Operation& operation_;
   const Skills& skills_;
-  PossibleCodes codes_;
-  std::vector<std::size_t> order_;
+  const PossibleCodes& codes_;
+  std::vector<std::size_t> order_;                  // of scenes: their icons
+  std::vector<std::optional<std::size_t>> scenes_;  // of icons: their scenes
 };
 
 std::vector<Chapter> chapters(const Program& program, const Skills& skills, const Happened* run) {
   std::vector<Chapter> result;
+  const Graph graph(program);
+  const PossibleCodes codes = possible_codes(graph, skills);
   for (std::size_t i = 0; i < program.operations.size(); ++i) {
     const Operation& operation = program.operations[i];
-    const Teller teller(program, skills, i, run);
+    const Teller teller(graph, skills, codes, i, run);
     Chapter chapter{operation.name, {}, {}, teller.scenes(), to_dot(program, i, run)};
     if (!operation.description.empty()) chapter.introduction.push_back(operation.description);
     chapter.introduction.push_back(teller.beginning());

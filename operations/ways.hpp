@@ -18,21 +18,25 @@ using SkillTimes = std::map<std::pair<std::string, int>, Duration>;
 
 /// One way from START to an end, on which the token comes to no icon twice.
 struct WayThrough {
-  std::vector<std::string> icons;  // "touch (0)": a skill with its code
+  /// "touch (0)": a skill with its code. A way through a sub-operation has the icons inside, if they are few;
+  /// else the hierarchical icon with its code.
+  std::vector<std::string> icons;
   std::string end;
   Duration shortest{};                 // what is known to pass at least: the delays
   std::optional<Duration> longest;     // nothing: some skill has no bound
   std::vector<std::string> unbounded;  // skills without one and "the sensor NAME", each once
+  std::size_t alike = 1;               // ways of which the same is told, and which stand here once
 };
 
 struct Ways {
   std::vector<WayThrough> ways;
-  bool complete = true;  // false: there are more than `most`
+  bool complete = true;  // false: there are more than `most`, or too many to look at
 };
 
-/// Ways of the first operation, without those that end because no icon handles a code. The program has no
-/// errors.
+/// Ways of the first operation, without those that end because no icon handles a code. Ways of which the same
+/// is told are one. The program has no errors. The time grows with the size of the program. `stop` ends the
+/// search, which is not complete then.
 Ways ways_through(const Program& program, const Skills& skills, const SkillTimes& times,
-                  std::size_t most = 64);
+                  std::size_t most = 64, const Stop& stop = {});
 
 }  // namespace pal::operations

@@ -1,0 +1,24 @@
+// "Did you mean …?", in bounded time however much is wrong.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pal::operations {
+
+/// Looks for misspelt names as nearest() does, as long as it has not compared too much. After that it knows
+/// no names any more: findings stay, their suggestions end.
+class Suggestions {
+ public:
+  std::optional<std::string> nearest_to(const std::string& name, const std::vector<std::string>& candidates);
+
+ private:
+  std::size_t compared_ = 0;
+};
+
+/// "did you mean 'x'?", or `otherwise` if no name is near.
+std::string did_you_mean(const std::optional<std::string>& near, const std::string& otherwise);
+
+}  // namespace pal::operations
