@@ -13,16 +13,27 @@
 
 namespace pal::operations {
 
+class Graph;
+
 /// The templates of the skills that a cell has, by name.
 using Skills = std::map<std::string, pan::Template>;
 
-/// What a sensor of the cell shows.
+/// What a sensor of the cell shows, or a skill reports.
 struct Sensor {
   std::string unit;  // empty: a plain number
   std::string description;
 };
-/// The sensors that a cell has, by name.
+/// By name: the sensors that a cell has, or the figures that it knows of a skill that has ended.
 using Sensors = std::map<std::string, Sensor>;
+
+/// What is known of a cell in which an operation is to run.
+struct Cell {
+  std::optional<Skills> skills{};                    // nothing: not known
+  std::optional<Sensors> sensors{};                  // likewise
+  std::optional<Sensors> figures{};                  // … of skills, by figure
+  std::optional<std::set<std::string>> locations{};  // those that are taught
+  std::map<std::string, std::string> unable{};       // skills that it cannot run, and why
+};
 
 /// Asked again and again; true ends the checks. Empty: nothing does.
 using Stop = std::function<bool()>;
@@ -31,19 +42,14 @@ using Stop = std::function<bool()>;
 /// grows with the size of the program. False: `stop` ended them, and not all was checked.
 bool check_shape(const Program& program, Diagnostics& diagnostics, const Stop& stop = {});
 
-/// Checks with the skills: that they exist, parameters, codes that no icon handles, ways that are never
-/// taken. `locations`: those that are taught; nothing: unknown. The program has no errors of shape. False: as
-/// of check_shape().
-bool check_skills(const Program& program, const Skills& skills,
-                  const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics,
-                  const Stop& stop = {});
+/// Checks against what is known of the cell: that it has the skills and can run them; parameters; locations;
+/// sensors; figures of skills; with skills, codes that no icon handles and ways that are never taken. The
+/// program has no errors of shape. False: as of check_shape().
+bool check_cell(const Program& program, const Cell& cell, Diagnostics& diagnostics, const Stop& stop = {});
 
-/// Checks one skill icon: that the skill exists, and its parameters.
-void check_skill(const Icon& icon, const Skills& skills,
-                 const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics);
-
-/// Checks that the cell has the sensors which tests and waits read.
-void check_sensors(const Program& program, const Sensors& sensors, Diagnostics& diagnostics);
+/// The same of the parameters of one icon, a skill or a hierarchical one, in place of those that it has.
+void check_parameters(const Graph& graph, Place at, const Icon& changed, const Cell& cell,
+                      Diagnostics& diagnostics);
 
 /// The names of all skills that the operation and its sub-operations run.
 std::set<std::string> skills_of(const Program& program);

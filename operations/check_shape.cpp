@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "operations/check.hpp"
+#include "operations/check_values.hpp"
 #include "operations/graph.hpp"
 #include "operations/suggestion.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -25,6 +26,10 @@ class OperationShape {
   void check_names() {
     for (std::size_t i = 0; i < operation_.icons.size(); ++i) {
       const Icon& icon = operation_.icons[i];
+      if (icon.id == on_stop_in_path)
+        diagnostics_.report(Code::PAL1003, icon.where,
+                            fmt::format("no icon can be called '{}'", on_stop_in_path),
+                            "give it another id; in paths this stands for the operation on stop");
       const auto first = graph_.find(index_, icon.id);
       if (*first == i) continue;
       diagnostics_
@@ -35,13 +40,18 @@ class OperationShape {
   }
 
   void check_connections() {
-    for (const Icon& icon : operation_.icons) {
-      check_counts(icon);
+    for (std::size_t i = 0; i < operation_.icons.size(); ++i) {
+      const Icon& icon = operation_.icons[i];
+      check_values(graph_, {index_, i}, icon, suggestions_, diagnostics_);
       const bool ends = icon.kind == IconKind::exit || icon.kind == IconKind::restart;
       if (icon.kind == IconKind::branch) {
         for (const Way& way : icon.ways)
           check_connection(icon, way.to, fmt::format("for code {}", fmt::join(way.codes, ", ")), true);
         check_connection(icon, icon.otherwise, "'default'", false);
+      } else if (icon.kind == IconKind::question) {
+        for (const Way& answer : icon.ways)
+          check_connection(icon, answer.to, fmt::format("for the answer '{}'", answer.text), true);
+        check_connection(icon, icon.error, "'error'", false);
       } else if (!ends) {
         check_connection(icon, icon.next, "'next'", true);
         check_connection(icon, icon.error, "'error'", false);
@@ -92,23 +102,6 @@ class OperationShape {
     }
   }
 
-  /// What is counted can end normally.
-  void check_counts(const Icon& icon) {
-    for (const Parameter& parameter : icon.parameters) {
-      if (parameter.count_of.empty()) continue;
-      const auto counted = graph_.find(index_, parameter.count_of);
-      const IconKind kind = counted ? operation_.icons[*counted].kind : IconKind::merge;
-      if (kind == IconKind::skill || kind == IconKind::sub_operation) continue;
-      auto near = suggestions_.nearest_to(parameter.count_of, ids());
-      if (near == parameter.count_of) near.reset();
-      diagnostics_.report(
-          Code::PAL1004, parameter.where,
-          fmt::format("operation '{}' has no skill or sub-operation '{}' to count", operation_.name,
-                      parameter.count_of),
-          did_you_mean(near, "name an icon of this operation that runs a skill or a sub-operation"));
-    }
-  }
-
   const Graph& graph_;
   std::size_t index_;
   const Operation& operation_;
@@ -136,8 +129,9 @@ std::vector<bool> reached(const std::vector<std::vector<std::size_t>>& leads_to,
 
 bool takes_time(const Icon& icon) {
   return icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation ||
-         icon.kind == IconKind::wait || icon.kind == IconKind::test ||
-         (icon.kind == IconKind::delay && icon.seconds > 0);
+         icon.kind == IconKind::wait || icon.kind == IconKind::test || icon.kind == IconKind::question ||
+         icon.kind == IconKind::zero ||
+         (icon.kind == IconKind::delay && icon.seconds->source.written() && icon.seconds->number > 0);
 }
 
 /// The checks of one operation that follow its lines.
@@ -215,8 +209,13 @@ class Containment {
 
   void check() {
     done_.assign(graph_.program().operations.size(), 0);
-    for (std::size_t i = 0; i < done_.size(); ++i)
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      const Operation& operation = graph_.program().operations[i];
+      if (operation.on_stop.given() && !graph_.on_stop(i))
+        report_missing(operation, operation.on_stop.operation, operation.on_stop.file,
+                       operation.on_stop.where);
       if (done_[i] == 0) visit(i);
+    }
   }
 
  private:
@@ -237,7 +236,7 @@ class Containment {
       if (icon.kind != IconKind::sub_operation) continue;
       const auto sub = graph_.sub_operation(at);
       if (!sub) {
-        report_missing(operation, icon);
+        report_missing(operation, icon.operation, icon.file, icon.subject);
       } else if (done_[*sub] == 1) {
         diagnostics_.report(Code::PAL1012, icon.subject,
                             fmt::format("operation '{}' contains itself, by way of '{}'",
@@ -249,7 +248,8 @@ class Containment {
       }
     }
   }
-  void report_missing(const Operation& operation, const Icon& icon) {
+  void report_missing(const Operation& operation, const std::string& name, const std::string& file,
+                      SourceSpan where) {
     if (names_of_ != operation.from) {
       names_.clear();
       for (const Operation& each : graph_.program().operations)
@@ -257,10 +257,10 @@ class Containment {
       names_of_ = operation.from;
     }
     diagnostics_.report(
-        Code::PAL1014, icon.subject,
-        icon.operation.empty() ? fmt::format("'{}' holds no operation", icon.file)
-                               : fmt::format("there is no operation '{}' in this file", icon.operation),
-        did_you_mean(suggestions_.nearest_to(icon.operation, names_),
+        Code::PAL1014, where,
+        name.empty() ? fmt::format("'{}' holds no operation", file)
+                     : fmt::format("there is no operation '{}' in this file", name),
+        did_you_mean(suggestions_.nearest_to(name, names_),
                      "add it under \"operations\", or name the file that has it with \"file\""));
   }
 

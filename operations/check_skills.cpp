@@ -1,199 +1,121 @@
+#include "operations/check_skills.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "operations/check.hpp"
-#include "operations/codes.hpp"
-#include "operations/suggestion.hpp"
+#include "operations/check_values.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::operations {
 namespace {
 
-std::string type_text(const pan::Parameter& parameter) {
-  switch (parameter.type) {
-    case pan::ScalarType::text:
-      return "a text in double quotes";
-    case pan::ScalarType::boolean:
-      return "true or false";
-    case pan::ScalarType::integer:
-      return fmt::format("a whole number from {} to {}", parameter.low, parameter.high);
-    case pan::ScalarType::real:
-      break;
-  }
-  return fmt::format("a number from {} to {}{}{}", parameter.low, parameter.high,
-                     parameter.unit.empty() ? "" : " ", parameter.unit);
+/// Whether a parameter names a place that is taught.
+bool is_location(const pan::Parameter& parameter) {
+  return parameter.type == pan::ScalarType::text &&
+         parameter.description.find("location") != std::string::npos;
 }
 
-bool is_text(char c) {
-  return c >= ' ' && c <= '~';
+std::vector<std::string> names_of(const std::vector<pan::Parameter>& parameters) {
+  std::vector<std::string> names;
+  for (const pan::Parameter& each : parameters) names.push_back(each.name);
+  return names;
 }
-
-bool fits(const pan::Parameter& parameter, const Parameter& given) {
-  const Value& value = given.value;
-  const bool number_wanted =
-      parameter.type == pan::ScalarType::real || parameter.type == pan::ScalarType::integer;
-  // How far a count goes is known when it runs.
-  if (!given.count_of.empty()) return number_wanted;
-  if (parameter.type == pan::ScalarType::boolean) return std::holds_alternative<bool>(value);
-  if (parameter.type == pan::ScalarType::text) {
-    const auto* text = std::get_if<std::string>(&value);
-    return text != nullptr && text->size() <= pan::longest_text &&
-           std::all_of(text->begin(), text->end(), is_text);
-  }
-  const auto* number = std::get_if<double>(&value);
-  if (number == nullptr || !(*number >= parameter.low && *number <= parameter.high)) return false;
-  return parameter.type == pan::ScalarType::real || std::floor(*number) == *number;
-}
-
-class SkillChecks {
- public:
-  SkillChecks(const Skills& skills, const std::optional<std::set<std::string>>& locations,
-              Diagnostics& diagnostics)
-      : skills_(skills), locations_(locations), diagnostics_(diagnostics) {}
-
-  void check(const Icon& icon) {
-    const auto found = skills_.find(icon.skill);
-    if (found == skills_.end()) {
-      std::vector<std::string> names;
-      for (const auto& [name, skill] : skills_) names.push_back(name);
-      const auto near = suggestions_.nearest_to(icon.skill, names);
-      diagnostics_.report(Code::PAL1007, icon.subject, fmt::format("the cell has no skill '{}'", icon.skill),
-                          near ? fmt::format("did you mean '{}'?", *near)
-                               : "name a skill of the cell, or give its file with --skills");
-      return;
-    }
-    const pan::Template& skill = found->second;
-    for (const Parameter& given : icon.parameters) check_given(skill, given);
-    for (const pan::Parameter& parameter : skill.parameters) check_location(icon, parameter);
-  }
-
- private:
-  void check_given(const pan::Template& skill, const Parameter& given) {
-    std::vector<std::string> names;
-    for (const pan::Parameter& parameter : skill.parameters) {
-      names.push_back(parameter.name);
-      if (parameter.name != given.name) continue;
-      if (!fits(parameter, given))
-        diagnostics_.report(
-            Code::PAL1009, given.where,
-            fmt::format("'{}' of skill '{}' cannot be {}", given.name, skill.name, to_text(given)),
-            fmt::format("write {}", type_text(parameter)));
-      return;
-    }
-    const auto near = suggestions_.nearest_to(given.name, names);
-    diagnostics_.report(Code::PAL1008, given.name_where,
-                        fmt::format("skill '{}' has no parameter '{}'", skill.name, given.name),
-                        near            ? fmt::format("did you mean '{}'?", *near)
-                        : names.empty() ? std::string("it has none")
-                                        : fmt::format("it has {}", fmt::join(names, ", ")));
-  }
-
-  /// A text that the skill calls a location names a place that was taught.
-  void check_location(const Icon& icon, const pan::Parameter& parameter) {
-    if (!locations_ || parameter.type != pan::ScalarType::text ||
-        parameter.description.find("location") == std::string::npos)
-      return;
-    std::string named = parameter.default_text;
-    SourceSpan where = icon.subject;
-    for (const Parameter& given : icon.parameters) {
-      const auto* text = std::get_if<std::string>(&given.value);
-      if (given.name != parameter.name || text == nullptr) continue;
-      named = *text;
-      where = given.where;
-    }
-    if (locations_->contains(named)) return;
-    const auto near = suggestions_.nearest_to(named, {locations_->begin(), locations_->end()});
-    diagnostics_.report(
-        Code::PAL1010, where, fmt::format("location '{}' is not taught", named),
-        near ? fmt::format("did you mean '{}'?", *near) : "teach it, or name one that is taught");
-  }
-
-  const Skills& skills_;
-  const std::optional<std::set<std::string>>& locations_;
-  Suggestions suggestions_;
-  Diagnostics& diagnostics_;
-};
-
-std::string completion_text(const Skills& skills, const Icon& icon, int code) {
-  const auto skill = skills.find(icon.skill);
-  if (skill == skills.end()) return {};
-  for (const pan::Completion& completion : skill->second.completions)
-    if (completion.code == code && !completion.description.empty())
-      return fmt::format(": \"{}\"", completion.description);
-  return {};
-}
-
-/// What becomes of the codes with which icons end, and which codes come to a CASE.
-class CodeChecks {
- public:
-  CodeChecks(const Graph& graph, const Skills& skills, PossibleCodes codes, Diagnostics& diagnostics)
-      : graph_(graph), skills_(skills), codes_(std::move(codes)), diagnostics_(diagnostics) {}
-
-  void check(Place at) {
-    const Icon& icon = graph_.icon(at);
-    if (has_completions(icon.kind)) check_endings(at, icon);
-    if (icon.kind == IconKind::branch) check_ways(icon, codes_.at[at.operation][at.icon]);
-  }
-
- private:
-  void check_endings(Place at, const Icon& icon) {
-    for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits))
-      if (!route(graph_, at, ending.code, ending.normal()))
-        diagnostics_.report(Code::PAL1006, icon.where,
-                            fmt::format("no icon handles code {} of '{}'{}", ending.code, icon.id,
-                                        completion_text(skills_, icon, ending.code)),
-                            "the operation ends there; connect 'error', or put a CASE behind it");
-  }
-  void check_ways(const Icon& icon, const CodeSet& here) {
-    if (here.empty()) return;
-    for (const int code : here.list())
-      if (!way_of(icon, code))
-        diagnostics_.report(Code::PAL1006, icon.where,
-                            fmt::format("CASE '{}' has no way for code {}, which can come", icon.id, code),
-                            "the operation ends there; add a way for it, or a default");
-    for (const Way& way : icon.ways)
-      if (std::none_of(way.codes.begin(), way.codes.end(), [&](int code) { return here.contains(code); }))
-        diagnostics_.report(
-            Code::PAL1016, way.where,
-            fmt::format("code {1} never comes to CASE '{0}'", icon.id, fmt::join(way.codes, " or ")),
-            "remove the way, or correct the code");
-  }
-
-  const Graph& graph_;
-  const Skills& skills_;
-  PossibleCodes codes_;
-  Diagnostics& diagnostics_;
-};
 
 }  // namespace
 
-void check_skill(const Icon& icon, const Skills& skills,
-                 const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics) {
-  SkillChecks(skills, locations, diagnostics).check(icon);
+SkillChecks::SkillChecks(const Graph& graph, const Cell& cell, Diagnostics& diagnostics)
+    : graph_(graph),
+      cell_(cell),
+      diagnostics_(diagnostics),
+      location_arguments_(graph.program().operations.size()) {
+  for (const auto& [name, skill] : *cell.skills) skill_names_.push_back(name);
+  if (cell.locations) location_names_.assign(cell.locations->begin(), cell.locations->end());
+  if (!cell.locations) return;
+  for (const std::size_t operation : inner_first(graph))
+    for (std::size_t i = 0; i < graph.program().operations[operation].icons.size(); ++i)
+      note_locations({operation, i});
 }
 
-bool check_skills(const Program& program, const Skills& skills,
-                  const std::optional<std::set<std::string>>& locations, Diagnostics& diagnostics,
-                  const Stop& stop) {
-  const auto stopped = [&stop] { return stop && stop(); };
-  SkillChecks checks(skills, locations, diagnostics);
-  for (const Operation& operation : program.operations) {
-    if (stopped()) return false;
-    for (const Icon& icon : operation.icons)
-      if (icon.kind == IconKind::skill) checks.check(icon);
+void SkillChecks::note_locations(Place at) {
+  const Icon& icon = graph_.icon(at);
+  for (const Parameter& given : icon.parameters)
+    if (given.source.kind == Source::Kind::argument && names_location(at, icon, given))
+      location_arguments_[at.operation].insert(given.source.name);
+}
+
+bool SkillChecks::names_location(Place at, const Icon& icon, const Parameter& given) const {
+  if (const auto sub = graph_.sub_operation(at)) return location_arguments_[*sub].contains(given.name);
+  const auto skill = cell_.skills->find(icon.skill);
+  if (skill == cell_.skills->end()) return false;
+  for (const pan::Parameter& each : skill->second.parameters)
+    if (each.name == given.name) return is_location(each);
+  return false;
+}
+
+void SkillChecks::check(Place at, const Icon& icon) {
+  if (icon.kind == IconKind::sub_operation) {
+    for (const Parameter& given : icon.parameters)
+      if (const auto* text = std::get_if<std::string>(&given.value);
+          text != nullptr && given.source.written() && names_location(at, icon, given))
+        check_taught(*text, given.where);
+    return;
   }
-  const Graph graph(program);
-  PossibleCodes codes = possible_codes(graph, skills, stop);
-  if (!codes.complete) return false;
-  CodeChecks code_checks(graph, skills, std::move(codes), diagnostics);
-  for (std::size_t o = 0; o < program.operations.size(); ++o) {
-    if (stopped()) return false;
-    for (std::size_t i = 0; i < program.operations[o].icons.size(); ++i) code_checks.check({o, i});
+  const auto found = cell_.skills->find(icon.skill);
+  if (found == cell_.skills->end()) {
+    diagnostics_.report(Code::PAL1007, icon.subject, fmt::format("the cell has no skill '{}'", icon.skill),
+                        did_you_mean(suggestions_.nearest_to(icon.skill, skill_names_),
+                                     "name a skill of the cell, or give its file with --skills"));
+    return;
   }
-  return true;
+  if (const auto why = cell_.unable.find(icon.skill); why != cell_.unable.end())
+    diagnostics_.report(Code::PAL1007, icon.subject,
+                        fmt::format("the cell cannot run skill '{}': {}", icon.skill, why->second),
+                        "run it in a cell that can");
+  const pan::Template& skill = found->second;
+  const Operation& operation = graph_.program().operations[at.operation];
+  std::set<std::string> refused;
+  for (const Parameter& given : icon.parameters)
+    if (!check_given(skill, given, operation)) refused.insert(given.name);
+  if (!cell_.locations) return;
+  for (const pan::Parameter& parameter : skill.parameters)
+    if (is_location(parameter) && !refused.contains(parameter.name)) check_location(icon, parameter);
+}
+
+void SkillChecks::check_arguments(std::size_t operation) {
+  for (const pan::Parameter& argument : graph_.program().operations[operation].arguments)
+    if (location_arguments_[operation].contains(argument.name))
+      check_taught(argument.default_text, argument.where);
+}
+
+bool SkillChecks::check_given(const pan::Template& skill, const Parameter& given,
+                              const Operation& operation) {
+  for (const pan::Parameter& parameter : skill.parameters)
+    if (parameter.name == given.name)
+      return check_fit(parameter, given, operation, fmt::format("skill '{}'", skill.name), diagnostics_);
+  const auto names = names_of(skill.parameters);
+  diagnostics_.report(Code::PAL1008, given.name_where,
+                      fmt::format("skill '{}' has no parameter '{}'", skill.name, given.name),
+                      did_you_mean(suggestions_.nearest_to(given.name, names),
+                                   names.empty() ? std::string("it has none")
+                                                 : fmt::format("it has {}", fmt::join(names, ", "))));
+  return false;
+}
+
+/// The text that is given, or else the default.
+void SkillChecks::check_location(const Icon& icon, const pan::Parameter& parameter) {
+  for (const Parameter& given : icon.parameters) {
+    if (given.name != parameter.name) continue;
+    if (given.source.written()) check_taught(std::get<std::string>(given.value), given.where);
+    return;
+  }
+  check_taught(parameter.default_text, icon.subject);
+}
+
+void SkillChecks::check_taught(const std::string& location, SourceSpan where) {
+  if (!cell_.locations || cell_.locations->contains(location)) return;
+  diagnostics_.report(Code::PAL1010, where, fmt::format("location '{}' is not taught", location),
+                      did_you_mean(suggestions_.nearest_to(location, location_names_),
+                                   "teach it, or name one that is taught"));
 }
 
 }  // namespace pal::operations

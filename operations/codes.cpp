@@ -12,13 +12,14 @@ constexpr std::size_t bits_of_word = 64;
 
 /// Every code that an icon may end with, in ascending order.
 std::shared_ptr<const std::vector<int>> all_codes(const Program& program, const Skills& skills) {
-  std::vector<int> codes{0, sensor_failed, waited_in_vain};
+  std::vector<int> codes{0, 1, no_value, time_over, any_code};
   for (const auto& [name, skill] : skills)
     for (const pan::Completion& completion : skill.completions) codes.push_back(completion.code);
   for (const Operation& operation : program.operations) {
     for (const Icon& icon : operation.icons) {
-      if (icon.code) codes.push_back(*icon.code);
-      for (std::size_t i = 1; i <= icon.limits.size(); ++i) codes.push_back(static_cast<int>(i));
+      if (icon.code && icon.code->source.written()) codes.push_back(static_cast<int>(icon.code->number));
+      const std::size_t most = std::max(icon.limits.size(), icon.ways.size());
+      for (std::size_t i = 2; i <= most; ++i) codes.push_back(static_cast<int>(i));
     }
   }
   std::sort(codes.begin(), codes.end());
@@ -80,7 +81,8 @@ class Spread {
           if (const auto way = way_of(icon, code)) send(at, *way, code);
         break;
       case IconKind::exit:
-        if (icon.code ? codes_.exits[at.operation].insert(*icon.code)
+        if (icon.code ? codes_.exits[at.operation].insert(
+                            icon.code->source.written() ? static_cast<int>(icon.code->number) : any_code)
                       : codes_.exits[at.operation].insert(here))
           for (const Place& user : graph_.users(at.operation))
             if (!codes_.at[user.operation][user.icon].empty()) wait(user);
@@ -90,6 +92,8 @@ class Spread {
       case IconKind::skill:
       case IconKind::wait:
       case IconKind::test:
+      case IconKind::question:
+      case IconKind::zero:
       case IconKind::sub_operation:
         for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits))
           if (const auto way = route(graph_, at, ending.code, ending.normal())) send(at, *way, ending.code);
@@ -113,11 +117,46 @@ class Spread {
   std::deque<Place> next_;
 };
 
+bool may_be_missing(const std::optional<Amount>& amount) {
+  return amount && amount->source.kind == Source::Kind::output;
+}
+
+/// A count can be none, and no time limit.
+bool may_be_out_of_range(const std::optional<Amount>& amount) {
+  return amount &&
+         (amount->source.kind == Source::Kind::output || amount->source.kind == Source::Kind::count);
+}
+
+/// Whether a sensor, a person, a figure of a skill, or a number within its range can be missing.
+bool can_lack_a_value(const Icon& icon) {
+  if (icon.kind == IconKind::question || icon.kind == IconKind::zero) return true;
+  const auto reads = [](const Condition& each) {
+    return !each.sensor.empty() || each.value.source.kind == Source::Kind::output ||
+           may_be_missing(each.at_least) || may_be_missing(each.at_most);
+  };
+  if (std::any_of(icon.conditions.begin(), icon.conditions.end(), reads)) return true;
+  for (const Amount& limit : icon.limits)
+    if (limit.source.kind == Source::Kind::output) return true;
+  if (may_be_missing(icon.repeat) || may_be_out_of_range(icon.time_limit) ||
+      may_be_out_of_range(icon.timeout))
+    return true;
+  // How far a count goes is known when it runs; a skill refuses by itself what is beyond its range.
+  return std::any_of(icon.parameters.begin(), icon.parameters.end(), [&](const Parameter& each) {
+    return each.source.kind == Source::Kind::output ||
+           (each.source.kind == Source::Kind::count && icon.kind == IconKind::sub_operation);
+  });
+}
+
 }  // namespace
 
 bool has_completions(IconKind kind) {
   return kind == IconKind::skill || kind == IconKind::sub_operation || kind == IconKind::wait ||
-         kind == IconKind::test;
+         kind == IconKind::test || kind == IconKind::question || kind == IconKind::zero;
+}
+
+bool has_next(IconKind kind) {
+  return kind != IconKind::branch && kind != IconKind::question && kind != IconKind::exit &&
+         kind != IconKind::restart;
 }
 
 bool names_code(const Icon& branch, int code) {
@@ -135,6 +174,11 @@ std::optional<Connection> way_of(const Icon& branch, int code) {
 
 std::optional<Connection> route(const Graph& graph, Place at, int code, bool normal) {
   const Icon& icon = graph.icon(at);
+  if (icon.kind == IconKind::question) {
+    if (normal && static_cast<std::size_t>(code) < icon.ways.size())
+      return icon.ways[static_cast<std::size_t>(code)].to;
+    return icon.error.connected() ? std::optional(icon.error) : std::nullopt;
+  }
   if (const auto branch = graph.case_behind(at)) {
     const Icon& found = graph.icon({at.operation, *branch});
     if (names_code(found, code)) return icon.next;
@@ -190,28 +234,46 @@ std::vector<Ending> endings_of(const Graph& graph, Place at, const Skills& skill
                                const std::vector<CodeSet>& exits) {
   const Icon& icon = graph.icon(at);
   std::vector<Ending> result;
-  if (icon.kind == IconKind::sub_operation) {
-    if (const auto sub = graph.sub_operation(at))
-      for (const int code : exits[*sub].list())
-        result.push_back({code, code == 0 ? Kind::normal : Kind::contingency});
-    return result;
+  switch (icon.kind) {
+    case IconKind::sub_operation:
+      if (const auto sub = graph.sub_operation(at))
+        for (const int code : exits[*sub].list())
+          result.push_back({code, code == 0 ? Kind::normal : Kind::contingency});
+      break;
+    case IconKind::test: {
+      const std::size_t most = icon.limits.empty() ? 1 : icon.limits.size();
+      for (int code = 0; code <= static_cast<int>(most); ++code) result.push_back({code, Kind::normal});
+      break;
+    }
+    case IconKind::question:
+      for (int code = 0; code < static_cast<int>(icon.ways.size()); ++code)
+        result.push_back({code, Kind::normal});
+      if (icon.timeout) result.push_back({time_over, Kind::contingency});
+      break;
+    case IconKind::wait:
+      result.push_back({0, Kind::normal});
+      if (icon.timeout) result.push_back({waited_in_vain, Kind::contingency});
+      break;
+    case IconKind::skill: {
+      const auto skill = skills.find(icon.skill);
+      if (skill == skills.end()) {
+        result.push_back({0, Kind::normal});
+      } else {
+        for (const pan::Completion& completion : skill->second.completions)
+          result.push_back({completion.code, completion.kind});
+      }
+      if (icon.time_limit) result.push_back({time_over, Kind::contingency});
+      break;
+    }
+    default:
+      result.push_back({0, Kind::normal});
   }
-  if (icon.kind == IconKind::test) {
-    for (int code = 0; code <= static_cast<int>(icon.limits.size()); ++code)
-      result.push_back({code, Kind::normal});
-    result.push_back({sensor_failed, Kind::error});
-    return result;
-  }
-  if (icon.kind == IconKind::wait) {
-    result.push_back({0, Kind::normal});
-    if (icon.timeout) result.push_back({waited_in_vain, Kind::contingency});
-    result.push_back({sensor_failed, Kind::error});
-    return result;
-  }
-  const auto skill = skills.find(icon.skill);
-  if (skill == skills.end()) return {{0, Kind::normal}};
-  for (const pan::Completion& completion : skill->second.completions)
-    result.push_back({completion.code, completion.kind});
+  const auto has = [&](int code) {
+    return std::any_of(result.begin(), result.end(), [&](const Ending& each) { return each.code == code; });
+  };
+  // Repeated no time at all.
+  if (icon.repeat && !icon.repeat->source.written() && !has(0)) result.push_back({0, Kind::normal});
+  if (can_lack_a_value(icon) && !has(no_value)) result.push_back({no_value, Kind::error});
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,10 @@
 
 namespace pal::operations {
 
-/// Whether the icon ends with a code: a skill, a hierarchical icon, a wait or a test.
+/// Whether the icon ends with a code: a skill, a hierarchical icon, a wait, a test, a question or a zero.
 bool has_completions(IconKind kind);
+/// Whether the icon has the output `next`.
+bool has_next(IconKind kind);
 
 /// The output by which the token leaves an icon that has_completions() and ended with `code`. `normal`: the
 /// skill's completion is a normal one; for a hierarchical icon, the code is 0. It is the first of these that
@@ -26,7 +29,7 @@ bool has_completions(IconKind kind);
 /// 4. `next`, if the code is normal;
 /// 5. `error`.
 ///
-/// Nothing: no icon handles the code.
+/// Nothing: no icon handles the code. A question is left by its answer, and else by `error`.
 std::optional<Connection> route(const Graph& graph, Place at, int code, bool normal);
 
 /// The output of a CASE for a code; nothing if it has neither a way nor a default for it.
@@ -67,11 +70,13 @@ struct Ending {
   int code = 0;
   pan::Completion::Kind kind = pan::Completion::Kind::normal;
 
+  /// "code 3", "any other code".
+  std::string text() const { return code == any_code ? "any other code" : "code " + code_text(code); }
   bool normal() const { return kind == pan::Completion::Kind::normal; }
 };
 
-/// All endings of what has_completions(). All codes of a test are normal but `sensor_failed`; of a wait and a
-/// sub-operation 0 is.
+/// All endings of what has_completions(). All codes of a test and of a question are normal but `no_value` and
+/// `time_over`; of a wait, a zero and a sub-operation 0 is. `any_code`: a sub-operation ends with a count.
 std::vector<Ending> endings_of(const Graph& graph, Place at, const Skills& skills,
                                const std::vector<CodeSet>& exits);
 

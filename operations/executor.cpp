@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "operations/codes.hpp"
+#include "operations/missing_value.hpp"
 
 namespace pal::operations {
 namespace {
@@ -15,16 +16,8 @@ namespace {
 // An operation of this many MERGEs in a row, and not one skill, is a circle.
 constexpr std::size_t most_idle = 100'000;
 
-// A wait looks again after this long.
-constexpr Duration between_readings = std::chrono::milliseconds(10);
-
-Duration duration_of(double seconds) {
-  return Duration(static_cast<std::int64_t>(seconds * 1e9));
-}
-
 bool is_step(IconKind kind) {
-  return kind == IconKind::skill || kind == IconKind::delay || kind == IconKind::wait ||
-         kind == IconKind::test;
+  return kind == IconKind::delay || (has_completions(kind) && kind != IconKind::sub_operation);
 }
 
 }  // namespace
@@ -34,9 +27,9 @@ const char* name(ExecutionState state) {
   return names[static_cast<std::size_t>(state)];
 }
 
-Executor::Executor(Program program, SkillRunner& runner, StepObserver* observer, const Skills* skills)
-    : program_(std::move(program)), graph_(program_), runner_(runner), observer_(observer), skills_(skills) {
-  enter(0);
+Executor::Executor(Program program, SkillRunner& runner, StepObserver* observer, const Cell* cell)
+    : program_(std::move(program)), graph_(program_), runner_(runner), observer_(observer), cell_(cell) {
+  enter(0, {});
 }
 
 ExecutionState Executor::run() {
@@ -55,34 +48,66 @@ ExecutionState Executor::run(std::size_t steps) {
     runner_.allow();
   }
   const bool resumed = state_ != ExecutionState::ready;
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  run_on(steps > all - steps_ ? all : steps_ + steps, resumed);
+  if (state_ == ExecutionState::stopped && initialised_) run_on_stop();
+  return state_;
+}
+
+void Executor::run_on(std::size_t last, bool resumed) {
   state_ = ExecutionState::running;
   reason_.clear();
-  const std::size_t last = steps > std::numeric_limits<std::size_t>::max() - steps_
-                               ? std::numeric_limits<std::size_t>::max()
-                               : steps_ + steps;
   bool leaving = resumed;  // the breakpoint at which it stands
   while (state_ == ExecutionState::running) {
     if (observer_ != nullptr) observer_->arrives(token());
     if (stop_.load(std::memory_order_relaxed)) {
       halt(ExecutionState::stopped, "stopped before " + token());
-    } else if (pause_.exchange(false, std::memory_order_relaxed)) {
+    } else if (pausing()) {
+      pause_.store(false, std::memory_order_relaxed);
       halt(ExecutionState::paused, "paused before " + token());
-    } else if (!std::exchange(leaving, false) && at_breakpoint()) {
+    } else if (!std::exchange(leaving, false) && !stopping_ && at_breakpoint()) {
       halt(ExecutionState::paused, "breakpoint at " + token());
+    } else if (is_step(icon().kind) && steps_ == last) {
+      halt(ExecutionState::paused, "paused before " + token());
     } else {
       const std::size_t before = steps_;
-      const bool acts = is_step(icon().kind);
-      if (acts && steps_ == last) {
-        halt(ExecutionState::paused, "paused before " + token());
-      } else {
-        act();
-        idle_ = steps_ == before ? idle_ + 1 : 0;
-        if (idle_ > most_idle && state_ == ExecutionState::running)
-          halt(ExecutionState::failed, "the token goes round in a loop in which no skill runs");
-      }
+      act();
+      idle_ = steps_ == before ? idle_ + 1 : 0;
+      if (idle_ > most_idle && state_ == ExecutionState::running)
+        halt(ExecutionState::failed, "the token goes round in a loop in which no skill runs");
     }
   }
-  return state_;
+}
+
+/// The innermost one. The token comes back to where it was; what was cut off there begins again, if it does.
+void Executor::run_on_stop() {
+  std::size_t depth = token_.size();
+  std::optional<std::size_t> retreat;
+  while (depth > 0 && !retreat) retreat = graph_.on_stop(token_[--depth].operation);
+  if (!retreat) return;
+  const std::vector<Frame> token = token_;
+  const std::string reason = reason_;
+  const int code = last_code_;
+  // A second stop comes after this, and holds.
+  stop_.store(false, std::memory_order_relaxed);
+  runner_.allow();
+  stopping_ = true;
+  token_.resize(depth);
+  enter(*retreat, {}, true);
+  base_ = token_.size();
+  run_on(std::numeric_limits<std::size_t>::max(), false);
+  const std::string& name = program_.operations[*retreat].name;
+  const std::string what =
+      state_ == ExecutionState::ended
+          ? fmt::format("then '{}' ended with code {}", name, last_code_)
+          : fmt::format("then '{}' {}: {}", name,
+                        state_ == ExecutionState::stopped ? "was stopped" : "failed", reason_);
+  stopping_ = false;
+  base_ = 1;
+  token_ = token;
+  last_code_ = code;
+  pause_.store(false, std::memory_order_relaxed);
+  halt(ExecutionState::stopped, fmt::format("{}; {}", reason, what));
 }
 
 void Executor::stop() noexcept {
@@ -107,13 +132,14 @@ std::string Executor::token() const {
   std::string path;
   for (const Frame& frame : token_) {
     if (!path.empty()) path += '/';
-    path += program_.operations[frame.operation].icons[frame.icon].id;
+    if (frame.on_stop) path += std::string(on_stop_in_path) + '/';
+    path += graph_.icon(frame.place()).id;
   }
   return path;
 }
 
-std::vector<Executor::Frame> Executor::find(const std::string& path) const {
-  std::vector<Frame> frames;
+std::vector<Place> Executor::find(const std::string& path) const {
+  std::vector<Place> frames;
   std::size_t operation = 0;
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
@@ -133,36 +159,56 @@ std::vector<Executor::Frame> Executor::find(const std::string& path) const {
 
 void Executor::start_from(const std::string& icon) {
   if (state_ == ExecutionState::running) throw ExecutionError("a skill is running; pause first");
-  token_ = find(icon);
+  const std::vector<Place> places = find(icon);
   counts_.clear();
+  figures_.clear();
+  memories_.clear();
+  std::vector<Frame> token;
+  for (const Place& place : places) {
+    std::map<std::string, Value> arguments;
+    try {
+      // Nothing has been counted or reported yet.
+      arguments = token.empty() ? arguments_of({}, 0) : arguments_of(token.back(), place.operation);
+    } catch (const MissingValue& problem) {
+      throw ExecutionError(fmt::format("'{}' cannot begin here: {}", icon, problem.what()));
+    }
+    token.push_back({place.operation, place.icon, std::move(arguments)});
+  }
+  token_ = std::move(token);
   last_code_ = 0;
   state_ = ExecutionState::ready;
   stop_.store(false, std::memory_order_relaxed);
   runner_.allow();
 }
 
+std::optional<Parameter> Executor::parameter(const std::string& icon, const std::string& parameter) const {
+  for (const Parameter& each : graph_.icon(find(icon).back()).parameters)
+    if (each.name == parameter) return each;
+  return std::nullopt;
+}
+
 void Executor::set_parameter(const std::string& icon, const std::string& parameter, Value value) {
   if (state_ == ExecutionState::running) throw ExecutionError("a skill is running; pause first");
-  const Frame frame = find(icon).back();
-  Icon& found = program_.operations[frame.operation].icons[frame.icon];
-  if (found.kind != IconKind::skill) throw ExecutionError(fmt::format("'{}' is no skill", icon));
-  Icon changed = found;
+  const Place place = find(icon).back();
+  Icon changed = graph_.icon(place);
+  if (changed.kind != IconKind::skill && changed.kind != IconKind::sub_operation)
+    throw ExecutionError(fmt::format("'{}' is no skill", icon));
   const auto given = std::find_if(changed.parameters.begin(), changed.parameters.end(),
                                   [&](const Parameter& each) { return each.name == parameter; });
   if (given != changed.parameters.end()) {
     given->value = std::move(value);
-    given->count_of.clear();
+    given->source = {};
   } else {
     changed.parameters.push_back({parameter, std::move(value), {}, {}});
   }
-  if (skills_ != nullptr) {
+  if (cell_ != nullptr) {
     Diagnostics diagnostics;
-    check_skill(changed, *skills_, std::nullopt, diagnostics);
+    check_parameters(graph_, place, changed, *cell_, diagnostics);
     for (const Diagnostic& finding : diagnostics.all())
       if (finding.severity == Severity::error)
         throw ExecutionError(fmt::format("{}; {}", finding.message, finding.hint));
   }
-  found.parameters = std::move(changed.parameters);
+  program_.operations[place.operation].icons[place.icon].parameters = std::move(changed.parameters);
 }
 
 void Executor::add_breakpoint(Breakpoint breakpoint) {
@@ -181,144 +227,21 @@ bool Executor::begin() {
   return true;
 }
 
-void Executor::act() {
-  if (!begin()) return;
-  const Icon& here = icon();
-  switch (here.kind) {
-    case IconKind::start:
-      last_code_ = 0;
-      return go(here.next);
-    case IconKind::merge:
-      return go(here.next);
-    case IconKind::branch:
-      if (const auto way = way_of(here, last_code_)) return go(*way);
-      return halt(ExecutionState::failed,
-                  fmt::format("CASE '{}' has no way for code {}", token(), last_code_));
-    case IconKind::delay:
-      return act_delay();
-    case IconKind::wait:
-      return act_wait();
-    case IconKind::test:
-      return act_test();
-    case IconKind::sub_operation:
-      if (const auto sub = graph_.sub_operation(token_.back())) return enter(*sub);
-      return halt(ExecutionState::failed, fmt::format("'{}' has no operation", token()));
-    case IconKind::restart:
-      token_.back().icon = start_of(token_.back().operation);
-      forget_counts(token_.back().operation);
-      return;
-    case IconKind::exit:
-      return exit_operation();
-    case IconKind::skill:
-      return act_skill();
-  }
-}
-
-void Executor::act_skill() {
-  const Icon& here = icon();
-  Step step{++steps_, token(), here.skill, counted(here.parameters), {}, runner_.now(), {}};
-  if (observer_ != nullptr) observer_->begins(step);
-  step.result = runner_.run(here.skill, step.parameters);
-  step.end = runner_.now();
-  if (observer_ != nullptr) observer_->done(step);
-  if (step.result.kind == SkillResult::Kind::stopped)
-    return halt(ExecutionState::stopped, "stopped in " + token());
-  if (step.result.kind == SkillResult::Kind::normal) count_here();
-  leave_with(step.result);
-}
-
-void Executor::leave_with(const SkillResult& result) {
-  last_code_ = result.code;
-  const auto way = route(graph_, token_.back(), last_code_, result.kind == SkillResult::Kind::normal);
-  if (way) return go(*way);
-  halt(ExecutionState::failed,
-       fmt::format("'{}' ended with code {}, which no icon handles: {}", token(), last_code_, result.reason));
-}
-
-/// A delay or a wait that is not over; it begins again after a resume.
-void Executor::cut_off(Step& step) {
-  const bool paused =
-      !stop_.load(std::memory_order_relaxed) && pause_.exchange(false, std::memory_order_relaxed);
-  step.result = {SkillResult::Kind::stopped, 0, paused ? "paused" : "stopped"};
-  step.end = runner_.now();
-  if (observer_ != nullptr) observer_->done(step);
-  halt(paused ? ExecutionState::paused : ExecutionState::stopped, step.result.reason + " in " + token());
-}
-
-void Executor::act_delay() {
-  Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}};
-  if (observer_ != nullptr) observer_->begins(step);
-  if (!runner_.delay(duration_of(icon().seconds))) return cut_off(step);
-  step.end = runner_.now();
-  if (observer_ != nullptr) observer_->done(step);
-  go(icon().next);
-}
-
-void Executor::act_test() {
-  const Icon& here = icon();
-  Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}, here.sensor};
-  if (observer_ != nullptr) observer_->begins(step);
-  const Reading reading = runner_.sense(here.sensor);
-  if (reading.stopped) return cut_off(step);
-  step.reading = reading.value;
-  if (reading.value) {
-    step.result = {SkillResult::Kind::normal, code_of(here, *reading.value), {}};
-  } else {
-    step.result = {SkillResult::Kind::error, sensor_failed, reading.problem};
-  }
-  step.end = runner_.now();
-  if (observer_ != nullptr) observer_->done(step);
-  leave_with(step.result);
-}
-
-void Executor::act_wait() {
-  const Icon& here = icon();
-  Step step{++steps_, token(), {}, {}, {}, runner_.now(), {}, here.sensor};
-  if (observer_ != nullptr) observer_->begins(step);
-  for (bool over = false; !over;) {
-    const Reading reading = runner_.sense(here.sensor);
-    if (reading.stopped || pause_.load(std::memory_order_relaxed)) return cut_off(step);
-    step.reading = reading.value;
-    over = true;
-    if (!reading.value) {
-      step.result = {SkillResult::Kind::error, sensor_failed, reading.problem};
-    } else if (is_met(here, *reading.value)) {
-      step.result = {SkillResult::Kind::normal, 0, {}};
-    } else if (here.timeout && runner_.now() - step.begin >= duration_of(*here.timeout)) {
-      step.result = {SkillResult::Kind::contingency, waited_in_vain, "the time is over"};
-    } else if (!runner_.delay(between_readings)) {
-      return cut_off(step);
-    } else {
-      over = false;
-    }
-  }
-  step.end = runner_.now();
-  if (observer_ != nullptr) observer_->done(step);
-  leave_with(step.result);
-}
-
 void Executor::go(const Connection& to) {
-  const auto next = graph_.target(token_.back().operation, to);
+  Frame& here = token_.back();
+  const auto next = graph_.target(here.operation, to);
   if (!next) return halt(ExecutionState::failed, fmt::format("'{}' leads to no icon '{}'", token(), to.icon));
-  token_.back().icon = *next;
+  here.icon = *next;
+  here.times.reset();
+  here.rounds = 0;
+  here.attempts = 0;
 }
 
-std::vector<Parameter> Executor::counted(std::vector<Parameter> parameters) const {
-  for (Parameter& parameter : parameters) {
-    if (parameter.count_of.empty()) continue;
-    const auto found = counts_.find({token_.back().operation, parameter.count_of});
-    parameter.value = found == counts_.end() ? 0.0 : static_cast<double>(found->second);
-    parameter.count_of.clear();
-  }
-  return parameters;
-}
-
-void Executor::count_here() {
-  ++counts_[{token_.back().operation, icon().id}];
-}
-
-void Executor::forget_counts(std::size_t operation) {
-  std::erase_if(counts_, [&](const auto& each) { return each.first.first == operation; });
+void Executor::forget(std::size_t operation) {
+  const auto is_here = [operation](const auto& each) { return each.first.first == operation; };
+  std::erase_if(counts_, is_here);
+  std::erase_if(figures_, is_here);
+  std::erase_if(memories_, is_here);
 }
 
 std::size_t Executor::start_of(std::size_t operation) const {
@@ -326,21 +249,13 @@ std::size_t Executor::start_of(std::size_t operation) const {
   throw ExecutionError(fmt::format("operation '{}' has no START", program_.operations[operation].name));
 }
 
-void Executor::enter(std::size_t operation) {
-  forget_counts(operation);
-  token_.push_back({operation, start_of(operation)});
-}
-
-void Executor::exit_operation() {
-  const std::string path = token();
-  last_code_ = icon().code.value_or(last_code_);
-  if (token_.size() == 1)
-    return halt(ExecutionState::ended, fmt::format("exit '{}' with code {}", path, last_code_));
-  token_.pop_back();
-  if (last_code_ == 0) count_here();
-  if (const auto way = route(graph_, token_.back(), last_code_, last_code_ == 0)) return go(*way);
-  halt(ExecutionState::failed,
-       fmt::format("'{}' ended with code {}, which no icon handles", token(), last_code_));
+/// Arguments that are not given have their defaults.
+void Executor::enter(std::size_t operation, std::map<std::string, Value> arguments, bool on_stop) {
+  forget(operation);
+  Frame frame{operation, start_of(operation), std::move(arguments), on_stop};
+  for (const pan::Parameter& each : program_.operations[operation].arguments)
+    frame.arguments.try_emplace(each.name, default_of(each));
+  token_.push_back(std::move(frame));
 }
 
 void Executor::halt(ExecutionState state, std::string reason) {

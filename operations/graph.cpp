@@ -44,20 +44,26 @@ void Graph::find_sub_operations() {
     by_name.emplace(std::pair(operation.from, operation.name), o);
     first_of_file.emplace(operation.from, o);
   }
+  const auto find_operation = [&](const Operation& from, const std::string& named_file,
+                                  const std::string& name) -> std::optional<std::size_t> {
+    const std::string file = named_file.empty() ? from.from : resolve_path(from.from, named_file);
+    // A file alone means its first operation.
+    if (name.empty()) {
+      const auto first = first_of_file.find(file);
+      return first == first_of_file.end() ? std::nullopt : std::optional(first->second);
+    }
+    const auto named = by_name.find({file, name});
+    return named == by_name.end() ? std::nullopt : std::optional(named->second);
+  };
   for (std::size_t o = 0; o < program_.operations.size(); ++o) {
     const Operation& operation = program_.operations[o];
     operations_[o].subs.resize(operation.icons.size());
+    if (operation.on_stop.given())
+      operations_[o].on_stop = find_operation(operation, operation.on_stop.file, operation.on_stop.operation);
     for (std::size_t i = 0; i < operation.icons.size(); ++i) {
       const Icon& icon = operation.icons[i];
       if (icon.kind != IconKind::sub_operation) continue;
-      const std::string file = icon.file.empty() ? operation.from : resolve_path(operation.from, icon.file);
-      std::optional<std::size_t> found;
-      // A file alone means its first operation.
-      if (icon.operation.empty()) {
-        if (const auto first = first_of_file.find(file); first != first_of_file.end()) found = first->second;
-      } else if (const auto named = by_name.find({file, icon.operation}); named != by_name.end()) {
-        found = named->second;
-      }
+      const auto found = find_operation(operation, icon.file, icon.operation);
       operations_[o].subs[i] = found;
       if (found) operations_[*found].users.push_back({o, i});
     }
@@ -88,6 +94,31 @@ void Graph::find_cases(std::size_t operation) {
     if (at && !answer) answer = cases[*at];
     for (const std::size_t each : passed) cases[each] = answer;
   }
+}
+
+std::vector<std::size_t> inner_first(const Graph& graph) {
+  const auto& operations = graph.program().operations;
+  std::vector<std::size_t> order;
+  std::vector<bool> seen(operations.size(), false);
+  for (std::size_t root = 0; root < operations.size(); ++root) {
+    if (seen[root]) continue;
+    seen[root] = true;
+    std::vector<Place> walk{{root, 0}};  // the next icon to look at
+    while (!walk.empty()) {
+      const Place at = walk.back();
+      if (at.icon == operations[at.operation].icons.size()) {
+        order.push_back(at.operation);
+        walk.pop_back();
+        continue;
+      }
+      ++walk.back().icon;
+      if (const auto sub = graph.sub_operation(at); sub && !seen[*sub]) {
+        seen[*sub] = true;
+        walk.push_back({*sub, 0});
+      }
+    }
+  }
+  return order;
 }
 
 std::vector<std::vector<std::size_t>> circles(const std::vector<std::vector<std::size_t>>& leads_to) {

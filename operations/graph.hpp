@@ -30,6 +30,8 @@ class Graph {
   std::optional<std::size_t> start(std::size_t operation) const { return operations_[operation].start; }
   /// What a hierarchical icon stands for; nothing if it is not there.
   std::optional<std::size_t> sub_operation(Place at) const { return operations_[at.operation].subs[at.icon]; }
+  /// The operation that runs when this one is stopped; nothing if there is none.
+  std::optional<std::size_t> on_stop(std::size_t operation) const { return operations_[operation].on_stop; }
   /// The CASE that the token comes to by `next` of the icon, passing MERGEs and delays only.
   std::optional<std::size_t> case_behind(Place at) const { return operations_[at.operation].cases[at.icon]; }
   /// The hierarchical icons that stand for the operation.
@@ -40,7 +42,7 @@ class Graph {
  private:
   struct Lookup {
     std::unordered_map<std::string_view, std::size_t> ids;
-    std::optional<std::size_t> start;
+    std::optional<std::size_t> start, on_stop;
     std::vector<std::optional<std::size_t>> subs, cases;
     std::vector<Place> users;
   };
@@ -50,6 +52,9 @@ class Graph {
   const Program& program_;
   std::vector<Lookup> operations_;
 };
+
+/// All operations, each behind those that its hierarchical icons stand for. No operation contains itself.
+std::vector<std::size_t> inner_first(const Graph& graph);
 
 /// Groups of icons, by index, between which one can go round, and single ones that lead to themselves; each
 /// group in ascending order. `leads_to[i]`: where one can go from i.

@@ -33,10 +33,13 @@ std::string ending(const Step& step) {
 /// "took 1.20 s, read 5.00 from eye and ended with code 0: The tool touches the surface"
 std::string course_of(const Step& step) {
   const std::string length = fmt::format("took {:.2f} s", in_seconds(step.end - step.begin));
-  if (step.skill.empty() && step.sensor.empty() && step.result.kind != SkillResult::Kind::stopped)
+  if (step.skill.empty() && step.sensor.empty() && step.question.empty() &&
+      step.result.kind != SkillResult::Kind::stopped)
     return length;
-  const std::string reading =
-      step.reading ? fmt::format(", read {:.2f} from {}", *step.reading, step.sensor) : "";
+  std::string reading = step.reading ? fmt::format(", read {:.2f} from {}", *step.reading, step.sensor) : "";
+  for (const Figure& each : step.readings)
+    reading += fmt::format(", read {:.2f} from {}", each.value, each.name);
+  if (!step.answer.empty()) reading += fmt::format(", was answered \"{}\"", step.answer);
   return fmt::format("{}{} and {}", length, reading, ending(step));
 }
 

@@ -139,6 +139,7 @@ class Builder {
   }
   bool end() {
     JsonValue value = std::move(open_.back());
+    value.end = offset(at_);
     open_.pop_back();
     return add(std::move(value));
   }

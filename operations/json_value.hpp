@@ -1,6 +1,7 @@
 // JSON whose values know their places, so that a finding can name a line.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,7 +23,8 @@ struct JsonValue {
   std::string text;
   std::vector<JsonValue> items;
   std::vector<JsonMember> members;  // in the order of the file
-  SourceSpan where;
+  SourceSpan where;                 // of an object and a list, their first sign
+  std::uint32_t end = 0;            // behind the last sign
 };
 
 struct JsonMember {

@@ -32,13 +32,16 @@ std::optional<Program> load(const FileSystem& files, SourceManager& sources, con
     auto document = parse(sources, file, diagnostics);
     if (!document) continue;
     for (Operation& operation : document->operations) {
-      for (const Icon& icon : operation.icons) {
-        if (icon.file.empty()) continue;
-        const std::string named = resolve_path(next.path, icon.file);
-        if (seen.insert(named).second) wanted.push_back({named, icon.subject});
-      }
+      const auto want = [&](const std::string& file, SourceSpan where) {
+        if (file.empty()) return;
+        const std::string named = resolve_path(next.path, file);
+        if (seen.insert(named).second) wanted.push_back({named, where});
+      };
+      for (const Icon& icon : operation.icons) want(icon.file, icon.subject);
+      want(operation.on_stop.file, operation.on_stop.where);
       program.operations.push_back(std::move(operation));
     }
+    program.extents.insert(program.extents.end(), document->extents.begin(), document->extents.end());
   }
   if (program.operations.empty() || program.operations.front().from != path) return std::nullopt;
   return program;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 #include "pal/support/file_system.hpp"
 
@@ -13,9 +14,21 @@ namespace {
 
 // In the order of IconKind.
 const std::vector<std::string>& kind_names() {
-  static const std::vector<std::string> names{"start", "skill", "case",      "merge",   "delay",
-                                              "wait",  "test",  "operation", "restart", "exit"};
+  static const std::vector<std::string> names{"start", "skill",    "case", "merge",     "delay",   "wait",
+                                              "test",  "question", "zero", "operation", "restart", "exit"};
   return names;
+}
+
+std::optional<std::size_t> find_operation(const Program& program, const Operation& from,
+                                          const std::string& named_file, const std::string& name) {
+  const std::string file = named_file.empty() ? from.from : resolve_path(from.from, named_file);
+  for (std::size_t i = 0; i < program.operations.size(); ++i) {
+    const Operation& candidate = program.operations[i];
+    if (candidate.from != file) continue;
+    // A file alone means its first operation.
+    if (name.empty() || candidate.name == name) return i;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -28,14 +41,7 @@ std::optional<std::size_t> find_icon(const Operation& operation, const std::stri
 
 std::optional<std::size_t> find_sub_operation(const Program& program, const Operation& from,
                                               const Icon& icon) {
-  const std::string file = icon.file.empty() ? from.from : resolve_path(from.from, icon.file);
-  for (std::size_t i = 0; i < program.operations.size(); ++i) {
-    const Operation& candidate = program.operations[i];
-    if (candidate.from != file) continue;
-    // A file alone means its first operation.
-    if (icon.operation.empty() || candidate.name == icon.operation) return i;
-  }
-  return std::nullopt;
+  return find_operation(program, from, icon.file, icon.operation);
 }
 
 std::vector<Place> find_path(const Program& program, const std::string& path) {
@@ -45,13 +51,18 @@ std::vector<Place> find_path(const Program& program, const std::string& path) {
     if (!operation) return {};
     const std::size_t end = std::min(path.find('/', begin), path.size());
     const Operation& here = program.operations[*operation];
-    const auto icon = find_icon(here, path.substr(begin, end - begin));
+    const std::string id = path.substr(begin, end - begin);
+    begin = end + 1;
+    if (id == on_stop_in_path) {
+      operation = find_operation(program, here, here.on_stop.file, here.on_stop.operation);
+      continue;
+    }
+    const auto icon = find_icon(here, id);
     if (!icon) return {};
     places.push_back({*operation, *icon});
     operation = here.icons[*icon].kind == IconKind::sub_operation
                     ? find_sub_operation(program, here, here.icons[*icon])
                     : std::nullopt;
-    begin = end + 1;
   }
   return places;
 }
@@ -62,25 +73,50 @@ std::vector<Connection> outputs(const Icon& icon) {
     if (connection.connected()) result.push_back(connection);
   };
   add(icon.next);
-  for (const Way& way : icon.ways) add(way.to);
+  for (const Way& way : icon.ways) add(way.to);  // of a question: its answers
   add(icon.otherwise);
   add(icon.error);
   return result;
 }
 
-int code_of(const Icon& test, double reading) {
-  return static_cast<int>(
-      std::count_if(test.limits.begin(), test.limits.end(), [&](double limit) { return reading >= limit; }));
+std::optional<Extent> extent_of(const Program& program, SourceSpan where) {
+  const auto order = [](const Extent& each, SourceSpan place) {
+    return std::pair(each.where.file, each.where.end) <= std::pair(place.file, place.begin);
+  };
+  const auto found = std::lower_bound(program.extents.begin(), program.extents.end(), where, order);
+  if (found == program.extents.end() || found->where.file != where.file || found->where.begin > where.begin)
+    return std::nullopt;
+  return *found;
 }
 
-bool is_met(const Icon& wait, double reading) {
-  return (!wait.at_least || reading >= *wait.at_least) && (!wait.at_most || reading <= *wait.at_most);
+std::string code_text(int code) {
+  return code == any_code ? "any other" : std::to_string(code);
 }
 
-std::string condition_text(const Icon& wait) {
-  if (wait.at_least && wait.at_most) return fmt::format("from {} to {}", *wait.at_least, *wait.at_most);
-  return wait.at_least ? fmt::format("at least {}", *wait.at_least)
-                       : fmt::format("at most {}", wait.at_most.value_or(0));
+std::string condition_text(const Condition& condition) {
+  if (condition.at_least && condition.at_most)
+    return fmt::format("from {} to {}", to_text(*condition.at_least), to_text(*condition.at_most));
+  if (condition.at_least) return "at least " + to_text(*condition.at_least);
+  return condition.at_most ? "at most " + to_text(*condition.at_most) : "";
+}
+
+std::string subject_text(const Condition& condition) {
+  return condition.sensor.empty() ? to_text(condition.value.source) : condition.sensor;
+}
+
+std::string conditions_text(const Icon& icon) {
+  std::string text;
+  for (const Condition& each : icon.conditions) {
+    if (!text.empty()) text += icon.combination == Combination::any ? " or " : " and ";
+    text += fmt::format("{} {}", subject_text(each), condition_text(each));
+  }
+  return text;
+}
+
+std::string subjects_text(const Icon& icon) {
+  std::string text = icon.sensor;
+  for (const Condition& each : icon.conditions) text += (text.empty() ? "" : ", ") + subject_text(each);
+  return text;
 }
 
 const char* name(IconKind kind) {
@@ -113,8 +149,26 @@ std::string to_text(const Value& value) {
   return "\"" + std::get<std::string>(value) + "\"";
 }
 
+std::string to_text(const Source& source) {
+  switch (source.kind) {
+    case Source::Kind::count:
+      return "the count of " + source.icon;
+    case Source::Kind::argument:
+      return "the argument " + source.name;
+    case Source::Kind::output:
+      return source.name + " of " + source.icon;
+    case Source::Kind::written:
+      break;
+  }
+  return {};
+}
+
 std::string to_text(const Parameter& parameter) {
-  return parameter.count_of.empty() ? to_text(parameter.value) : "the count of " + parameter.count_of;
+  return parameter.source.written() ? to_text(parameter.value) : to_text(parameter.source);
+}
+
+std::string to_text(const Amount& amount) {
+  return amount.source.written() ? fmt::format("{}", amount.number) : to_text(amount.source);
 }
 
 }  // namespace pal::operations

@@ -16,12 +16,38 @@ std::string in_quotes(const std::string& text) {
   return result + "\"";
 }
 
+std::string limits(const Icon& icon) {
+  std::string text = subjects_text(icon) + "\n";
+  for (const Amount& limit : icon.limits)
+    text += (&limit == &icon.limits.front() ? "" : " | ") + to_text(limit);
+  return text;
+}
+
+/// A condition a line.
+std::string conditions(const Icon& icon) {
+  std::string text = icon.combination == Combination::any ? "any of"
+                     : icon.conditions.size() > 1         ? "all of"
+                                                          : "";
+  for (const Condition& each : icon.conditions)
+    text += fmt::format("{}{} {}", text.empty() ? "" : "\n", subject_text(each), condition_text(each));
+  return text;
+}
+
+/// How often it runs, and again; how long.
+std::string runs(const Icon& icon) {
+  std::string text;
+  if (icon.repeat) text += "\nrepeat " + to_text(*icon.repeat);
+  if (icon.retries > 0) text += fmt::format("\nretries {}", icon.retries);
+  if (icon.time_limit) text += fmt::format("\nat most {} s", to_text(*icon.time_limit));
+  return text;
+}
+
 std::string label(const Icon& icon) {
   switch (icon.kind) {
     case IconKind::start:
       return "START";
     case IconKind::exit:
-      return (icon.code ? fmt::format("EXIT {}\n", *icon.code) : "EXIT\n") + icon.id;
+      return (icon.code ? fmt::format("EXIT {}\n", to_text(*icon.code)) : "EXIT\n") + icon.id;
     case IconKind::restart:
       return "RESTART";
     case IconKind::branch:
@@ -29,15 +55,20 @@ std::string label(const Icon& icon) {
     case IconKind::merge:
       return "";
     case IconKind::delay:
-      return fmt::format("wait {:g} s", icon.seconds);
+      return icon.seconds->source.written() ? fmt::format("wait {:g} s", icon.seconds->number)
+                                            : "wait " + to_text(*icon.seconds);
     case IconKind::wait:
-      return fmt::format("wait for\n{}\n{}", icon.sensor, condition_text(icon));
+      return "wait for\n" + conditions(icon);
     case IconKind::test:
-      return fmt::format("{}\n{}\n{}", icon.id, icon.sensor, fmt::join(icon.limits, " | "));
+      return icon.id + "\n" + (icon.limits.empty() ? conditions(icon) : limits(icon));
+    case IconKind::question:
+      return icon.id + "\n" + icon.text;
+    case IconKind::zero:
+      return "zero\n" + icon.sensor;
     case IconKind::skill:
-      return icon.id == icon.skill ? icon.id : icon.id + "\n" + icon.skill;
+      return (icon.id == icon.skill ? icon.id : icon.id + "\n" + icon.skill) + runs(icon);
     case IconKind::sub_operation:
-      return icon.id;
+      return icon.id + runs(icon);
   }
   return {};
 }
@@ -55,6 +86,10 @@ const char* look(IconKind kind) {
     case IconKind::delay:
     case IconKind::wait:
       return "shape=box style=dashed";
+    case IconKind::zero:
+      return "shape=box style=dashed";
+    case IconKind::question:
+      return "shape=hexagon style=filled fillcolor=\"#ead1dc\"";
     case IconKind::test:
       return "shape=hexagon style=filled fillcolor=\"#fce5cd\"";
     case IconKind::sub_operation:
@@ -96,7 +131,8 @@ std::string to_dot(const Program& program, std::size_t operation, const Happened
   }
   for (const Icon& icon : shown.icons) {
     line(icon, icon.next, "", false);
-    for (const Way& way : icon.ways) line(icon, way.to, fmt::format("{}", fmt::join(way.codes, ", ")), false);
+    for (const Way& way : icon.ways)
+      line(icon, way.to, way.text.empty() ? fmt::format("{}", fmt::join(way.codes, ", ")) : way.text, false);
     line(icon, icon.otherwise, "else", false);
     line(icon, icon.error, "error", true);
   }

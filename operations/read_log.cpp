@@ -16,7 +16,7 @@ std::string misfit(const Program& program, const Step& step) {
   if (places.empty())
     return fmt::format("operation '{}' has no icon '{}'", program.operations.front().name, step.icon);
   const Icon& icon = program.operations[places.back().operation].icons[places.back().icon];
-  if (icon.skill != step.skill || icon.sensor != step.sensor)
+  if (icon.skill != step.skill || subjects_text(icon) != step.sensor || icon.text != step.question)
     return fmt::format("icon '{}' of the operation does something else", step.icon);
   return {};
 }

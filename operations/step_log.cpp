@@ -31,6 +31,19 @@ std::optional<Value> value_of(const Json& json) {
 }
 
 /// Throws Json::exception for what is not of its type.
+std::vector<Figure> figures_of(const Json& json) {
+  std::vector<Figure> result;
+  for (const auto& [name, value] : json.items()) result.push_back({name, value.get<double>()});
+  return result;
+}
+
+Json json_of(const std::vector<Figure>& figures) {
+  Json json = Json::object();
+  for (const Figure& figure : figures) json[figure.name] = figure.value;
+  return json;
+}
+
+/// Throws Json::exception for what is not of its type.
 std::optional<Step> step_of(const Json& line) {
   Step step;
   step.number = line.at("step").get<std::size_t>();
@@ -46,6 +59,10 @@ std::optional<Step> step_of(const Json& line) {
   }
   if (const auto reading = line.find("reading"); reading != line.end() && !reading->is_null())
     step.reading = reading->get<double>();
+  step.question = line.value("question", "");
+  step.answer = line.value("answer", "");
+  step.readings = figures_of(line.value("readings", Json::object()));
+  step.result.figures = figures_of(line.value("figures", Json::object()));
   const auto kind = std::find(kinds.begin(), kinds.end(), line.value("kind", "normal"));
   if (kind == kinds.end()) return std::nullopt;
   step.result.kind = static_cast<SkillResult::Kind>(kind - kinds.begin());
@@ -84,10 +101,19 @@ std::string log_line(const Step& step) {
   }
   if (!step.sensor.empty()) {
     line["sensor"] = step.sensor;
-    line["reading"] = nullptr;
-    if (step.reading) line["reading"] = *step.reading;
+    if (!step.readings.empty()) {
+      line["readings"] = json_of(step.readings);
+    } else {
+      line["reading"] = nullptr;
+      if (step.reading) line["reading"] = *step.reading;
+    }
   }
-  if (!(step.skill.empty() && step.sensor.empty()) || step.result.kind == SkillResult::Kind::stopped) {
+  if (!step.question.empty()) {
+    line["question"] = step.question;
+    line["answer"] = step.answer;
+  }
+  if (!step.result.figures.empty()) line["figures"] = json_of(step.result.figures);
+  if (step.has_code() || step.result.kind == SkillResult::Kind::stopped) {
     line["kind"] = kinds[static_cast<std::size_t>(step.result.kind)];
     line["code"] = step.result.code;
     line["reason"] = step.result.reason;
@@ -102,11 +128,19 @@ std::string told(const Step& step) {
   const double length = seconds(step.end - step.begin);
   const std::string reason = step.result.reason.empty() ? "" : ": " + step.result.reason;
   const bool stopped = step.result.kind == SkillResult::Kind::stopped;
+  if (!step.question.empty())
+    return begin + (stopped ? fmt::format("asked, cut off after {:.3f} s", length)
+                            : fmt::format("{}, code {} after {:.3f} s{}",
+                                          step.answer.empty() ? "no answer" : "answered " + step.answer,
+                                          step.result.code, length, reason));
   if (step.skill.empty() && step.sensor.empty())
     return begin + fmt::format("{} {:.3f} s", stopped ? "cut off after" : "waited", length);
   std::string what = step.skill;
   if (!step.sensor.empty())
     what = step.reading ? fmt::format("{} shows {:.2f}", step.sensor, *step.reading) : step.sensor;
+  for (const Figure& each : step.readings)
+    what = fmt::format("{}{} shows {:.2f}", &each == &step.readings.front() ? "" : what + ", ", each.name,
+                       each.value);
   if (stopped && !step.sensor.empty()) return begin + fmt::format("{}, cut off after {:.3f} s", what, length);
   return begin + fmt::format("{}{} code {} after {:.3f} s{}", what, step.sensor.empty() ? " ended with" : ",",
                              step.result.code, length, reason);

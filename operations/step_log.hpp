@@ -10,8 +10,10 @@
 namespace pal::operations {
 
 /// {"step", "icon", "skill", "parameters", "kind", "code", "reason", "begin_s", "end_s"} on one line without
-/// its end. A wait and a test have "sensor" and "reading" instead of skill and parameters. A delay has none
-/// of these; it has kind, code and reason only if it was stopped. Times are those of the cell.
+/// its end, and "figures" if the skill reported some. A wait and a test have "sensor" and "reading", or
+/// "readings" if they read several things, instead of skill and parameters; a zero has "sensor" alone; a
+/// question has "question" and "answer". A delay has none of these; it has kind, code and reason only if it
+/// was stopped. Times are those of the cell.
 std::string log_line(const Step& step);
 
 /// The step of a line that log_line() wrote, or of an event of a server, which has the same fields. Nothing:

@@ -91,17 +91,26 @@ class Teller {
         tell_sub_operation(at, icon, scene);
         break;
       case IconKind::test:
-        scene.sentences.push_back(fmt::format("The sensor {} is read.", icon.sensor));
+        scene.sentences.push_back(icon.limits.empty() ? fmt::format("It is looked whether {}.", awaited(icon))
+                                                      : fmt::format("{} is read.", read_of(icon)));
         tell_branches(at, icon, scene);
         break;
       case IconKind::wait:
+        scene.sentences.push_back(fmt::format("The robot waits until {}{}.", awaited(icon), at_most(icon)));
+        tell_branches(at, icon, scene);
+        break;
+      case IconKind::question:
         scene.sentences.push_back(
-            fmt::format("The robot waits until the sensor {} shows {}{}.", icon.sensor, awaited(icon),
-                        icon.timeout ? fmt::format("; it waits {:g} s at most", *icon.timeout) : ""));
+            fmt::format("A person is asked: \"{}\"{}", icon.text, icon.timeout ? at_most(icon) + "." : ""));
+        tell_branches(at, icon, scene);
+        break;
+      case IconKind::zero:
+        scene.sentences.push_back(
+            fmt::format("What the sensor {} shows now counts as zero from now on.", icon.sensor));
         tell_branches(at, icon, scene);
         break;
       default:
-        scene.sentences.push_back(fmt::format("The robot waits for {:g} s.", icon.seconds));
+        scene.sentences.push_back(fmt::format("The robot waits for {} s.", in_words(*icon.seconds)));
         scene.branches.push_back(destination(icon.next, 0));
     }
     if (run_ != nullptr) scene.sentences.push_back(run_->at(at));
@@ -118,8 +127,10 @@ class Teller {
     const pan::Template& skill = found->second;
     if (!skill.preconditions.empty())
       scene.sentences.push_back(fmt::format("Before: {}", fmt::join(skill.preconditions, " ")));
-    scene.sentences.push_back(fmt::format("The skill {} runs{}{}", icon.skill, settings(icon, skill),
+    scene.sentences.push_back(fmt::format("The skill {} runs{}{}", icon.skill,
+                                          settings(icon, skill.parameters),
                                           continued(fmt::format("{}", fmt::join(skill.descriptions, " ")))));
+    tell_runs(icon, scene);
     if (!skill.postconditions.empty())
       scene.sentences.push_back(
           fmt::format("Afterwards, if the code is normal: {}", fmt::join(skill.postconditions, " ")));
@@ -138,15 +149,15 @@ class Teller {
   /// A unit as it is read aloud; most are read as they are written.
   static std::string spoken(const std::string& unit) { return unit == "deg" ? "degrees" : unit; }
 
-  static std::string settings(const Icon& icon, const pan::Template& skill) {
+  static std::string settings(const Icon& icon, const std::vector<pan::Parameter>& parameters) {
     std::vector<std::string> texts;
     for (const Parameter& given : icon.parameters) {
-      if (!given.count_of.empty()) {
-        texts.push_back(fmt::format("{} equal to {} so far", given.name, to_text(given)));
+      if (!given.source.written()) {
+        texts.push_back(fmt::format("{} equal to {}", given.name, in_words({0, {}, given.source})));
         continue;
       }
       std::string unit;
-      for (const pan::Parameter& parameter : skill.parameters)
+      for (const pan::Parameter& parameter : parameters)
         if (parameter.name == given.name && !parameter.unit.empty()) unit = " " + spoken(parameter.unit);
       texts.push_back(fmt::format("{} {}{}", given.name, to_text(given), unit));
     }
@@ -159,9 +170,11 @@ class Teller {
   void tell_sub_operation(Place at, const Icon& icon, Scene& scene) const {
     if (const auto sub = graph_.sub_operation(at)) {
       const Operation& inside = graph_.program().operations[*sub];
-      scene.sentences.push_back(fmt::format("The operation {} runs{} Its own scenes are told below.",
-                                            inside.name, continued(inside.description)));
+      scene.sentences.push_back(fmt::format("The operation {} runs{}{} Its own scenes are told below.",
+                                            inside.name, settings(icon, inside.arguments),
+                                            continued(inside.description)));
     }
+    tell_runs(icon, scene);
     tell_branches(at, icon, scene);
   }
 
@@ -170,7 +183,8 @@ class Teller {
       const int code = ending.code;
       const auto way = route(graph_, at, code, ending.normal());
       scene.branches.push_back(
-          fmt::format("Code {}{} {}", code, meaning(at, icon, code),
+          fmt::format("{}{} {}", code == any_code ? "Any other code" : fmt::format("Code {}", code),
+                      meaning(at, icon, code),
                       way ? destination(*way, code) : "No icon handles it, and the operation fails here."));
     }
   }
@@ -178,7 +192,14 @@ class Teller {
   /// ": It is there.", ", from its exit done." or "."
   std::string meaning(Place at, const Icon& icon, int code) const {
     if (icon.kind == IconKind::sub_operation) return exits_with(at, code);
-    if (!icon.sensor.empty()) return ": " + meaning_of_reading(icon, code);
+    if (code == time_over) return ": The time is over.";
+    if (icon.kind == IconKind::question)
+      return ": " + (code < 0 ? "Nobody can be asked."
+                              : fmt::format("The answer is \"{}\".",
+                                            icon.ways[static_cast<std::size_t>(code)].text));
+    if (icon.kind == IconKind::zero) return code == 0 ? ": It is zero." : ": It cannot be zeroed.";
+    if (!icon.conditions.empty()) return ": " + meaning_of_reading(icon, code);
+    if (code == no_value) return ": A value that it needs is missing.";
     const auto skill = skills_.find(icon.skill);
     if (skill == skills_.end()) return ".";
     for (const pan::Completion& completion : skill->second.completions) {
@@ -197,25 +218,77 @@ class Teller {
       const Icon& exit = inside.icons[i];
       const CodeSet& codes = codes_.at[*sub][i];
       if (exit.kind != IconKind::exit || codes.empty()) continue;
-      if (exit.code ? *exit.code == code : codes.contains(code)) names.push_back(exit.id);
+      const int given = !exit.code                    ? code
+                        : exit.code->source.written() ? static_cast<int>(exit.code->number)
+                                                      : any_code;
+      if (given == code && (exit.code || codes.contains(code))) names.push_back(exit.id);
     }
     if (names.empty()) return ".";
     return fmt::format(", from its exit {}.", fmt::join(names, " or "));
   }
-  /// What a wait waits for: "280 or less".
+  /// As a sentence has it: "5", "the count of put so far", "what press reported as force".
+  static std::string in_words(const Amount& amount) {
+    if (amount.source.kind == Source::Kind::count) return to_text(amount) + " so far";
+    if (amount.source.kind == Source::Kind::output)
+      return fmt::format("what {} reported as {}", amount.source.icon, amount.source.name);
+    return amount.source.written() ? fmt::format("{:g}", amount.number) : to_text(amount);
+  }
+  /// How often it runs, and how long.
+  static void tell_runs(const Icon& icon, Scene& scene) {
+    if (icon.repeat)
+      scene.sentences.push_back(
+          fmt::format("It runs {} times, as long as it ends normally.", in_words(*icon.repeat)));
+    if (icon.time_limit)
+      scene.sentences.push_back(fmt::format("It is ended after {} s.", in_words(*icon.time_limit)));
+    if (icon.retries == 0) return;
+    const std::string when = icon.retry_on.empty()
+                                 ? "If it does not end normally"
+                                 : fmt::format("With code {}", fmt::join(icon.retry_on, " or "));
+    scene.sentences.push_back(fmt::format("{}, it begins again, up to {} time{}.", when, icon.retries,
+                                          icon.retries == 1 ? "" : "s"));
+  }
+  static std::string at_most(const Icon& icon) {
+    return icon.timeout ? fmt::format("; it waits {} s at most", in_words(*icon.timeout)) : "";
+  }
+  /// "The sensor eye", "The count of put".
+  static std::string read_of(const Icon& icon) {
+    const Condition& only = icon.conditions.front();
+    if (!only.sensor.empty())
+      return only.mean_of == 1
+                 ? fmt::format("The sensor {}", only.sensor)
+                 : fmt::format("The mean of {} readings of the sensor {}", only.mean_of, only.sensor);
+    std::string text = subject_text(only);
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+  }
+  /// "280 or less"
+  static std::string compared(const Condition& condition) {
+    if (condition.at_least && condition.at_most) return condition_text(condition);
+    return condition.at_least ? to_text(*condition.at_least) + " or more"
+                              : to_text(*condition.at_most) + " or less";
+  }
+  /// "the sensor eye shows 280 or less and the count of put is 3 or more"
   static std::string awaited(const Icon& icon) {
-    if (icon.at_least && icon.at_most) return condition_text(icon);
-    return icon.at_least ? fmt::format("{} or more", *icon.at_least)
-                         : fmt::format("{} or less", icon.at_most.value_or(0));
+    std::string text;
+    for (const Condition& each : icon.conditions) {
+      if (!text.empty()) text += icon.combination == Combination::any ? ", or " : ", and ";
+      const std::string mean =
+          each.mean_of == 1 ? "" : fmt::format(" in the mean of {} readings", each.mean_of);
+      text += each.sensor.empty()
+                  ? fmt::format("{} is {}", subject_text(each), compared(each))
+                  : fmt::format("the sensor {} shows {}{}", each.sensor, compared(each), mean);
+    }
+    return text;
   }
   static std::string meaning_of_reading(const Icon& icon, int code) {
-    if (code == sensor_failed) return "The sensor shows nothing.";
-    if (icon.kind == IconKind::wait)
-      return code == 0 ? fmt::format("It shows {}.", awaited(icon)) : "The time is over.";
+    if (code == no_value) return "There is no reading.";
+    if (icon.kind == IconKind::wait) return code == 0 ? "It is so." : "The time is over.";
+    if (icon.limits.empty()) return code == 1 ? "It is so." : "It is not so.";
     const auto index = static_cast<std::size_t>(code);
-    if (index == 0) return fmt::format("It shows less than {}.", icon.limits.front());
-    if (index == icon.limits.size()) return fmt::format("It shows {} or more.", icon.limits.back());
-    return fmt::format("It shows {} or more, and less than {}.", icon.limits[index - 1], icon.limits[index]);
+    if (index == 0) return fmt::format("It shows less than {}.", to_text(icon.limits.front()));
+    if (index == icon.limits.size()) return fmt::format("It shows {} or more.", to_text(icon.limits.back()));
+    return fmt::format("It shows {} or more, and less than {}.", to_text(icon.limits[index - 1]),
+                       to_text(icon.limits[index]));
   }
 
   std::string name_of(std::size_t scene) const {
@@ -235,6 +308,12 @@ class Teller {
     return std::nullopt;
   }
 
+  static std::string exit_text(const Icon& exit, int code) {
+    if (!exit.code) return code == any_code ? "that code" : fmt::format("code {}", code);
+    return exit.code->source.written() ? fmt::format("code {:g}", exit.code->number)
+                                       : in_words(*exit.code) + " as its code";
+  }
+
   /// "The story goes on with scene 3, rub."
   std::string destination(const Connection& to, int code) const {
     if (const auto scene = scene_behind(to, code))
@@ -243,7 +322,7 @@ class Teller {
     for (std::size_t steps = 0; at && steps <= operation_.icons.size(); ++steps) {
       const Icon& icon = operation_.icons[*at];
       if (icon.kind == IconKind::exit)
-        return fmt::format("The operation ends at {} with code {}.{}{}", icon.id, icon.code.value_or(code),
+        return fmt::format("The operation ends at {} with {}.{}{}", icon.id, exit_text(icon, code),
                            icon.note.empty() ? "" : " ", icon.note);
       if (icon.kind == IconKind::restart) return "All begins again from START.";
       const auto way = icon.kind == IconKind::branch ? way_of(icon, code) : std::optional(icon.next);
@@ -272,6 +351,9 @@ std::vector<Chapter> chapters(const Program& program, const Skills& skills, cons
     const Teller teller(graph, skills, codes, i, run);
     Chapter chapter{operation.name, {}, {}, teller.scenes(), to_dot(program, i, run)};
     if (!operation.description.empty()) chapter.introduction.push_back(operation.description);
+    if (const auto retreat = graph.on_stop(i))
+      chapter.introduction.push_back(fmt::format("If it is stopped, the operation {} runs before all rests.",
+                                                 program.operations[*retreat].name));
     chapter.introduction.push_back(teller.beginning());
     if (run != nullptr && i == 0) {
       chapter.introduction.push_back(run->summary());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "operations/codes.hpp"
@@ -26,6 +27,9 @@ struct Times {
     add_longest(time);
   }
   void add_longest(std::optional<Duration> time) {
+    // Ages are not known either.
+    if (longest && time && time->count() > std::numeric_limits<std::int64_t>::max() - longest->count())
+      time.reset();
     longest = longest && time ? std::optional(*longest + *time) : std::nullopt;
   }
 };
@@ -43,7 +47,8 @@ struct Left {
   std::string end(const std::string& prefix) const {
     if (how == How::restart) return "restart by " + prefix + at;
     if (how == How::back) return "back to " + prefix + at;
-    return fmt::format("exit {}{} with code {}", prefix, at, code);
+    return fmt::format("exit {}{} with code {}", prefix, at,
+                       code == any_code ? "that is counted" : std::to_string(code));
   }
 };
 
@@ -130,61 +135,160 @@ class Walk {
   void visit(Place at, const Icon& icon, int code, Times times) {
     switch (icon.kind) {
       case IconKind::exit:
-        return finish({Left::How::exit, icon.id, icon.code.value_or(code), {}, {}, times});
+        if (icon.code) code = icon.code->source.written() ? static_cast<int>(icon.code->number) : any_code;
+        return finish({Left::How::exit, icon.id, code, {}, {}, times});
       case IconKind::restart:
         return finish({Left::How::restart, icon.id, code, {}, {}, times});
       case IconKind::branch:
-        if (const auto way = way_of(icon, code)) go(*way, code, times);
-        return;
+        return choose(icon, code, times);
       case IconKind::skill:
       case IconKind::wait:
       case IconKind::test:
+      case IconKind::question:
+      case IconKind::zero:
         for (const Ending& ending : endings_of(graph_, at, skills_, exits_))
           if (const auto way = route(graph_, at, ending.code, ending.normal()))
-            after(icon, *way, ending.code, times);
+            after(at, icon, *way, ending, times);
         return;
       case IconKind::sub_operation:
         return through(at, icon, times);
-      case IconKind::delay:
-        times.add(Duration(static_cast<std::int64_t>(icon.seconds * 1e9)));
-        return go(icon.next, code, times, {icon.id});
+      case IconKind::delay: {
+        std::vector<std::string> unbounded;
+        if (icon.seconds->source.written()) {
+          times.add(Duration(static_cast<std::int64_t>(icon.seconds->number * 1e9)));
+        } else {
+          times.longest.reset();
+          unbounded.push_back("the delay " + icon.id);
+        }
+        return go(icon.next, code, times, {icon.id}, std::move(unbounded));
+      }
       case IconKind::start:
       case IconKind::merge:
         return go(icon.next, code, times);
     }
   }
 
-  /// Behind a skill, or behind a wait or a test: nothing is proved of how long a sensor takes.
-  void after(const Icon& icon, const Connection& way, int code, Times times) {
-    const auto time = icon.sensor.empty() ? skill_times_.find({icon.skill, code}) : skill_times_.end();
-    std::vector<std::string> unbounded;
-    if (time == skill_times_.end()) {
-      times.longest.reset();
-      unbounded.push_back(icon.sensor.empty() ? icon.skill : "the sensor " + icon.sensor);
-    } else {
-      times.add_longest(time->second);
+  /// A code that is not known before it runs may be any that a way names, and any other.
+  void choose(const Icon& icon, int code, const Times& times) {
+    if (code != any_code) {
+      if (const auto way = way_of(icon, code)) go(*way, code, times);
+      return;
     }
-    go(way, code, times, {fmt::format("{} ({})", icon.id, code)}, std::move(unbounded));
+    for (const Way& way : icon.ways)
+      if (!way.codes.empty()) go(way.to, way.codes.front(), times);
+    if (icon.otherwise.connected()) go(icon.otherwise, code, times);
+  }
+
+  /// What is not known of the time of one run of an icon; with a bound, nothing.
+  struct Longest {
+    std::optional<Duration> time;
+    std::string unknown;
+  };
+  /// Of a sensor and of a person nothing is proved.
+  Longest longest_of(const Icon& icon, int code) const {
+    if (icon.kind == IconKind::question) return {std::nullopt, "the person who answers " + icon.id};
+    if (icon.kind != IconKind::skill) {
+      const bool reads =
+          !icon.sensor.empty() || std::any_of(icon.conditions.begin(), icon.conditions.end(),
+                                              [](const Condition& each) { return !each.sensor.empty(); });
+      if (!reads && icon.kind == IconKind::test) return {Duration::zero(), {}};
+      return {std::nullopt, (reads ? "the sensor " : "") + subjects_text(icon)};
+    }
+    const auto time = skill_times_.find({icon.skill, code});
+    // What comes to rest after its time limit does so in a time that nobody has proved.
+    if (code == time_over && time == skill_times_.end())
+      return {std::nullopt, icon.skill + " after its limit"};
+    std::optional<Duration> longest;
+    if (time != skill_times_.end()) longest = time->second;
+    if (icon.time_limit && icon.time_limit->source.written()) {
+      const Duration limit(static_cast<std::int64_t>(icon.time_limit->number * 1e9));
+      longest = std::min(longest.value_or(limit), limit);
+    }
+    return {longest, longest ? "" : icon.skill};
+  }
+
+  /// All runs of the icon: rounds, and attempts before the last one.
+  void after(Place at, const Icon& icon, const Connection& way, const Ending& ending, Times times) {
+    std::vector<std::string> unbounded;
+    const auto add = [&](const Longest& longest, double runs) {
+      if (runs <= 0) return;
+      times.add_longest(longest.time ? multiplied(*longest.time, runs) : std::nullopt);
+      if (!longest.time && std::find(unbounded.begin(), unbounded.end(), longest.unknown) == unbounded.end())
+        unbounded.push_back(longest.unknown);
+    };
+    add(longest_of(icon, ending.code), 1);
+    if (icon.repeat || icon.retries > 0) {
+      const bool counted = icon.repeat && !icon.repeat->source.written();
+      const double rounds = icon.repeat && !counted ? icon.repeat->number : 1;
+      for (const Ending& before : endings_of(graph_, at, skills_, exits_)) {
+        if (counted) add({std::nullopt, to_text(*icon.repeat)}, 1);
+        // Each round but the last ends normally, and in each as many attempts fail as may.
+        add(longest_of(icon, before.code), before.normal() ? rounds - 1 : rounds * icon.retries);
+      }
+    }
+    go(way, ending.code, times, {fmt::format("{} ({})", icon.id, code_text(ending.code))},
+       std::move(unbounded));
+  }
+
+  static std::optional<Duration> multiplied(Duration time, double by) {
+    const double product = static_cast<double>(time.count()) * by;
+    if (product > 9e18) return std::nullopt;
+    return Duration(static_cast<std::int64_t>(product));
   }
 
   void through(Place at, const Icon& icon, const Times& before) {
     const auto sub = graph_.sub_operation(at);
     if (!sub) return;
+    const bool counted = icon.repeat && !icon.repeat->source.written();
+    const double rounds = icon.repeat && !counted ? icon.repeat->number : 1;
+    // The round that takes longest, of those that are followed by another one.
+    std::optional<Duration> longest = Duration::zero();
+    Duration shortest = Duration::max();
+    std::vector<std::string> unbounded;
+    for (const Left& part : inside_[*sub]) {
+      if (part.how != Left::How::exit || part.code != 0) continue;
+      shortest = std::min(shortest, part.times.shortest);
+      longest = longest && part.times.longest ? std::optional(std::max(*longest, *part.times.longest))
+                                              : std::nullopt;
+      unbounded.insert(unbounded.end(), part.unbounded.begin(), part.unbounded.end());
+    }
+    if (shortest == Duration::max()) shortest = Duration::zero();
+    if (counted) {
+      const auto way = route(graph_, at, 0, true);
+      Times none = before;
+      if (way) go(*way, 0, none, {fmt::format("{} not at all", icon.id)});
+    }
     for (const Left& part : inside_[*sub]) {
       Times times = before;
       times.shortest += part.times.shortest;
       times.add_longest(part.times.longest);
-      std::vector<std::string> icons = told_inside(icon, part);
+      std::vector<std::string> icons = told_inside(icon, part), unknown = part.unbounded;
+      if (counted) {
+        times.longest.reset();
+        unknown.push_back(to_text(*icon.repeat));
+      } else if (rounds > 1) {
+        // A round that ends otherwise than with 0 may be the first.
+        if (part.code == 0) times.shortest += multiplied(shortest, rounds - 1).value_or(Duration::zero());
+        times.add_longest(longest ? multiplied(*longest, rounds - 1) : std::nullopt);
+        unknown.insert(unknown.end(), unbounded.begin(), unbounded.end());
+        icons.insert(icons.begin(),
+                     fmt::format("{} {} {} times:", icon.id, part.code == 0 ? "runs" : "runs up to", rounds));
+      }
       if (part.how == Left::How::exit) {
         if (const auto way = route(graph_, at, part.code, part.code == 0))
-          go(*way, part.code, times, std::move(icons), part.unbounded);
+          go(*way, part.code, times, std::move(icons), std::move(unknown));
       } else {
         Left left{part.how, icon.id + "/" + part.at, part.code, {}, {}, times};
         if (left.at.size() > most_text_inside) left.at = icon.id + "/…";
         next_.push_back({at.icon, part.code, times, visited_.size(), icons_.size(), unbounded_.size(),
-                         std::move(icons), part.unbounded, std::move(left)});
+                         std::move(icons), std::move(unknown), std::move(left)});
       }
     }
+    // A value that the sub-operation needs may be missing, before it begins.
+    for (const Ending& ending : endings_of(graph_, at, skills_, exits_))
+      if (ending.kind == pan::Completion::Kind::error)
+        if (const auto way = route(graph_, at, ending.code, false))
+          go(*way, ending.code, before, {fmt::format("{} ({})", icon.id, ending.code)});
   }
   static std::vector<std::string> told_inside(const Icon& icon, const Left& part) {
     std::vector<std::string> icons;
@@ -192,7 +296,7 @@ class Walk {
     for (const std::string& each : part.icons) {
       icons.push_back(icon.id + "/" + each);
       length += icons.back().size();
-      if (length > most_text_inside) return {fmt::format("{} ({})", icon.id, part.code)};
+      if (length > most_text_inside) return {fmt::format("{} ({})", icon.id, code_text(part.code))};
     }
     return icons;
   }
@@ -212,28 +316,6 @@ class Walk {
   std::vector<std::string> icons_, unbounded_;
   bool complete_ = true;
 };
-
-/// Those that the first operation contains, each behind all that it contains; the first one last.
-std::vector<std::size_t> inner_first(const Graph& graph) {
-  std::vector<std::size_t> order;
-  std::vector<bool> seen(graph.program().operations.size(), false);
-  std::vector<Place> walk{{0, 0}};  // the next icon to look at
-  seen[0] = true;
-  while (!walk.empty()) {
-    const Place at = walk.back();
-    if (at.icon == graph.program().operations[at.operation].icons.size()) {
-      order.push_back(at.operation);
-      walk.pop_back();
-      continue;
-    }
-    ++walk.back().icon;
-    if (const auto sub = graph.sub_operation(at); sub && !seen[*sub]) {
-      seen[*sub] = true;
-      walk.push_back({*sub, 0});
-    }
-  }
-  return order;
-}
 
 /// Ways with the same lines are one.
 std::vector<WayThrough> folded(std::vector<Left> all) {

@@ -24,7 +24,7 @@ struct WayThrough {
   std::string end;
   Duration shortest{};                 // what is known to pass at least: the delays
   std::optional<Duration> longest;     // nothing: some skill has no bound
-  std::vector<std::string> unbounded;  // skills without one and "the sensor NAME", each once
+  std::vector<std::string> unbounded;  // skills without one, "the sensor NAME" and the like, each once
   std::size_t alike = 1;               // ways of which the same is told, and which stand here once
 };
 

@@ -1,6 +1,7 @@
 #include "operations/write.hpp"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace pal::operations {
 namespace {
@@ -24,39 +25,106 @@ void put(Json& json, const char* name, const std::string& text) {
   if (!text.empty()) json[name] = text;
 }
 
+Json json(const Source& source) {
+  if (source.kind == Source::Kind::count) return {{"count-of", source.icon}};
+  if (source.kind == Source::Kind::argument) return {{"argument", source.name}};
+  return {{"output-of", source.icon}, {"name", source.name}};
+}
+
+Json json(const Amount& amount) {
+  return amount.source.written() ? number(amount.number) : json(amount.source);
+}
+
+void put(Json& out, const char* name, const std::optional<Amount>& amount) {
+  if (amount) out[name] = json(*amount);
+}
+
+void put(Json& out, const Condition& condition) {
+  put(out, "sensor", condition.sensor);
+  if (!condition.value.source.written()) out["value"] = json(condition.value.source);
+  put(out, "at-least", condition.at_least);
+  put(out, "at-most", condition.at_most);
+  if (condition.hysteresis != 0) out["hysteresis"] = number(condition.hysteresis);
+  if (condition.mean_of != 1) out["mean-of"] = condition.mean_of;
+}
+
+void put_what_is_read(Json& out, const Icon& icon) {
+  for (const Condition& condition : icon.conditions) {
+    if (icon.combination == Combination::one) {
+      put(out, condition);
+    } else {
+      put(out[icon.combination == Combination::all ? "all" : "any"].emplace_back(), condition);
+    }
+  }
+  for (const Amount& limit : icon.limits) out["limits"].push_back(json(limit));
+}
+
+void put_answers(Json& out, const Icon& icon) {
+  for (const Way& answer : icon.ways) {
+    Json& each = out["answers"].emplace_back();
+    each["text"] = answer.text;
+    put(each, "to", answer.to.icon);
+  }
+}
+
 Json json(const Icon& icon) {
   Json result;
   result["id"] = icon.id;
   result["kind"] = name(icon.kind);
   put(result, "skill", icon.skill);
-  for (const Parameter& parameter : icon.parameters) {
-    Json& value = result["parameters"][parameter.name];
-    if (parameter.count_of.empty()) {
-      value = json(parameter.value);
-    } else {
-      value["count-of"] = parameter.count_of;
-    }
-  }
   put(result, "operation", icon.operation);
   put(result, "file", icon.file);
-  if (icon.kind == IconKind::delay) result["seconds"] = number(icon.seconds);
+  for (const Parameter& parameter : icon.parameters)
+    result["parameters"][parameter.name] =
+        parameter.source.written() ? json(parameter.value) : json(parameter.source);
+  put(result, "repeat", icon.repeat);
+  put(result, "time-limit", icon.time_limit);
+  if (icon.retries != 0) result["retries"] = icon.retries;
+  if (!icon.retry_on.empty()) result["retry-on"] = icon.retry_on;
+  put(result, "seconds", icon.seconds);
   put(result, "sensor", icon.sensor);
-  for (const double limit : icon.limits) result["limits"].push_back(number(limit));
-  if (icon.at_least) result["at-least"] = number(*icon.at_least);
-  if (icon.at_most) result["at-most"] = number(*icon.at_most);
-  if (icon.timeout) result["timeout"] = number(*icon.timeout);
+  put_what_is_read(result, icon);
+  put(result, "text", icon.text);
+  if (icon.kind == IconKind::question) put_answers(result, icon);
+  put(result, "timeout", icon.timeout);
   for (const Way& way : icon.ways) {
+    if (icon.kind == IconKind::question) break;
     Json each;
     each["codes"] = way.codes;
     put(each, "to", way.to.icon);
     result["ways"].push_back(std::move(each));
   }
   put(result, "default", icon.otherwise.icon);
-  if (icon.code) result["code"] = *icon.code;
+  put(result, "code", icon.code);
   put(result, "next", icon.next.icon);
   put(result, "error", icon.error.icon);
   if (icon.at) result["at"] = {number(icon.at->x), number(icon.at->y)};
   put(result, "note", icon.note);
+  return result;
+}
+
+Json json(const OnStop& on_stop) {
+  if (on_stop.file.empty()) return on_stop.operation;
+  Json result;
+  result["file"] = on_stop.file;
+  put(result, "operation", on_stop.operation);
+  return result;
+}
+
+Json json(const pan::Parameter& argument) {
+  Json result;
+  if (argument.type == pan::ScalarType::text) {
+    result["default"] = argument.default_text;
+  } else if (argument.type == pan::ScalarType::boolean) {
+    result["default"] = argument.default_value != 0;
+  } else {
+    result["default"] = number(argument.default_value);
+    result["from"] = number(argument.low);
+    result["to"] = number(argument.high);
+    if (argument.type == pan::ScalarType::integer) result["whole"] = true;
+    put(result, "unit", argument.unit);
+  }
+  put(result, "note", argument.description);
   return result;
 }
 
@@ -78,10 +146,22 @@ std::string spaced(const Json& json) {
   return result;
 }
 
+/// An argument a line.
+void write_arguments(const Operation& operation, const std::string& indent, std::string& out) {
+  if (operation.arguments.empty()) return;
+  out += indent + "\"arguments\": {\n";
+  for (const pan::Parameter& each : operation.arguments)
+    out += indent + "  " + spaced(Json(each.name)) + ": " + spaced(json(each)) +
+           (&each == &operation.arguments.back() ? "\n" : ",\n");
+  out += indent + "},\n";
+}
+
 void write_body(const Operation& operation, const std::string& indent, std::string& out) {
   out += indent + "\"name\": " + Json(operation.name).dump() + ",\n";
   if (!operation.description.empty())
     out += indent + "\"description\": " + spaced(Json(operation.description)) + ",\n";
+  write_arguments(operation, indent, out);
+  if (operation.on_stop.given()) out += indent + "\"on-stop\": " + spaced(json(operation.on_stop)) + ",\n";
   out += indent + "\"icons\": [\n";
   for (const Icon& icon : operation.icons)
     out += indent + "  " + spaced(json(icon)) + (&icon == &operation.icons.back() ? "\n" : ",\n");

@@ -33,11 +33,12 @@ struct Desk::Parts final : operations::StepObserver {
 
   Parts(operations::SkillRunner& the_runner, operations::Skills the_skills, EventSink& the_sink,
         DeskOptions the_options)
-      : runner(the_runner), skills(std::move(the_skills)), sink(the_sink), options(std::move(the_options)) {
+      : runner(the_runner),
+        sink(the_sink),
+        options(std::move(the_options)),
+        cell{std::move(the_skills), options.sensors, options.figures, options.locations, options.unable} {
     status.cell = options.cell;
   }
-
-  ProgramRules rules() const { return {skills, options.sensors, options.locations}; }
 
   // With the lock held.
   void publish(decltype(Event::what) what) {
@@ -116,7 +117,7 @@ struct Desk::Parts final : operations::StepObserver {
   std::optional<Refusal> obey(ClientId client, RunSkill& command, Answerer& answer) {
     if (auto refusal = need_controls(client)) return refusal;
     if (auto refusal = need_rest()) return refusal;
-    if (const auto problem = mistake_in(command, rules())) return Refusal{Refusal::Why::wrong, *problem};
+    if (const auto problem = mistake_in(command, cell)) return Refusal{Refusal::Why::wrong, *problem};
     give_controls(client);
     begin(Activity::skill);
     skill_job = SkillJob{std::move(command), std::exchange(answer, nullptr)};
@@ -125,12 +126,12 @@ struct Desk::Parts final : operations::StepObserver {
   std::optional<Refusal> obey(ClientId client, LoadOperation& command, Answerer&) {
     if (auto refusal = need_controls(client)) return refusal;
     if (auto refusal = need_rest()) return refusal;
-    std::variant<operations::Program, std::string> loaded = load(std::move(command), rules());
+    std::variant<operations::Program, std::string> loaded = load(std::move(command), cell);
     if (const auto* mistake = std::get_if<std::string>(&loaded))
       return Refusal{Refusal::Why::wrong, *mistake};
     give_controls(client);
     executor =
-        std::make_unique<Executor>(std::move(std::get<operations::Program>(loaded)), runner, this, &skills);
+        std::make_unique<Executor>(std::move(std::get<operations::Program>(loaded)), runner, this, &cell);
     look_at_executor();
     publish(OperationLoaded{status.operation});
     return std::nullopt;
@@ -267,7 +268,7 @@ struct Desk::Parts final : operations::StepObserver {
       status.time = step.begin;
       publish(StepBegins{step});
     }
-    step.result = runner.run(job.command.skill, job.command.parameters);
+    step.result = runner.run(job.command.skill, job.command.parameters, std::nullopt);
     step.end = runner.now();
     if (options.log != nullptr) options.log->done(step);
     {
@@ -280,9 +281,9 @@ struct Desk::Parts final : operations::StepObserver {
   }
 
   operations::SkillRunner& runner;
-  const operations::Skills skills;
   EventSink& sink;
   const DeskOptions options;
+  const operations::Cell cell;
 
   mutable std::mutex mutex;
   std::condition_variable changed;
@@ -351,7 +352,7 @@ Status Desk::status(ClientId client) const {
 }
 
 const operations::Skills& Desk::skills() const {
-  return parts_->skills;
+  return *parts_->cell.skills;
 }
 
 const operations::Sensors& Desk::sensors() const {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -45,6 +46,8 @@ struct DeskOptions {
   operations::Sensors sensors{};  // what tests and waits can read
   /// Those that are taught; nothing: not known.
   std::optional<std::set<std::string>> locations{};
+  std::optional<operations::Sensors> figures{};  // that skills report; nothing: not known
+  std::map<std::string, std::string> unable{};   // skills that the cell cannot run, and why
 };
 
 /// Clients are served by any threads; the cell works in one, which calls work(). A pause or a stop that is

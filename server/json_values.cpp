@@ -20,7 +20,8 @@ Json describe(const StateChanged& state) {
 Json describe(const operations::Step& step, bool ended) {
   Json json = Json::parse(operations::log_line(step));
   if (ended) return json;
-  for (const char* later : {"reading", "kind", "code", "reason", "end_s"}) json.erase(later);
+  for (const char* later : {"reading", "readings", "answer", "figures", "kind", "code", "reason", "end_s"})
+    json.erase(later);
   return json;
 }
 

@@ -46,21 +46,19 @@ operations::Program program_of(const RunSkill& command) {
 
 }  // namespace
 
-std::optional<std::string> mistake_in(const RunSkill& command, const ProgramRules& rules) {
+std::optional<std::string> mistake_in(const RunSkill& command, const operations::Cell& cell) {
   Diagnostics diagnostics;
-  operations::check_skills(program_of(command), rules.skills, rules.locations, diagnostics);
+  operations::check_cell(program_of(command), cell, diagnostics);
   return first_error(diagnostics, {});
 }
 
-std::variant<operations::Program, std::string> load(LoadOperation command, const ProgramRules& rules) {
+std::variant<operations::Program, std::string> load(LoadOperation command, const operations::Cell& cell) {
   const MemoryFileSystem files(std::move(command.files));
   SourceManager sources;
   Diagnostics diagnostics;
   auto program = operations::load(files, sources, command.main, diagnostics);
   if (program && !diagnostics.has_errors()) operations::check_shape(*program, diagnostics);
-  if (program && !diagnostics.has_errors())
-    operations::check_skills(*program, rules.skills, rules.locations, diagnostics);
-  if (program && !diagnostics.has_errors()) operations::check_sensors(*program, rules.sensors, diagnostics);
+  if (program && !diagnostics.has_errors()) operations::check_cell(*program, cell, diagnostics);
   if (auto mistake = first_error(diagnostics, sources)) return std::move(*mistake);
   if (!program) return "there is no operation in it";
   return std::move(*program);

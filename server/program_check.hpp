@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <variant>
 
@@ -11,17 +10,10 @@
 
 namespace pal::server {
 
-/// What the cell has. All outlive the rules.
-struct ProgramRules {
-  const operations::Skills& skills;
-  const operations::Sensors& sensors;
-  const std::optional<std::set<std::string>>& locations;  // nothing: not known
-};
-
 /// The first mistake in a skill and its parameters, with a way out; nothing, if it may run.
-std::optional<std::string> mistake_in(const RunSkill& command, const ProgramRules& rules);
+std::optional<std::string> mistake_in(const RunSkill& command, const operations::Cell& cell);
 
 /// The operation that the command's files hold, or the first mistake in them, with its place and a way out.
-std::variant<operations::Program, std::string> load(LoadOperation command, const ProgramRules& rules);
+std::variant<operations::Program, std::string> load(LoadOperation command, const operations::Cell& cell);
 
 }  // namespace pal::server

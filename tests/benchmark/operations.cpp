@@ -66,7 +66,8 @@ void tell(const std::string& line) {
 /// Skills of no length: what is left is the executor's.
 class Nothing final : public operations::SkillRunner {
  public:
-  operations::SkillResult run(const std::string&, const std::vector<operations::Parameter>&) override {
+  operations::SkillResult run(const std::string&, const std::vector<operations::Parameter>&,
+                              std::optional<Duration>) override {
     const double now = wall();
     if (ended_ > 0) gaps.push_back(now - ended_);
     time_ += std::chrono::seconds(1);

@@ -12,7 +12,8 @@ namespace pal::fuzz {
 /// Counts what moves; nothing lasts.
 class Counting final : public operations::SkillRunner {
  public:
-  operations::SkillResult run(const std::string&, const std::vector<operations::Parameter>&) override {
+  operations::SkillResult run(const std::string&, const std::vector<operations::Parameter>&,
+                              std::optional<Duration>) override {
     ++moved;
     if (moved > 100) desk->end();  // an endless operation
     return {};

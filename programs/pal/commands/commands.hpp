@@ -147,6 +147,7 @@ struct OperationOptions {
   std::vector<std::string> environments;  // PAL files
   std::vector<std::string> locations;     // those that are taught; empty: not known
   std::vector<std::string> sensors;       // those that the cell has; empty: not known
+  std::vector<std::string> figures;       // those that its skills report; empty: not known
   ProofLimits limits;
   Format format = Format::text;
   std::size_t max_errors = default_max_errors;

@@ -45,7 +45,8 @@ void write_ways(const Program& program, const Ways& ways, std::ostream& out) {
   out << fmt::format("operation {}: {} way{}{}\n", program.operations.front().name, ways.ways.size(),
                      ways.ways.size() == 1 ? "" : "s", ways.complete ? "" : ", and more");
   for (const operations::WayThrough& way : ways.ways) {
-    out << fmt::format("  {}{}{}\n", fmt::join(way.icons, " -> "), way.icons.empty() ? "" : ", ", way.end);
+    out << fmt::format("  {}{}{}{}\n", fmt::join(way.icons, " -> "), way.icons.empty() ? "" : ", ", way.end,
+                       way.alike == 1 ? "" : fmt::format(" ({} ways)", way.alike));
     out << fmt::format("    longest {}; shortest: at least {}\n",
                        way.longest ? to_text(*way.longest) : std::string("not known"), to_text(way.shortest));
     if (!way.unbounded.empty())
@@ -63,14 +64,25 @@ nlohmann::ordered_json json(const Program& program, const Ways& ways) {
     each["longest_ns"] = nullptr;
     if (way.longest) each["longest_ns"] = way.longest->count();
     each["unbounded"] = way.unbounded;
+    each["alike"] = way.alike;
     list.push_back(std::move(each));
   }
   return {{"name", program.operations.front().name}, {"complete", ways.complete}, {"ways", list}};
 }
 
-std::optional<std::set<std::string>> taught(const OperationOptions& options) {
-  if (options.locations.empty()) return std::nullopt;
-  return std::set<std::string>(options.locations.begin(), options.locations.end());
+operations::Sensors named(const std::vector<std::string>& names) {
+  operations::Sensors result;
+  for (const std::string& name : names) result[name];
+  return result;
+}
+
+/// What the options say of the cell. They do not know units.
+operations::Cell cell_of(const OperationOptions& options) {
+  operations::Cell cell;
+  if (!options.locations.empty()) cell.locations.emplace(options.locations.begin(), options.locations.end());
+  if (!options.sensors.empty()) cell.sensors = named(options.sensors);
+  if (!options.figures.empty()) cell.figures = named(options.figures);
+  return cell;
 }
 
 void check_against_cell(const Session& session, Diagnostics& diagnostics) {
@@ -79,16 +91,33 @@ void check_against_cell(const Session& session, Diagnostics& diagnostics) {
       check::check_listed(skill, environment, diagnostics);
 }
 
-std::vector<Program> read_programs(const OperationOptions& options, const Console& console,
+std::vector<Program> read_programs(const OperationOptions& options, const Console& console, bool& whole,
                                    Session& session) {
   std::vector<Program> programs;
   for (const std::string& file : options.files) {
     auto program = operations::load(console.files, session.sources, file, session.diagnostics);
     if (!program) continue;
-    if (!session.diagnostics.has_errors()) operations::check_shape(*program, session.diagnostics);
+    if (!session.diagnostics.has_errors())
+      whole = operations::check_shape(*program, session.diagnostics, session.stop) && whole;
     programs.push_back(std::move(*program));
   }
   return programs;
+}
+
+/// Findings in the object of an icon get its name, and that of its operation.
+void name_icons(const std::vector<Program>& programs, const Session& session,
+                nlohmann::ordered_json& document) {
+  auto& findings = document["diagnostics"];
+  const std::vector<Diagnostic> sorted = session.diagnostics.sorted();
+  for (std::size_t i = 0; i < sorted.size() && i < findings.size(); ++i) {
+    for (const Program& program : programs) {
+      const auto extent = operations::extent_of(program, sorted[i].where);
+      if (!extent) continue;
+      findings[i]["operation"] = extent->operation;
+      findings[i]["icon"] = extent->icon;
+      break;
+    }
+  }
 }
 
 }  // namespace
@@ -98,37 +127,41 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   session.max_errors = options.max_errors;
   const Interruption interruption;  // till all is written
   limit_checks(options.limits, session);
-  const std::vector<Program> programs = read_programs(options, console, session);
-
-  if (!session.diagnostics.has_errors() && !options.sensors.empty()) {
-    operations::Sensors sensors;
-    for (const std::string& name : options.sensors) sensors[name];
-    for (const Program& program : programs) operations::check_sensors(program, sensors, session.diagnostics);
-  }
+  bool whole = true;  // false: --timeout or Ctrl-C ended it
+  const std::vector<Program> programs = read_programs(options, console, whole, session);
 
   std::vector<Proof> proofs;
   std::vector<Ways> ways;
-  if (!session.diagnostics.has_errors() && !options.skills.empty()) {
+  const bool well_formed = !session.diagnostics.has_errors();
+  operations::Cell cell = cell_of(options);
+  if (well_formed && !options.skills.empty()) {
     std::set<std::string> used;
     for (const Program& program : programs) used.merge(operations::skills_of(program));
-    const operations::Skills skills = read_skills(options, used, console, session);
+    cell.skills = read_skills(options, used, console, session);
+  }
+  if (well_formed)
     for (const Program& program : programs)
-      operations::check_skills(program, skills, taught(options), session.diagnostics);
+      whole = operations::check_cell(program, cell, session.diagnostics, session.stop) && whole;
+  if (well_formed && cell.skills) {
     if (!session.diagnostics.has_errors()) check_against_cell(session, session.diagnostics);
     if (!session.diagnostics.has_errors()) proofs = prove(session, options.limits);
     if (!session.diagnostics.has_errors())
       for (const Program& program : programs)
-        ways.push_back(operations::ways_through(program, skills, times_of(session, proofs)));
+        ways.push_back(operations::ways_through(program, *cell.skills, times_of(session, proofs)));
   }
   const ExitStatus found = status_of_findings(session);
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, options.format != Format::text, session);
-  const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
+  const ExitStatus status = wrong                       ? found
+                            : whole && all_hold(proofs) ? ExitStatus::all_hold
+                                                        : ExitStatus::not_met;
+  if (!whole) console.err << "pal: the checks of operations were ended early, so not all was checked\n";
 
   if (options.format == Format::sarif) {
     console.out << sarif(session, status);
   } else if (options.format == Format::json) {
     auto document = nlohmann::ordered_json::parse(json(proofs, session));
+    name_icons(programs, session, document);
     document["operations"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < ways.size(); ++i)
       document["operations"].push_back(json(programs[i], ways[i]));

@@ -23,6 +23,16 @@ void forget_other_skills(const std::set<std::string>& used, Session& session) {
   session.diagnostics = std::move(kept);
 }
 
+/// An environment that lies in a folder of skills, or that the one asked for uses, is not asked for.
+void forget_other_environments(const OperationOptions& options, Session& session) {
+  std::set<FileId> asked_for;
+  for (const std::string& path : options.environments)
+    if (const auto file = session.sources.find(path)) asked_for.insert(*file);
+  std::erase_if(session.specification.environments, [&](const pan::Environment& environment) {
+    return !asked_for.contains(environment.where.file);
+  });
+}
+
 }  // namespace
 
 operations::Skills read_skills(const OperationOptions& options, const std::set<std::string>& used,
@@ -32,7 +42,6 @@ operations::Skills read_skills(const OperationOptions& options, const std::set<s
   selection.environments = options.environments;
   for (const std::string& path : options.skills) {
     if (const auto found = console.files.list(path, ".pal")) {
-      // An environment in the folder is not the one that was asked for.
       selection.files.insert(selection.files.end(), found->begin(), found->end());
     } else {
       selection.files.push_back(path);
@@ -45,7 +54,7 @@ operations::Skills read_skills(const OperationOptions& options, const std::set<s
   if (session.diagnostics.not_kept().sum() == 0) forget_other_skills(used, session);
   std::erase_if(session.specification.skills,
                 [&](const pan::Network& network) { return !used.contains(network.skill.name); });
-  if (options.environments.empty()) session.specification.environments.clear();
+  forget_other_environments(options, session);
   return skills;
 }
 

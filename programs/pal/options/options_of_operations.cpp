@@ -33,6 +33,9 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command->add_option("--sensor", check.sensors, "a sensor that the cell has; may be repeated")
       ->type_name("NAME")
       ->take_all();
+  command->add_option("--figure", check.figures, "a figure that skills of the cell report; may be repeated")
+      ->type_name("NAME")
+      ->take_all();
   add_limits(*command, check.limits);
   add_choice<Format>(*command, "--format", check.format,
                      {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}},

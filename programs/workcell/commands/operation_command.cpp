@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <ostream>
-#include <set>
 
 #include "operations/debugger.hpp"
 #include "operations/load.hpp"
@@ -14,7 +13,7 @@
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/cell_runner.hpp"
 #include "programs/workcell/session/fault_file.hpp"
-#include "programs/workcell/session/needed_tool.hpp"
+#include "programs/workcell/session/person.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -33,13 +32,6 @@ operations::Program checked_program(const std::string& file, const std::vector<C
     if (program && !diagnostics.has_errors()) check(*program, diagnostics);
   if (program && !diagnostics.has_errors()) return std::move(*program);
   throw refused_operation(file, diagnostics, sources, error);
-}
-
-void check_tools(const operations::Program& program, const std::vector<KnownSkill>& known,
-                 const sim::Scene& scene, const std::vector<std::string>& folders) {
-  const std::set<std::string> needed = operations::skills_of(program);
-  for (const KnownSkill& skill : known)
-    if (needed.contains(skill.name)) check_tool(*skill.make(), scene, folders);
 }
 
 /// A line a step for people, and the log.
@@ -72,11 +64,18 @@ ExitStatus execute(const OperationCommand& command, operations::Executor& execut
   out << fmt::format("operation {}: {}\n", executor.program().operations.front().name,
                      operations::told(operations::name(executor.state()), executor.token(), executor.steps(),
                                       executor.reason()));
-  const bool well = executor.state() != ExecutionState::failed && executor.state() != ExecutionState::stopped;
-  return well ? ExitStatus::done : ExitStatus::error_completion;
+  return status_of(executor.state(), executor.last_code());
 }
 
 }  // namespace
+
+ExitStatus status_of(ExecutionState state, int code) {
+  if (state == ExecutionState::failed || state == ExecutionState::stopped)
+    return ExitStatus::error_completion;
+  if (state != ExecutionState::ended || code == 0) return ExitStatus::done;
+  constexpr int of_exits = 100, greatest = 99;
+  return static_cast<ExitStatus>(of_exits + (code > 0 && code <= greatest ? code : 0));
+}
 
 operations::Breakpoint breakpoint_of(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -96,7 +95,6 @@ runtime::CostPolicy times_named(const std::string& name) {
 
 ExitStatus run_operation(const OperationCommand& command, const std::vector<KnownSkill>& known,
                          std::istream* in, std::ostream& out, std::ostream& error) {
-  const operations::Skills skills = templates_of(known);
   const sim::Scene scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
   const runtime::CostPolicy times = times_named(command.times);
@@ -105,23 +103,20 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
   options.times = times;
   options.faults = faults_of_lines(command.faults);
   std::optional<sim::Cell> cell;
-  operations::Program program =
-      checked_program(command.file,
-                      {operations::check_shape,
-                       [&](const auto& each, auto& diagnostics) {
-                         operations::check_skills(each, skills, std::nullopt, diagnostics);
-                       },
-                       [&](const auto& each, auto& diagnostics) {
-                         check_tools(each, known, scene, command.scene_folders);
-                         try {
-                           cell.emplace(scene, options);
-                         } catch (const sim::NoSuchDevice& problem) {
-                           throw no_such_device(command.faults, problem);
-                         }
-                         operations::check_skills(each, skills, locations_of(*cell), diagnostics);
-                         operations::check_sensors(each, sensors_of(*cell), diagnostics);
-                       }},
-                      error);
+  operations::Cell known_of_cell;
+  operations::Program program = checked_program(
+      command.file,
+      {[](const auto& each, auto& diagnostics) { operations::check_shape(each, diagnostics); },
+       [&](const auto& each, auto& diagnostics) {
+         try {
+           cell.emplace(scene, options);
+         } catch (const sim::NoSuchDevice& problem) {
+           throw no_such_device(command.faults, problem);
+         }
+         known_of_cell = cell_of(*cell, known, scene, command.scene_folders);
+         operations::check_cell(each, known_of_cell, diagnostics);
+       }},
+      error);
   std::ofstream log;
   if (!command.log.empty()) {
     log.open(command.log, std::ios::binary);
@@ -129,8 +124,10 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
   }
   CellRunner runner(*cell, known, times, command.seed);
   runner.on_broken_promise(policy_named(command.on_broken_promise));
+  PersonAtTerminal person(command.answers, in, out);
+  runner.let_answer(&person);
   Onlooker onlooker(out, command.log.empty() ? nullptr : &log);
-  operations::Executor executor(std::move(program), runner, &onlooker, &skills);
+  operations::Executor executor(std::move(program), runner, &onlooker, &known_of_cell);
   try {
     return execute(command, executor, in, out);
   } catch (const operations::ExecutionError& problem) {

@@ -114,7 +114,11 @@ class Terminal {
       const std::string state = params.value("state", "");
       if (state == "stopped")
         out_ << "  'resume' begins it again; 'from ICON' puts the token elsewhere\n" << std::flush;
-      return state == "failed" || state == "stopped" ? ExitStatus::error_completion : ExitStatus::done;
+      using operations::ExecutionState;
+      return status_of(state == "failed" || state == "stopped" ? ExecutionState::failed
+                       : state == "ended"                      ? ExecutionState::ended
+                                                               : ExecutionState::paused,
+                       params.value("last_code", 0));
     }
   }
   void tell(const Json& message) {

@@ -107,9 +107,11 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   ProfileWatcher profiles(*server, [&cell] { return cell.station().now(); });
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
   runner.on_broken_promise(policy_named(command.on_broken_promise));
-  server::Desk desk(runner, templates_of(known), *server,
-                    {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log, sensors_of(cell),
-                     locations_of(cell)});
+  const operations::Cell known_of_cell = cell_of(cell, known, scene, command.scene_folders);
+  server::Desk desk(
+      runner, *known_of_cell.skills, *server,
+      {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log, *known_of_cell.sensors,
+       known_of_cell.locations, known_of_cell.figures, known_of_cell.unable});
   server->start(desk, true);
   const std::string path =
       command.announcement.empty() ? server::default_announcement() : command.announcement;

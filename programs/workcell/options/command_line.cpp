@@ -262,6 +262,9 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   run->add_option("--from", command.from, "start before this icon instead of START");
   run->add_option("--break", command.breakpoints, "pause before ICON, or ICON=CODE: if that code came last")
       ->take_all();
+  auto* answers = run->add_option("--answer", command.answers,
+                                  "the answer to a question, ICON=ANSWER; one for each time that it is asked")
+                      ->take_all();
   auto* faults = run->add_option("--fault", command.faults, first_faults);
   auto* policy = add_policy(*run, command.on_broken_promise);
   auto* server = run->add_flag("--server", command.at_server, "at the server that 'workcell serve' started");
@@ -271,6 +274,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
       ->excludes(run->get_option("--seed"))
       ->excludes(run->get_option("--time"))
       ->excludes(run->get_option("--steps"))
+      ->excludes(answers)
       ->excludes(faults)
       ->excludes(policy);
   run->add_flag("--detach", command.detach, "with --server: does not wait, and gives the controls back")
@@ -289,7 +293,8 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   app.footer(
       "Exit status: 0 done, 1 a wrong scene, skill or parameter, 2 wrong usage or a file problem,\n"
       "3 the skill ended with its error completion, or took longer than was proved,\n"
-      "4 with --real-time: code of the skill or of a device did not return.");
+      "4 with --real-time: code of the skill or of a device did not return;\n"
+      "an operation that an EXIT ended with a code other than 0: 100 and the code, if it is 1 to 99, else 100.");
   std::vector<std::string> folders;
   ListCommand list_command;
   CLI::App* list_app =

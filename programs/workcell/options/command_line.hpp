@@ -70,6 +70,7 @@ struct OperationCommand {
   std::string log;                       // a line of JSON a step; empty: none
   std::string from;                      // the icon to start from; empty: START
   std::vector<std::string> breakpoints;  // "ICON" or "ICON=CODE"
+  std::vector<std::string> answers;      // to questions, "ICON=ANSWER"
   std::string faults;                    // a file of faults, in the first skill; empty: none
   std::string on_broken_promise = "report";
   bool interactive = false;  // obeys lines of the input
@@ -118,6 +119,8 @@ ExitStatus command_server(const RemoteCommand& command, std::ostream& out, std::
 
 /// "ICON" or "ICON=CODE". Throws Failure.
 operations::Breakpoint breakpoint_of(const std::string& text);
+/// How a command ends after which the operation is in this state, with this last code.
+ExitStatus status_of(operations::ExecutionState state, int code);
 /// "worst", "best", else random.
 runtime::CostPolicy times_named(const std::string& name);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "programs/workcell/session/needed_tool.hpp"
+
 namespace pal::workcell {
 namespace {
 
@@ -109,6 +111,15 @@ std::set<std::string> locations_of(sim::Cell& cell) {
   return result;
 }
 
+operations::Cell cell_of(sim::Cell& cell, const std::vector<KnownSkill>& skills, const sim::Scene& scene,
+                         const std::vector<std::string>& folders) {
+  operations::Cell result{
+      templates_of(skills), sensors_of(cell), figures_of_skills(), locations_of(cell), {}};
+  for (const KnownSkill& known : skills)
+    if (const auto why = lacking_tool(*known.make(), scene, folders)) result.unable.emplace(known.name, *why);
+  return result;
+}
+
 CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
                        std::uint64_t seed, OnInterrupt on_interrupt, runtime::MessageObserver* messages)
     : cell_(cell),
@@ -116,7 +127,7 @@ CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, r
       times_(times),
       seed_(seed),
       on_interrupt_(on_interrupt),
-      messages_(messages) {
+      figures_(messages) {
   take_new_control();
 }
 
@@ -128,7 +139,8 @@ void CellRunner::take_new_control() {
   interrupt_.emplace(*controls_.back());
 }
 
-SkillResult CellRunner::run(const std::string& name, const std::vector<operations::Parameter>& parameters) {
+SkillResult CellRunner::run(const std::string& name, const std::vector<operations::Parameter>& parameters,
+                            std::optional<Duration> limit) {
   runtime::Skill* skill = find(name);
   if (skill == nullptr) return {SkillResult::Kind::error, -1, "the cell has no skill '" + name + "'"};
   std::vector<runtime::ParameterValue> values;
@@ -137,16 +149,36 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   options.costs = times_;
   options.seed = seed_++;
   options.control = control_;
-  options.observer = messages_;
+  options.observer = &figures_;
+  if (limit) options.horizon = std::min(options.horizon, *limit);
   options.trace_capacity = 1U << 14U;
   options.on_broken_promise = on_broken_promise_;
+  figures_.begin();
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
-  if (outcome.fault && control_.load()->stopping()) result.kind = SkillResult::Kind::stopped;
+  if (outcome.fault && control_.load()->stopping()) {
+    result.kind = SkillResult::Kind::stopped;
+  } else if (outcome.fault && limit && outcome.duration >= *limit) {
+    result.over_time = true;
+  }
   // What cut a skill off may have left motions that the arm has accepted: no skill begins before it is at
   // rest.
   if (outcome.fault) cell_.rest(runtime::Time::zero());
+  result.figures = figures_.end(cell_.workcell(), outcome.duration);
   return result;
+}
+
+void CellRunner::ask(const operations::Question& question) {
+  if (person_ != nullptr) person_->ask(question);
+}
+
+operations::Reply CellRunner::answer() {
+  if (control_.load()->stopping()) return {{}, {}, true};
+  return person_ != nullptr ? person_->answer() : SkillRunner::answer();
+}
+
+void CellRunner::withdraw() {
+  if (person_ != nullptr) person_->withdraw();
 }
 
 bool CellRunner::delay(Duration time) {

@@ -13,6 +13,8 @@
 #include "operations/executor.hpp"
 #include "pal/runtime/observer.hpp"
 #include "programs/workcell/session/interrupt.hpp"
+#include "programs/workcell/session/person.hpp"
+#include "programs/workcell/session/skill_figures.hpp"
 #include "programs/workcell/session/skills.hpp"
 #include "sim/cell/cell.hpp"
 
@@ -24,6 +26,10 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills);
 /// The sensors that tests and waits can read, and the locations that are taught.
 operations::Sensors sensors_of(const sim::Cell& cell);
 std::set<std::string> locations_of(sim::Cell& cell);
+
+/// All that an operation can be checked against, of the cell that was made of this scene.
+operations::Cell cell_of(sim::Cell& cell, const std::vector<KnownSkill>& skills, const sim::Scene& scene,
+                         const std::vector<std::string>& scene_folders);
 
 /// Whether Ctrl-C stops the skill that runs.
 enum class OnInterrupt { stop, leave };
@@ -39,10 +45,16 @@ class CellRunner final : public operations::SkillRunner {
   /// The first one stands in the reason of the skill's result.
   void on_broken_promise(runtime::OnBrokenPromise policy) { on_broken_promise_ = policy; }
 
-  operations::SkillResult run(const std::string& skill,
-                              const std::vector<operations::Parameter>& parameters) override;
+  /// Who answers questions, and outlives the runner; null, and without this call: nobody.
+  void let_answer(Person* person) { person_ = person; }
+
+  operations::SkillResult run(const std::string& skill, const std::vector<operations::Parameter>& parameters,
+                              std::optional<Duration> limit) override;
   bool delay(Duration time) override;
   operations::Reading sense(const std::string& sensor) override;
+  void ask(const operations::Question& question) override;
+  operations::Reply answer() override;
+  void withdraw() override;
   Duration now() const override;
   void stop() noexcept override;
   void allow() override;
@@ -57,7 +69,8 @@ class CellRunner final : public operations::SkillRunner {
   std::uint64_t seed_;  // of the next skill
   std::map<std::string, std::unique_ptr<runtime::Skill>> made_;
   OnInterrupt on_interrupt_;
-  runtime::MessageObserver* messages_;
+  SkillFigures figures_;
+  Person* person_ = nullptr;
   runtime::OnBrokenPromise on_broken_promise_ = runtime::OnBrokenPromise::report;
   // A control that has been stopped stays so; resuming takes a new one. The old ones stay for another thread
   // that is about to stop.

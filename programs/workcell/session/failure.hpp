@@ -13,6 +13,7 @@ enum class ExitStatus : int {
   usage = 2,                // bad command line, or a file could not be read or written
   error_completion = 3,     // the skill ended with its error completion
   hung = 4,                 // in real time: code of the skill or of a device did not return
+  // 100 and its code: an EXIT of an operation (status_of() in command_line.hpp)
 };
 
 /// Ends a command: place, cause, hint (which may be empty).

@@ -1,6 +1,7 @@
 // Whether the scene's tool is the device that a skill needs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,10 @@
 #include "sim/scene.hpp"
 
 namespace pal::workcell {
+
+/// Why the scene cannot run the skill, with the scenes of `folders` that have its tool; nothing if it has it.
+std::optional<std::string> lacking_tool(const runtime::Skill& skill, const sim::Scene& scene,
+                                        const std::vector<std::string>& folders);
 
 /// Throws Failure, with the scenes of `folders` that have the tool, if the skill needs another tool than the
 /// scene's.

@@ -139,14 +139,15 @@ TEST_CASE("a count says how often an icon has ended normally since START") {
 TEST_CASE("parameters are changed while it is paused") {
   test::ScriptedRunner runner;
   runner.codes = {1};
-  Skills skills;
+  Cell cell;
+  Skills& skills = cell.skills.emplace();
   skills["back"];
   pan::Parameter far;
   far.name = "far";
   far.high = 10;
   skills["go"].name = "go";
   skills["go"].parameters = {far};
-  Executor executor(program_of(operation(looping)), runner, nullptr, &skills);
+  Executor executor(program_of(operation(looping)), runner, nullptr, &cell);
   executor.step();
   CHECK(std::get<double>(runner.last_parameters.at(0).value) == 3);
   executor.set_parameter("a", "far", 7.0);

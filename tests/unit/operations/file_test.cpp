@@ -40,26 +40,24 @@ TEST_CASE("a document that is written and read is the same") {
   Icon wait;
   wait.id = "w";
   wait.kind = IconKind::delay;
-  wait.seconds = 0.25;
+  wait.seconds = Amount{0.25};
   wait.next.icon = "s";
   Icon leave;
   leave.id = "x";
   leave.kind = IconKind::exit;
-  leave.code = 3;
+  leave.code = Amount{3};
   Icon look;
   look.id = "t";
   look.kind = IconKind::test;
-  look.sensor = "eye";
-  look.limits = {-1, 2.5};
+  look.conditions = {Condition{"eye"}};
+  look.limits = {Amount{-1}, Amount{2.5}};
   look.next.icon = "c";
   look.error.icon = "x";
   Icon until;
   until.id = "u";
   until.kind = IconKind::wait;
-  until.sensor = "eye";
-  until.at_least = 1;
-  until.at_most = 2;
-  until.timeout = 0.5;
+  until.conditions = {Condition{"eye", {}, Amount{1}, Amount{2}}};
+  until.timeout = Amount{0.5};
   until.next.icon = "x";
   operation.icons = {skill, branch, wait, leave, look, until};
   document.operations = {operation, operation};
@@ -77,12 +75,12 @@ TEST_CASE("a document that is written and read is the same") {
   CHECK(std::get<double>(read_skill.parameters[0].value) == 0.1);
   CHECK(std::get<std::string>(read_skill.parameters[2].value) == "x: y, \"z\"");
   CHECK(again->operations[1].icons[1].ways[0].codes == std::vector<int>{0, 1});
-  CHECK(again->operations[1].icons[2].seconds == 0.25);
-  CHECK(again->operations[1].icons[4].limits == std::vector<double>{-1, 2.5});
+  CHECK(again->operations[1].icons[2].seconds->number == 0.25);
+  CHECK(again->operations[1].icons[4].limits.at(1).number == 2.5);
   CHECK(again->operations[1].icons[4].error.icon == "x");
-  CHECK(again->operations[1].icons[5].at_least == 1);
-  CHECK(again->operations[1].icons[5].at_most == 2);
-  CHECK(again->operations[1].icons[5].timeout == 0.5);
+  CHECK(again->operations[1].icons[5].conditions.at(0).at_least->number == 1);
+  CHECK(again->operations[1].icons[5].conditions.at(0).at_most->number == 2);
+  CHECK(again->operations[1].icons[5].timeout->number == 0.5);
 }
 
 TEST_CASE("places are those of the text") {

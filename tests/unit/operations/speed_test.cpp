@@ -89,7 +89,7 @@ double seconds_of(const std::string& text, Diagnostics& diagnostics, Ways& ways)
   REQUIRE(program);
   CHECK(check_shape(*program, diagnostics));
   if (!diagnostics.has_errors()) {
-    CHECK(check_skills(*program, going(), std::nullopt, diagnostics));
+    CHECK(check_cell(*program, {going(), {}, {}, {}, {}}, diagnostics));
     ways = ways_through(*program, going(), {{{"go", 0}, std::chrono::seconds(1)}});
   }
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -139,8 +139,8 @@ TEST_CASE("a stop ends the checks, which say so") {
   const Stop at_once = [] { return true; };
   const Stop later = [&asked] { return ++asked > 50; };
   CHECK_FALSE(check_shape(program, diagnostics, at_once));
-  CHECK_FALSE(check_skills(program, going(), std::nullopt, diagnostics, at_once));
-  CHECK_FALSE(check_skills(program, going(), std::nullopt, diagnostics, later));
+  CHECK_FALSE(check_cell(program, {going(), {}, {}, {}, {}}, diagnostics, at_once));
+  CHECK_FALSE(check_cell(program, {going(), {}, {}, {}, {}}, diagnostics, later));
   CHECK_FALSE(ways_through(program, going(), {}, 64, later).complete);
   CHECK(diagnostics.all().empty());
 }

@@ -43,20 +43,43 @@ class ScriptedRunner final : public operations::SkillRunner {
     ++initialised;
     return problem;
   }
-  operations::SkillResult run(const std::string& skill,
-                              const std::vector<operations::Parameter>& parameters) override {
+  operations::SkillResult run(const std::string& skill, const std::vector<operations::Parameter>& parameters,
+                              std::optional<Duration> limit) override {
     ran.push_back(skill);
     last_parameters = parameters;
+    last_limit = limit;
     time += std::chrono::seconds(1);
     if (during) during();
     if (stopped) return {operations::SkillResult::Kind::stopped, 9, "stopped"};
+    if (limit && lasts > *limit) {
+      operations::SkillResult result;
+      result.over_time = true;
+      return result;
+    }
     int code = 0;
     if (!codes.empty()) {
       code = codes.front();
       codes.pop_front();
     }
     using Kind = operations::SkillResult::Kind;
-    return {code == 0 ? Kind::normal : code == 9 ? Kind::error : Kind::contingency, code, "as told"};
+    return {code == 0   ? Kind::normal
+            : code == 9 ? Kind::error
+                        : Kind::contingency,
+            code, "as told", false, figures};
+  }
+  void ask(const operations::Question& question) override { asked.push_back(question); }
+  operations::Reply answer() override {
+    if (stopped) return {{}, {}, true};
+    if (nobody) return {{}, "nobody is there", false};
+    if (answers.empty()) return {};
+    const auto choice = answers.front();
+    answers.pop_front();
+    return {choice, {}, false};
+  }
+  void withdraw() override { ++withdrawn; }
+  std::optional<std::string> zero(const std::string& sensor) override {
+    zeroed.push_back(sensor);
+    return zero_problem;
   }
   bool delay(Duration length) override {
     time += length;
@@ -79,6 +102,15 @@ class ScriptedRunner final : public operations::SkillRunner {
   std::deque<int> codes;  // of the next skills; then 0
   std::vector<std::string> ran;
   std::vector<operations::Parameter> last_parameters;
+  std::optional<Duration> last_limit;
+  Duration lasts{};                         // a skill; longer than its limit, it is ended
+  std::vector<operations::Figure> figures;  // that each skill reports
+  std::vector<operations::Question> asked;
+  std::deque<std::optional<std::size_t>> answers;  // what answer() gives; then nothing yet
+  bool nobody = false;
+  int withdrawn = 0;
+  std::vector<std::string> zeroed;
+  std::optional<std::string> zero_problem;
   std::deque<double> readings;  // of the next tests and waits; the last one stays; none: the sensor fails
   std::vector<std::string> sensed;
   std::function<void()> during, during_delay;

@@ -17,7 +17,8 @@ namespace pal::test {
 class Clockwork final : public operations::SkillRunner {
  public:
   operations::SkillResult run(const std::string& skill,
-                              const std::vector<operations::Parameter>& parameters) override {
+                              const std::vector<operations::Parameter>& parameters,
+                              std::optional<Duration>) override {
     ++runs;
     std::this_thread::sleep_for(lasts);
     time += std::chrono::milliseconds(1);

@@ -1,0 +1,342 @@
+#include "operations/parse_icon.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "operations/codes.hpp"
+#include "operations/fields.hpp"
+
+namespace pal::operations {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+std::vector<Parameter> read_parameters(const JsonValue* object, Fields& fields, Diagnostics& diagnostics) {
+  std::vector<Parameter> result;
+  std::set<std::string> names;
+  if (object == nullptr) return result;
+  for (const JsonMember& member : object->members) {
+    Parameter parameter{member.name, 0.0, member.value.where, member.where};
+    switch (member.value.kind) {
+      case Kind::number:
+        parameter.value = member.value.number;
+        break;
+      case Kind::boolean:
+        parameter.value = member.value.truth;
+        break;
+      case Kind::text:
+        parameter.value = member.value.text;
+        break;
+      case Kind::object:
+        parameter.source = read_source(member.value, diagnostics);
+        if (parameter.source.written()) continue;
+        break;
+      default:
+        fields.report(member.value.where,
+                      "a parameter is a number, true, false, a text, a count, an argument or an output",
+                      "write one of these");
+        continue;
+    }
+    if (!names.insert(member.name).second) {
+      fields.report(member.where, fmt::format("'{}' is given twice", member.name), "keep one of the two");
+      continue;
+    }
+    result.push_back(std::move(parameter));
+  }
+  return result;
+}
+
+Way read_way(const JsonValue& value, Diagnostics& diagnostics) {
+  Way way;
+  way.where = value.where;
+  Fields fields(value, diagnostics);
+  if (value.kind != Kind::object) {
+    fields.report(value.where, "a way of a CASE is an object",
+                  "write {\"codes\": [0], \"to\": \"icon\"} here");
+    return way;
+  }
+  if (const JsonValue* codes = fields.find("codes", Kind::array, "a list of completion codes")) {
+    for (const JsonValue& code : codes->items) {
+      if (is_code(code)) {
+        way.codes.push_back(static_cast<int>(code.number));
+      } else {
+        fields.report(code.where, "a completion code is a whole number", "write a whole number");
+      }
+    }
+    if (!codes->items.empty()) way.where = codes->items.front().where;
+  }
+  // A code that was refused is one finding, and no other.
+  const JsonValue* given = fields.find("codes");
+  if (way.codes.empty() && (given == nullptr || given->items.empty())) fields.missing("codes");
+  way.to = fields.connection("to");
+  fields.refuse_the_rest();
+  return way;
+}
+
+void read_case(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  if (const JsonValue* ways = fields.find("ways", Kind::array, "a list of ways"))
+    for (const JsonValue& way : ways->items) icon.ways.push_back(read_way(way, diagnostics));
+  icon.otherwise = fields.connection("default");
+  const std::size_t count = icon.ways.size() + (icon.otherwise.connected() ? 1 : 0);
+  if ((count < 2 || icon.ways.size() > 4) && !fields.refused("ways") && !fields.refused("default"))
+    fields.report(icon.where, fmt::format("a CASE has two to four ways, this one has {}", count),
+                  count < 2 ? "add a way or a default; with a single way no CASE is needed"
+                            : "put a second CASE behind the default");
+}
+
+void read_limits(Icon& icon, const JsonValue& limits, Fields& fields, Diagnostics& diagnostics) {
+  for (const JsonValue& limit : limits.items) {
+    const auto amount = amount_of(limit, "limits", any_number, fields, diagnostics);
+    if (!amount) continue;
+    const bool comparable =
+        !icon.limits.empty() && amount->source.written() && icon.limits.back().source.written();
+    if (comparable && amount->number <= icon.limits.back().number) {
+      fields.report(limit.where, fmt::format("limit {} is not above the one before it", limit.number),
+                    "write the limits in ascending order");
+    } else {
+      icon.limits.push_back(*amount);
+    }
+  }
+  if (limits.items.empty() || limits.items.size() > 3)
+    fields.report(limits.where,
+                  fmt::format("a test has one to three limits, this one has {}", limits.items.size()),
+                  "each limit adds a code; a CASE has at most four ways");
+}
+
+/// What is read: a sensor, or a value that the operation knows; and how it is compared.
+Condition read_condition(Fields& fields, Diagnostics& diagnostics) {
+  Condition condition;
+  condition.sensor = fields.text("sensor", &condition.subject);
+  if (const JsonValue* value = fields.find("value", Kind::object, "a count, an argument or an output")) {
+    condition.value = {0, value->where, read_source(*value, diagnostics)};
+    condition.subject = value->where;
+    if (!condition.sensor.empty())
+      fields.report(value->where, "either a sensor is read or a value", "remove 'sensor' or 'value'");
+    if (condition.value.source.written()) fields.refuse("value");
+  }
+  if (condition.sensor.empty() && condition.value.source.written() && !fields.refused("value"))
+    fields.missing("sensor");
+  condition.at_least = read_amount("at-least", any_number, fields, diagnostics);
+  condition.at_most = read_amount("at-most", any_number, fields, diagnostics);
+  if (condition.at_least && condition.at_most && condition.at_least->source.written() &&
+      condition.at_most->source.written() && condition.at_least->number > condition.at_most->number)
+    fields.report(condition.at_most->where, "at least more than at most is never met",
+                  "exchange 'at-least' and 'at-most'");
+  constexpr Range beyond{0, std::numeric_limits<double>::max(), false, "a number", ""};
+  condition.hysteresis = read_number("hysteresis", beyond, fields, diagnostics).value_or(0);
+  constexpr Range readings{1, 1000, true, "a number of readings", ""};
+  condition.mean_of = static_cast<int>(read_number("mean-of", readings, fields, diagnostics).value_or(1));
+  if (condition.sensor.empty() && condition.mean_of > 1)
+    fields.report(condition.subject, "only a sensor is read more than once", "remove 'mean-of'");
+  return condition;
+}
+
+void need_bound(const Condition& condition, Fields& fields) {
+  if (!condition.at_least && !condition.at_most && !fields.refused("at-most")) fields.missing("at-least");
+}
+
+/// The conditions of a list, all or any of which must be met.
+void read_conditions(Icon& icon, const JsonValue& list, Fields& fields, Diagnostics& diagnostics) {
+  for (const JsonValue& each : list.items) {
+    Fields inside(each, diagnostics);
+    if (each.kind != Kind::object) {
+      inside.report(each.where, "a condition is an object", "write {\"sensor\": …, \"at-least\": …} here");
+      continue;
+    }
+    icon.conditions.push_back(read_condition(inside, diagnostics));
+    need_bound(icon.conditions.back(), inside);
+    inside.refuse_the_rest();
+  }
+  if (list.items.size() < 2 || list.items.size() > 8)
+    fields.report(list.where, fmt::format("there are two to eight conditions, here is {}", list.items.size()),
+                  list.items.size() > 8 ? "put a second test behind the first"
+                                        : "write a single condition without 'all' and 'any'");
+}
+
+/// One condition in the icon itself, or several in a list. `limits`: of a test; they stand for a condition.
+void read_what_is_read(Icon& icon, const JsonValue* limits, Fields& fields, Diagnostics& diagnostics) {
+  const JsonValue* all = fields.find("all", Kind::array, "a list of conditions");
+  const JsonValue* any = fields.find("any", Kind::array, "a list of conditions");
+  if (all != nullptr || any != nullptr) {
+    icon.combination = all != nullptr ? Combination::all : Combination::any;
+    if ((all != nullptr && any != nullptr) || limits != nullptr)
+      fields.report(icon.where, "the conditions are 'all', or 'any', or 'limits'", "keep one of these");
+    read_conditions(icon, all != nullptr ? *all : *any, fields, diagnostics);
+    return;
+  }
+  if (fields.refused("all") || fields.refused("any")) return;
+  icon.conditions.push_back(read_condition(fields, diagnostics));
+  const Condition& only = icon.conditions.front();
+  icon.subject = only.subject;
+  if (limits == nullptr) {
+    if (!fields.refused("limits")) need_bound(only, fields);
+    return;
+  }
+  read_limits(icon, *limits, fields, diagnostics);
+  if (only.at_least || only.at_most)
+    fields.report(limits->where, "a test has limits, or 'at-least' and 'at-most'", "keep one of these");
+}
+
+void read_test(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  const JsonValue* limits = fields.find("limits", Kind::array, "a list of numbers");
+  read_what_is_read(icon, limits, fields, diagnostics);
+}
+
+void read_wait(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  read_what_is_read(icon, nullptr, fields, diagnostics);
+  icon.timeout = read_amount("timeout", any_time, fields, diagnostics);
+}
+
+Way read_answer(const JsonValue& value, int code, Diagnostics& diagnostics) {
+  Way answer;
+  answer.codes = {code};
+  answer.where = value.where;
+  Fields fields(value, diagnostics);
+  if (value.kind != Kind::object) {
+    fields.report(value.where, "an answer is an object", "write {\"text\": \"Yes\", \"to\": \"icon\"} here");
+    return answer;
+  }
+  answer.text = fields.needed_text("text", &answer.where);
+  answer.to = fields.connection("to");
+  fields.refuse_the_rest();
+  return answer;
+}
+
+void read_question(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  icon.text = fields.needed_text("text", &icon.subject);
+  const JsonValue* answers = fields.find("answers", Kind::array, "a list of answers");
+  if (answers == nullptr) fields.missing("answers");
+  for (const JsonValue& each : answers == nullptr ? std::vector<JsonValue>{} : answers->items) {
+    Way answer = read_answer(each, static_cast<int>(icon.ways.size()), diagnostics);
+    const bool twice =
+        !answer.text.empty() && std::any_of(icon.ways.begin(), icon.ways.end(),
+                                            [&](const Way& before) { return before.text == answer.text; });
+    if (twice)
+      fields.report(answer.where, fmt::format("the answer '{}' is given twice", answer.text),
+                    "write answers that a person can tell apart");
+    icon.ways.push_back(std::move(answer));
+  }
+  if (answers != nullptr && (answers->items.empty() || answers->items.size() > 6))
+    fields.report(answers->where,
+                  fmt::format("a question has one to six answers, this one has {}", answers->items.size()),
+                  answers->items.empty() ? "write {\"text\": \"Go on\", \"to\": \"icon\"} for a mere halt"
+                                         : "ask a second question behind the last answer");
+  icon.timeout = read_amount("timeout", any_time, fields, diagnostics);
+}
+
+void read_parameters_and_repeat(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  icon.parameters = read_parameters(
+      fields.find("parameters", Kind::object, "an object with a value a parameter"), fields, diagnostics);
+  constexpr Range times{1, 1e6, true, "a whole number", ""};
+  icon.repeat = read_amount("repeat", times, fields, diagnostics);
+}
+
+void read_skill(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  icon.skill = fields.needed_text("skill", &icon.subject);
+  read_parameters_and_repeat(icon, fields, diagnostics);
+  constexpr Range limit{0.001, longest_time, false, "a time", " s"};
+  icon.time_limit = read_amount("time-limit", limit, fields, diagnostics);
+  constexpr Range retries{1, 1000, true, "a whole number", ""};
+  icon.retries = static_cast<int>(read_number("retries", retries, fields, diagnostics).value_or(0));
+  const JsonValue* codes = fields.find("retry-on", Kind::array, "a list of completion codes");
+  if (codes == nullptr) return;
+  for (const JsonValue& code : codes->items) {
+    if (is_code(code)) {
+      icon.retry_on.push_back(static_cast<int>(code.number));
+    } else {
+      fields.report(code.where, "a completion code is a whole number", "write a whole number");
+    }
+  }
+  if (icon.retries == 0 && !fields.refused("retries"))
+    fields.report(codes->where, "'retry-on' says nothing without 'retries'", "add \"retries\", or remove it");
+}
+
+void read_position(Icon& icon, Fields& fields) {
+  const JsonValue* at = fields.find("at", Kind::array, "a pair of numbers, [x, y]");
+  if (at == nullptr) return;
+  if (at->items.size() != 2 || at->items[0].kind != Kind::number || at->items[1].kind != Kind::number) {
+    fields.report(at->where, "'at' must be a pair of numbers, [x, y]", "write two numbers");
+    return;
+  }
+  icon.at = Point{at->items[0].number, at->items[1].number};
+}
+
+}  // namespace
+
+std::optional<Icon> read_icon(const JsonValue& value, std::string& id, Diagnostics& diagnostics) {
+  Fields fields(value, diagnostics);
+  if (value.kind != Kind::object) {
+    fields.report(value.where, "an icon is an object", "write {\"id\": …, \"kind\": …} here");
+    return std::nullopt;
+  }
+  Icon icon;
+  icon.where = value.where;
+  icon.id = id = fields.needed_text("id", &icon.where);
+  SourceSpan kind_where = value.where;
+  const std::string kind = fields.needed_text("kind", &kind_where);
+  const auto known = icon_kind(kind);
+  if (!known) {
+    if (!kind.empty())
+      fields.report(kind_where, fmt::format("there is no kind of icon '{}'", kind),
+                    fmt::format("there is {}", fmt::join(icon_kind_names(), ", ")));
+    return std::nullopt;
+  }
+  if (icon.id.empty() || icon.id.find('/') != std::string::npos) {
+    if (!icon.id.empty())
+      fields.report(icon.where, "an id has no '/'",
+                    "'/' stands between the ids of a sub-operation and its icon");
+    return std::nullopt;
+  }
+  icon.kind = *known;
+  switch (icon.kind) {
+    case IconKind::skill:
+      read_skill(icon, fields, diagnostics);
+      break;
+    case IconKind::branch:
+      read_case(icon, fields, diagnostics);
+      break;
+    case IconKind::delay:
+      icon.seconds = read_amount("seconds", any_time, fields, diagnostics);
+      if (!icon.seconds) fields.missing("seconds");
+      break;
+    case IconKind::wait:
+      read_wait(icon, fields, diagnostics);
+      break;
+    case IconKind::test:
+      read_test(icon, fields, diagnostics);
+      break;
+    case IconKind::question:
+      read_question(icon, fields, diagnostics);
+      break;
+    case IconKind::zero:
+      icon.sensor = fields.needed_text("sensor", &icon.subject);
+      break;
+    case IconKind::sub_operation:
+      icon.subject = icon.where;
+      icon.file = fields.text("file", &icon.subject);
+      icon.operation = fields.text("operation", &icon.subject);
+      if (icon.file.empty() && icon.operation.empty() && !fields.refused("file")) fields.missing("operation");
+      read_parameters_and_repeat(icon, fields, diagnostics);
+      break;
+    case IconKind::exit: {
+      constexpr Range codes{-1e6, 1e6, true, "a completion code", ""};
+      icon.code = read_amount("code", codes, fields, diagnostics);
+      break;
+    }
+    default:
+      break;
+  }
+  if (has_next(icon.kind)) icon.next = fields.connection("next");
+  if (has_completions(icon.kind)) icon.error = fields.connection("error");
+  read_position(icon, fields);
+  icon.note = fields.text("note");
+  fields.refuse_the_rest();
+  return icon;
+}
+
+}  // namespace pal::operations
