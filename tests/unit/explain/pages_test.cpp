@@ -12,7 +12,6 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal;
-using namespace pal::explain;
 
 namespace {
 
@@ -51,9 +50,9 @@ Found check(const Sample& sample) {
 }  // namespace
 
 TEST_CASE("every finding has a page with what it means, an example and a cure") {
-  for (const Code code : all_codes()) {
+  for (const Code code : explain::all_codes()) {
     CAPTURE(name(code), title(code));
-    const Page page = explain(code);
+    const explain::Page page = explain::explain(code);
     CHECK_FALSE(page.summary.empty());
     CHECK(page.markdown.ends_with("\n"));
     CHECK(page.markdown.find("\n### Example\n") != std::string_view::npos);
@@ -64,8 +63,8 @@ TEST_CASE("every finding has a page with what it means, an example and a cure") 
 }
 
 TEST_CASE("every example gives its finding, and every cure removes it and has no errors") {
-  for (const Code code : all_codes()) {
-    const Page page = explain(code);
+  for (const Code code : explain::all_codes()) {
+    const explain::Page page = explain::explain(code);
     if (page.example.files.empty() || page.cure.files.empty()) continue;
     const std::string expected(name(code));
     CAPTURE(expected);
@@ -85,7 +84,7 @@ TEST_CASE("every example gives its finding, and every cure removes it and has no
 
 TEST_CASE("docs/reference/diagnostics.md is what pal explain --all prints") {
   std::ostringstream now;
-  write_reference(now);
+  explain::write_reference(now);
   const auto committed = DiskFileSystem().read(PAL_SOURCE_DIR "/docs/reference/diagnostics.md");
   REQUIRE(std::holds_alternative<std::string>(committed));
   // Not CHECK( == ): the difference of two documents is of no use.
