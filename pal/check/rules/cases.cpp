@@ -1,3 +1,4 @@
+// CASEs of which no arm may hold, arms that never hold, loops whose condition never holds.
 #include <string>
 
 #include "pal/check/conditions/condition_runs.hpp"

@@ -30,9 +30,9 @@ struct Found {
 };
 
 /// What `pal check` says of a sample, with everything that it would do.
-Found check(const Sample& sample) {
+Found checked(const explain::Sample& sample) {
   MemoryFileSystem files;
-  for (const SampleFile& file : sample.files) files.add(file.name, file.text);
+  for (const explain::SampleFile& file : sample.files) files.add(file.name, file.text);
   std::vector<std::string> arguments{"check", sample.files.front().name};
   if (arguments.back().ends_with(".op.json")) arguments.insert(arguments.begin(), "operation");
   arguments.insert(arguments.end(), sample.options.begin(), sample.options.end());
@@ -68,14 +68,14 @@ TEST_CASE("every example gives its finding, and every cure removes it and has no
     if (page.example.files.empty() || page.cure.files.empty()) continue;
     const std::string expected(name(code));
     CAPTURE(expected);
-    const Found wrong = check(page.example);
+    const Found wrong = checked(page.example);
     {
       INFO(wrong.text);
       CHECK(wrong.codes.contains(expected));
       // A page is about one thing: what else goes wrong in its example is of no other family of errors.
       CHECK(wrong.errors <= (code == Code::PAL0104 ? 21 : 3));
     }
-    const Found right = check(page.cure);
+    const Found right = checked(page.cure);
     INFO(right.text);
     CHECK_FALSE(right.codes.contains(expected));
     CHECK(right.errors == 0);
