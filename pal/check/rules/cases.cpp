@@ -1,4 +1,5 @@
-// CASEs of which no arm may hold, arms that never hold, loops whose condition never holds.
+// What condition_runs found of each CASE and each UNTIL, as findings: no arm may hold, an arm never holds, a loop
+// never ends.
 #include <string>
 
 #include "pal/check/conditions/condition_runs.hpp"
