@@ -314,7 +314,11 @@ Executor::Looked Executor::look(const Icon& here, Step& step, Memory& memory) {
     if (here.conditions.size() == 1) {
       step.reading = value;
     } else {
-      step.readings.push_back({subject_text(condition), value});
+      const std::string subject = subject_text(condition);
+      const auto before = std::count_if(
+          here.conditions.begin(), here.conditions.begin() + static_cast<std::ptrdiff_t>(i),
+          [&](const Condition& each) { return subject_text(each) == subject; });
+      step.readings.push_back({before == 0 ? subject : fmt::format("{} ({})", subject, before + 1), value});
     }
     const double slack = memory[i] > 0 ? condition.hysteresis : 0;
     if (!here.limits.empty()) {

@@ -74,7 +74,7 @@ Outcome check_operation(const std::string& file) {
   const pal::DiskFileSystem files;
   std::ostringstream out;
   auto status = pal::program::run({"operation", "check", file, "--skills", "skills.pal", "-e", "cell.pal",
-                                   "--location", "HOME", "--sensor", "eye"},
+                                   "--location", "HOME", "--sensor", "eye", "--figure", "light"},
                                   {out, out, files});
   const std::string log = std::filesystem::path(file).replace_extension(".jsonl").string();
   if (std::filesystem::exists(log))

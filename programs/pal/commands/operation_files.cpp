@@ -24,12 +24,11 @@ void forget_other_skills(const std::set<std::string>& used, Session& session) {
 }
 
 /// An environment that lies in a folder of skills, or that the one asked for uses, is not asked for.
-void forget_other_environments(const OperationOptions& options, Session& session) {
-  std::set<FileId> asked_for;
-  for (const std::string& path : options.environments)
-    if (const auto file = session.sources.find(path)) asked_for.insert(*file);
+void forget_other_environments(const OperationOptions& options, const Console& console, Session& session) {
+  std::set<std::string> asked_for;
+  for (const std::string& path : options.environments) asked_for.insert(console.files.identity(path));
   std::erase_if(session.specification.environments, [&](const pan::Environment& environment) {
-    return !asked_for.contains(environment.where.file);
+    return !asked_for.contains(console.files.identity(session.sources.name(environment.where.file)));
   });
 }
 
@@ -54,7 +53,7 @@ operations::Skills read_skills(const OperationOptions& options, const std::set<s
   if (session.diagnostics.not_kept().sum() == 0) forget_other_skills(used, session);
   std::erase_if(session.specification.skills,
                 [&](const pan::Network& network) { return !used.contains(network.skill.name); });
-  forget_other_environments(options, session);
+  forget_other_environments(options, console, session);
   return skills;
 }
 

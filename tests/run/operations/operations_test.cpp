@@ -141,6 +141,54 @@ TEST_CASE("a part is identified by height, picked, identified by width and place
   CHECK(answer.out.find("exit 'no-part' with code 0") != std::string::npos);
 }
 
+TEST_CASE("press twice presses gently and harder, and looks at what was felt") {
+  const Answer answer = run("press_twice", {"--scene", "touch"});
+  INFO(answer.out << answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  CHECK(icons(answer) == std::vector<std::string>{"gently/press", "gently/peak", "harder/press", "harder/peak",
+                                                  "lift/up"});
+  for (const auto& [step, force] : {std::pair<std::size_t, double>{0, 5}, {2, 12}}) {
+    CHECK(answer.steps[step].at("parameters").at("force") == force);
+    const double greatest = answer.steps[step].at("figures").at("greatest-force");
+    CHECK(greatest >= force);
+    CHECK(greatest < 25);
+    CHECK(answer.steps[step + 1].at("reading") == greatest);
+  }
+  // Without a plate it says so, by the status of the program, too.
+  const Answer none = run("press_twice", {"--scene", "nothing"});
+  INFO(none.out << none.error);
+  CHECK(static_cast<int>(none.status) == 101);
+}
+
+TEST_CASE("five touches and a question, which is answered before or by the person there") {
+  const Answer answer = run("five_with_a_question", {"--scene", "touch", "--answer", "ask=Five more"}, "what?\n2\n");
+  INFO(answer.out << answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  CHECK(answer.steps.size() == 22);
+  CHECK(answer.steps[10].at("sensor") == "the count of five");
+  CHECK(answer.steps[10].at("reading") == 5);
+  CHECK(answer.steps[11].at("answer") == "Five more");
+  CHECK(answer.steps.back().at("answer") == "That is enough");
+  CHECK(answer.out.find("write a number from 1 to 2") != std::string::npos);
+}
+
+TEST_CASE("a question without a person, and an answer that is none, go to error") {
+  const Answer nobody = run("five_with_a_question", {"--scene", "touch", "--from", "ask"});
+  CHECK(static_cast<int>(nobody.status) == 102);
+  CHECK(nobody.steps.at(0).at("code") == -1);
+  const Answer other = run("five_with_a_question", {"--scene", "touch", "--from", "ask", "--answer", "ask=Perhaps"});
+  CHECK(static_cast<int>(other.status) == 102);
+  CHECK(run("five_with_a_question", {"--scene", "touch", "--answer", "Perhaps"}).status == ExitStatus::usage);
+}
+
+TEST_CASE("a parameter is set to a place that is taught only") {
+  const Answer answer = run("pick_and_place", {"--scene", "parts", "--step"},
+                            "set go-home location NOWHERE\nset go-home location PART\nquit\n");
+  INFO(answer.out);
+  CHECK(answer.out.find("location 'NOWHERE' is not taught") != std::string::npos);
+  CHECK(answer.out.find("go-home: location is \"PART\" now, before it was \"HOME\"") != std::string::npos);
+}
+
 TEST_CASE("sensors are read by their lines, between skills") {
   using namespace pal;
   sim::Cell cell(sim::find_scene("delivery-middle", {PAL_SOURCE_DIR "/sim/scenes"}), {});
