@@ -272,6 +272,7 @@ void Executor::act_zero() {
   Step step = new_step();
   announce(step);
   const auto problem = runner_.zero(icon().sensor);
+  if (problem && stop_.load(std::memory_order_relaxed)) return cut_off(step);
   if (problem) step.result = {Kind::error, no_value, *problem};
   finish(step);
   leave_with(step.result.code, !problem, step.result.reason);

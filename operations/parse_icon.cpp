@@ -91,7 +91,7 @@ void read_case(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
 
 void read_limits(Icon& icon, const JsonValue& limits, Fields& fields, Diagnostics& diagnostics) {
   for (const JsonValue& limit : limits.items) {
-    const auto amount = amount_of(limit, "limits", any_number, fields, diagnostics);
+    const auto amount = amount_of(limit, "limit", any_number, fields, diagnostics);
     if (!amount) continue;
     const bool comparable =
         !icon.limits.empty() && amount->source.written() && icon.limits.back().source.written();
@@ -136,8 +136,10 @@ Condition read_condition(Fields& fields, Diagnostics& diagnostics) {
   return condition;
 }
 
-void need_bound(const Condition& condition, Fields& fields) {
-  if (!condition.at_least && !condition.at_most && !fields.refused("at-most")) fields.missing("at-least");
+/// `wanted`: what is missing if there is neither.
+void need_bound(const Condition& condition, const char* wanted, Fields& fields) {
+  if (condition.at_least || condition.at_most) return;
+  if (!fields.refused("at-least") && !fields.refused("at-most")) fields.missing(wanted);
 }
 
 /// The conditions of a list, all or any of which must be met.
@@ -149,7 +151,7 @@ void read_conditions(Icon& icon, const JsonValue& list, Fields& fields, Diagnost
       continue;
     }
     icon.conditions.push_back(read_condition(inside, diagnostics));
-    need_bound(icon.conditions.back(), inside);
+    need_bound(icon.conditions.back(), "at-least", inside);
     inside.refuse_the_rest();
   }
   if (list.items.size() < 2 || list.items.size() > 8)
@@ -174,7 +176,8 @@ void read_what_is_read(Icon& icon, const JsonValue* limits, Fields& fields, Diag
   const Condition& only = icon.conditions.front();
   icon.subject = only.subject;
   if (limits == nullptr) {
-    if (!fields.refused("limits")) need_bound(only, fields);
+    if (!fields.refused("limits"))
+      need_bound(only, icon.kind == IconKind::test ? "limits" : "at-least", fields);
     return;
   }
   read_limits(icon, *limits, fields, diagnostics);

@@ -272,7 +272,7 @@ class Walk {
         times.add_longest(longest ? multiplied(*longest, rounds - 1) : std::nullopt);
         unknown.insert(unknown.end(), unbounded.begin(), unbounded.end());
         icons.insert(icons.begin(),
-                     fmt::format("{} {} {} times:", icon.id, part.code == 0 ? "runs" : "runs up to", rounds));
+                     fmt::format("{} {}{:g} times", icon.id, part.code == 0 ? "" : "up to ", rounds));
       }
       if (part.how == Left::How::exit) {
         if (const auto way = route(graph_, at, part.code, part.code == 0))

@@ -41,7 +41,7 @@ operations::Program program_of(const RunSkill& command) {
   operations::Operation operation;
   operation.name = command.skill;
   operation.icons = {std::move(start), std::move(skill), std::move(end)};
-  return {{std::move(operation)}};
+  return {{std::move(operation)}, {}};
 }
 
 }  // namespace

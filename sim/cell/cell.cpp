@@ -59,6 +59,8 @@ struct Attached {
   std::unique_ptr<Driver> driver;
 };
 
+constexpr const char* force_torque_name = "force-torque";
+
 bool uses(const runtime::Skill& skill, std::string_view device) {
   const auto devices = skill.wiring().devices;
   return std::find(devices.begin(), devices.end(), device) != devices.end();
@@ -179,8 +181,34 @@ struct Cell::Parts {
       return {{}, answer.problem, answer.stopped};
     }
     started.insert(source.device);
-    const auto value = quantity(sensor, *answer.fields);
+    std::vector<double> fields = *answer.fields;
+    if (source.device == force_torque_name)
+      for (std::size_t i = 0; i < std::min(fields.size(), zero.size()); ++i) fields[i] -= zero[i];
+    const auto value = quantity(sensor, fields);
     return {value, value ? "" : source.device + ": sees nothing", false};
+  }
+
+  std::optional<std::string> set_zero(const std::string& sensor, const runtime::RunControl* control) {
+    const auto source = source_of(sensor);
+    if (!source) return "there is no sensor '" + sensor + "' that can be zeroed";
+    if (source->device != force_torque_name) return "the sensor '" + sensor + "' has no zero to be set";
+    const std::vector<double> before = std::exchange(zero, {});
+    constexpr int readings = 20;
+    std::vector<double> sum;
+    for (int i = 0; i < readings; ++i) {
+      runtime::drivers::Driver& driver = *driver_of(source->device);
+      const bool prepare = !started.contains(source->device) || !driver.trouble().empty();
+      const Answer answer = ask(station, driver, source->message, prepare, control);
+      if (!answer.fields) {
+        zero = before;
+        return answer.stopped ? "stopped" : answer.problem;
+      }
+      started.insert(source->device);
+      sum.resize(answer.fields->size(), 0);
+      for (std::size_t axis = 0; axis < sum.size(); ++axis) sum[axis] += (*answer.fields)[axis] / readings;
+    }
+    zero = std::move(sum);
+    return std::nullopt;
   }
 
   Sensed sense_fixed(const std::string& sensor) {
@@ -206,6 +234,7 @@ struct Cell::Parts {
   }
 
   Random fixed_noise;
+  std::vector<double> zero;       // what the force-torque sensor showed when it was zeroed, by axis
   std::set<std::string> started;  // devices that a skill or a reading has started
   Workcell workcell;
   std::unique_ptr<runtime::World> world;
@@ -254,6 +283,10 @@ std::vector<SensorSpec> Cell::sensors() const {
 Cell::Sensed Cell::sense(const std::string& sensor, const runtime::RunControl* control) {
   if (const auto source = source_of(sensor)) return parts_->sense_device(sensor, *source, control);
   return parts_->sense_fixed(sensor);
+}
+
+std::optional<std::string> Cell::zero(const std::string& sensor, const runtime::RunControl* control) {
+  return parts_->set_zero(sensor, control);
 }
 
 void Cell::rest(runtime::Time time) {

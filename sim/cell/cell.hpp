@@ -73,6 +73,10 @@ class Cell {
     bool stopped = false;
   };
   Sensed sense(const std::string& sensor, const runtime::RunControl* control = nullptr);
+  /// What the force-torque sensor shows now, on all its axes, counts as zero for sense() from now on;
+  /// `sensor` is any of them. The mean of some readings; time passes. Skills do not see it. The answer says
+  /// why it cannot be; nothing: it is done.
+  std::optional<std::string> zero(const std::string& sensor, const runtime::RunControl* control = nullptr);
 
   runtime::Time phase() const { return phase_; }
   Workcell& workcell();

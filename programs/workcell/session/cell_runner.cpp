@@ -168,6 +168,10 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   return result;
 }
 
+std::optional<std::string> CellRunner::zero(const std::string& sensor) {
+  return cell_.zero(sensor, control_.load());
+}
+
 void CellRunner::ask(const operations::Question& question) {
   if (person_ != nullptr) person_->ask(question);
 }

@@ -52,6 +52,7 @@ class CellRunner final : public operations::SkillRunner {
                               std::optional<Duration> limit) override;
   bool delay(Duration time) override;
   operations::Reading sense(const std::string& sensor) override;
+  std::optional<std::string> zero(const std::string& sensor) override;
   void ask(const operations::Question& question) override;
   operations::Reply answer() override;
   void withdraw() override;

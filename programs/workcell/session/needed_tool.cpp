@@ -19,15 +19,15 @@ std::string scenes_with(sim::ToolKind tool, const std::vector<std::string>& fold
   return names;
 }
 
-/// The port of the tool that the skill needs and the scene lacks; null: it lacks none.
-const sim::ServedPort* missing_port(const runtime::Skill& skill, const sim::Scene& scene) {
+/// The port of the tool that the skill needs and the scene lacks; nothing: it lacks none.
+std::optional<sim::ServedPort> missing_port(const runtime::Skill& skill, const sim::Scene& scene) {
   const sim::ToolKind tool = sim::tool_of(scene);
   for (const sim::ServedPort& port : sim::served_ports()) {
     if (!port.tool || *port.tool == tool) continue;
     for (const std::string_view device : skill.wiring().devices)
-      if (device == port.name) return &port;
+      if (device == port.name) return port;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 std::string needs(const sim::ServedPort& port, const sim::Scene& scene) {
@@ -39,8 +39,8 @@ std::string needs(const sim::ServedPort& port, const sim::Scene& scene) {
 
 std::optional<std::string> lacking_tool(const runtime::Skill& skill, const sim::Scene& scene,
                                         const std::vector<std::string>& folders) {
-  const sim::ServedPort* port = missing_port(skill, scene);
-  if (port == nullptr) return std::nullopt;
+  const auto port = missing_port(skill, scene);
+  if (!port) return std::nullopt;
   const std::string scenes = scenes_with(*port->tool, folders);
   return fmt::format("it {}{}", needs(*port, scene),
                      scenes.empty() ? "" : fmt::format("; these scenes have it: {}", scenes));
@@ -48,8 +48,8 @@ std::optional<std::string> lacking_tool(const runtime::Skill& skill, const sim::
 
 void check_tool(const runtime::Skill& skill, const sim::Scene& scene,
                 const std::vector<std::string>& folders) {
-  const sim::ServedPort* port = missing_port(skill, scene);
-  if (port == nullptr) return;
+  const auto port = missing_port(skill, scene);
+  if (!port) return;
   const std::string scenes = scenes_with(*port->tool, folders);
   throw Failure(ExitStatus::wrong_specification, "scene " + scene.name,
                 fmt::format("skill {} {}", skill.description().name, needs(*port, scene)),

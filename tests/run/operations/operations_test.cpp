@@ -145,8 +145,8 @@ TEST_CASE("press twice presses gently and harder, and looks at what was felt") {
   const Answer answer = run("press_twice", {"--scene", "touch"});
   INFO(answer.out << answer.error);
   CHECK(answer.status == ExitStatus::done);
-  CHECK(icons(answer) == std::vector<std::string>{"gently/press", "gently/peak", "harder/press", "harder/peak",
-                                                  "lift/up"});
+  CHECK(icons(answer) ==
+        std::vector<std::string>{"gently/press", "gently/peak", "harder/press", "harder/peak", "lift/up"});
   for (const auto& [step, force] : {std::pair<std::size_t, double>{0, 5}, {2, 12}}) {
     CHECK(answer.steps[step].at("parameters").at("force") == force);
     const double greatest = answer.steps[step].at("figures").at("greatest-force");
@@ -160,11 +160,29 @@ TEST_CASE("press twice presses gently and harder, and looks at what was felt") {
   CHECK(static_cast<int>(none.status) == 101);
 }
 
-TEST_CASE("five touches and a question, which is answered before or by the person there") {
-  const Answer answer = run("five_with_a_question", {"--scene", "touch", "--answer", "ask=Five more"}, "what?\n2\n");
+TEST_CASE("a part is weighed in the air, the same each time, and put where it belongs") {
+  const Answer answer = run("weigh_and_sort", {"--scene", "parts"});
   INFO(answer.out << answer.error);
   CHECK(answer.status == ExitStatus::done);
-  CHECK(answer.steps.size() == 22);
+  CHECK(icons(answer) ==
+        std::vector<std::string>{"go-home", "empty", "pick", "lift", "settle", "weigh", "put-heavy/put"});
+  CHECK(answer.steps[5].at("reading") == Approx(1.96).margin(0.3));  // N: 200 g
+  using namespace pal;
+  sim::Cell cell(sim::find_scene("parts", {PAL_SOURCE_DIR "/sim/scenes"}), {});
+  const double before = *cell.sense("force-z").value;
+  CHECK_FALSE(cell.zero("force-z"));
+  CHECK(*cell.sense("force-z").value == Approx(0).margin(0.5));
+  CHECK(std::abs(before) < 20);
+  CHECK(cell.zero("smell") == "there is no sensor 'smell' that can be zeroed");
+  CHECK(cell.zero("gripper-width") == "the sensor 'gripper-width' has no zero to be set");
+}
+
+TEST_CASE("five touches and a question, which is answered before or by the person there") {
+  const Answer answer =
+      run("five_with_a_question", {"--scene", "touch", "--answer", "ask=Five more"}, "what?\n2\n");
+  INFO(answer.out << answer.error);
+  CHECK(answer.status == ExitStatus::done);
+  CHECK(answer.steps.size() == 24);
   CHECK(answer.steps[10].at("sensor") == "the count of five");
   CHECK(answer.steps[10].at("reading") == 5);
   CHECK(answer.steps[11].at("answer") == "Five more");
@@ -176,7 +194,8 @@ TEST_CASE("a question without a person, and an answer that is none, go to error"
   const Answer nobody = run("five_with_a_question", {"--scene", "touch", "--from", "ask"});
   CHECK(static_cast<int>(nobody.status) == 102);
   CHECK(nobody.steps.at(0).at("code") == -1);
-  const Answer other = run("five_with_a_question", {"--scene", "touch", "--from", "ask", "--answer", "ask=Perhaps"});
+  const Answer other =
+      run("five_with_a_question", {"--scene", "touch", "--from", "ask", "--answer", "ask=Perhaps"});
   CHECK(static_cast<int>(other.status) == 102);
   CHECK(run("five_with_a_question", {"--scene", "touch", "--answer", "Perhaps"}).status == ExitStatus::usage);
 }

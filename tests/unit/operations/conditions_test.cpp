@@ -130,6 +130,12 @@ TEST_CASE("a sensor is zeroed, or the reason is told") {
   CHECK(executor.run() == ExecutionState::ended);
   CHECK(executor.token() == "bad");
   CHECK(executor.last_code() == no_value);
+  SECTION("and a stop cuts it off") {
+    executor.start_from("start");
+    runner.during_zero = [&] { executor.stop(); };
+    CHECK(executor.run() == ExecutionState::stopped);
+    CHECK(executor.token() == "a");
+  }
 }
 
 TEST_CASE("a story tells conditions") {

@@ -79,6 +79,7 @@ class ScriptedRunner final : public operations::SkillRunner {
   void withdraw() override { ++withdrawn; }
   std::optional<std::string> zero(const std::string& sensor) override {
     zeroed.push_back(sensor);
+    if (during_zero) during_zero();
     return zero_problem;
   }
   bool delay(Duration length) override {
@@ -113,7 +114,7 @@ class ScriptedRunner final : public operations::SkillRunner {
   std::optional<std::string> zero_problem;
   std::deque<double> readings;  // of the next tests and waits; the last one stays; none: the sensor fails
   std::vector<std::string> sensed;
-  std::function<void()> during, during_delay;
+  std::function<void()> during, during_delay, during_zero;
   std::optional<std::string> problem;
   int initialised = 0;
   bool stopped = false;
