@@ -6,7 +6,7 @@
 namespace pal::operations {
 namespace {
 
-using Kind = pan::Completion::Kind;
+using EndingKind = pan::Completion::Kind;
 
 constexpr std::size_t bits_of_word = 64;
 
@@ -238,42 +238,42 @@ std::vector<Ending> endings_of(const Graph& graph, Place at, const Skills& skill
     case IconKind::sub_operation:
       if (const auto sub = graph.sub_operation(at))
         for (const int code : exits[*sub].list())
-          result.push_back({code, code == 0 ? Kind::normal : Kind::contingency});
+          result.push_back({code, code == 0 ? EndingKind::normal : EndingKind::contingency});
       break;
     case IconKind::test: {
       const std::size_t most = icon.limits.empty() ? 1 : icon.limits.size();
-      for (int code = 0; code <= static_cast<int>(most); ++code) result.push_back({code, Kind::normal});
+      for (int code = 0; code <= static_cast<int>(most); ++code) result.push_back({code, EndingKind::normal});
       break;
     }
     case IconKind::question:
       for (int code = 0; code < static_cast<int>(icon.ways.size()); ++code)
-        result.push_back({code, Kind::normal});
-      if (icon.timeout) result.push_back({time_over, Kind::contingency});
+        result.push_back({code, EndingKind::normal});
+      if (icon.timeout) result.push_back({time_over, EndingKind::contingency});
       break;
     case IconKind::wait:
-      result.push_back({0, Kind::normal});
-      if (icon.timeout) result.push_back({waited_in_vain, Kind::contingency});
+      result.push_back({0, EndingKind::normal});
+      if (icon.timeout) result.push_back({waited_in_vain, EndingKind::contingency});
       break;
     case IconKind::skill: {
       const auto skill = skills.find(icon.skill);
       if (skill == skills.end()) {
-        result.push_back({0, Kind::normal});
+        result.push_back({0, EndingKind::normal});
       } else {
         for (const pan::Completion& completion : skill->second.completions)
           result.push_back({completion.code, completion.kind});
       }
-      if (icon.time_limit) result.push_back({time_over, Kind::contingency});
+      if (icon.time_limit) result.push_back({time_over, EndingKind::contingency});
       break;
     }
     default:
-      result.push_back({0, Kind::normal});
+      result.push_back({0, EndingKind::normal});
   }
   const auto has = [&](int code) {
     return std::any_of(result.begin(), result.end(), [&](const Ending& each) { return each.code == code; });
   };
   // Repeated no time at all.
-  if (icon.repeat && !icon.repeat->source.written() && !has(0)) result.push_back({0, Kind::normal});
-  if (can_lack_a_value(icon) && !has(no_value)) result.push_back({no_value, Kind::error});
+  if (icon.repeat && !icon.repeat->source.written() && !has(0)) result.push_back({0, EndingKind::normal});
+  if (can_lack_a_value(icon) && !has(no_value)) result.push_back({no_value, EndingKind::error});
   return result;
 }
 

@@ -21,7 +21,7 @@ Duration duration_of(double seconds) {
   return Duration(static_cast<std::int64_t>(seconds * 1e9));
 }
 
-using Kind = SkillResult::Kind;
+using ResultKind = SkillResult::Kind;
 
 }  // namespace
 
@@ -94,7 +94,7 @@ void Executor::finish(Step& step) {
 void Executor::cut_off(Step& step) {
   const bool paused = !stop_.load(std::memory_order_relaxed) && !stopping_ &&
                       pause_.exchange(false, std::memory_order_relaxed);
-  step.result = {Kind::stopped, 0, paused ? "paused" : "stopped"};
+  step.result = {ResultKind::stopped, 0, paused ? "paused" : "stopped"};
   finish(step);
   halt(paused ? ExecutionState::paused : ExecutionState::stopped, step.result.reason + " in " + token());
 }
@@ -175,7 +175,7 @@ void Executor::leave_without_value(const std::string& problem) {
   if (icon().kind != IconKind::sub_operation) {
     Step step = new_step();
     announce(step);
-    step.result = {Kind::error, no_value, problem};
+    step.result = {ResultKind::error, no_value, problem};
     finish(step);
   }
   leave_with(no_value, false, problem);
@@ -220,12 +220,12 @@ void Executor::act_skill() {
   announce(step);
   step.result = runner_.run(here.skill, step.parameters, limit);
   if (step.result.over_time)
-    step.result = {Kind::contingency, time_over,
+    step.result = {ResultKind::contingency, time_over,
                    fmt::format("the time limit of {} is over", to_text(*here.time_limit))};
   finish(step);
-  if (step.result.kind == Kind::stopped) return halt(ExecutionState::stopped, "stopped in " + token());
+  if (step.result.kind == ResultKind::stopped) return halt(ExecutionState::stopped, "stopped in " + token());
   figures_[icon_name()] = step.result.figures;
-  const bool normal = step.result.kind == Kind::normal;
+  const bool normal = step.result.kind == ResultKind::normal;
   if (normal && ended_normally_in_this_round()) {
     last_code_ = step.result.code;
     return;
@@ -273,7 +273,7 @@ void Executor::act_zero() {
   announce(step);
   const auto problem = runner_.zero(icon().sensor);
   if (problem && stop_.load(std::memory_order_relaxed)) return cut_off(step);
-  if (problem) step.result = {Kind::error, no_value, *problem};
+  if (problem) step.result = {ResultKind::error, no_value, *problem};
   finish(step);
   leave_with(step.result.code, !problem, step.result.reason);
 }
@@ -316,9 +316,9 @@ Executor::Looked Executor::look(const Icon& here, Step& step, Memory& memory) {
       step.reading = value;
     } else {
       const std::string subject = subject_text(condition);
-      const auto before = std::count_if(
-          here.conditions.begin(), here.conditions.begin() + static_cast<std::ptrdiff_t>(i),
-          [&](const Condition& each) { return subject_text(each) == subject; });
+      const auto before =
+          std::count_if(here.conditions.begin(), here.conditions.begin() + static_cast<std::ptrdiff_t>(i),
+                        [&](const Condition& each) { return subject_text(each) == subject; });
       step.readings.push_back({before == 0 ? subject : fmt::format("{} ({})", subject, before + 1), value});
     }
     const double slack = memory[i] > 0 ? condition.hysteresis : 0;
@@ -350,12 +350,12 @@ void Executor::act_test() {
   }
   if (looked.stopped) return cut_off(step);
   if (looked.problem.empty()) {
-    step.result = {Kind::normal, static_cast<int>(looked.code), {}};
+    step.result = {ResultKind::normal, static_cast<int>(looked.code), {}};
   } else {
-    step.result = {Kind::error, no_value, looked.problem};
+    step.result = {ResultKind::error, no_value, looked.problem};
   }
   finish(step);
-  leave_with(step.result.code, step.result.kind == Kind::normal, step.result.reason);
+  leave_with(step.result.code, step.result.kind == ResultKind::normal, step.result.reason);
 }
 
 void Executor::act_wait() {
@@ -375,11 +375,11 @@ void Executor::act_wait() {
     if (looked.stopped || pausing()) return cut_off(step);
     over = true;
     if (!looked.problem.empty()) {
-      step.result = {Kind::error, no_value, looked.problem};
+      step.result = {ResultKind::error, no_value, looked.problem};
     } else if (looked.code == 1) {
-      step.result = {Kind::normal, 0, {}};
+      step.result = {ResultKind::normal, 0, {}};
     } else if (timeout && runner_.now() - step.begin >= *timeout) {
-      step.result = {Kind::contingency, waited_in_vain, "the time is over"};
+      step.result = {ResultKind::contingency, waited_in_vain, "the time is over"};
     } else if (!runner_.delay(between_readings)) {
       return cut_off(step);
     } else {
@@ -387,7 +387,7 @@ void Executor::act_wait() {
     }
   }
   finish(step);
-  leave_with(step.result.code, step.result.kind == Kind::normal, step.result.reason);
+  leave_with(step.result.code, step.result.kind == ResultKind::normal, step.result.reason);
 }
 
 void Executor::act_question() {
@@ -408,11 +408,11 @@ void Executor::act_question() {
     }
     if (reply.choice && *reply.choice < here.ways.size()) {
       step.answer = question.answers[*reply.choice];
-      step.result = {Kind::normal, static_cast<int>(*reply.choice), {}};
+      step.result = {ResultKind::normal, static_cast<int>(*reply.choice), {}};
     } else if (!reply.problem.empty()) {
-      step.result = {Kind::error, no_value, reply.problem};
+      step.result = {ResultKind::error, no_value, reply.problem};
     } else if (timeout && runner_.now() - step.begin >= *timeout) {
-      step.result = {Kind::contingency, time_over, "nobody answered in time"};
+      step.result = {ResultKind::contingency, time_over, "nobody answered in time"};
     } else if (!runner_.delay(between_readings)) {
       runner_.withdraw();
       return cut_off(step);
@@ -422,7 +422,7 @@ void Executor::act_question() {
   }
   runner_.withdraw();
   finish(step);
-  leave_with(step.result.code, step.result.kind == Kind::normal, step.result.reason);
+  leave_with(step.result.code, step.result.kind == ResultKind::normal, step.result.reason);
 }
 
 }  // namespace pal::operations

@@ -12,8 +12,6 @@
 
 namespace pal::operations {
 
-using Kind = JsonValue::Kind;
-
 Fields::Fields(const JsonValue& object, Diagnostics& diagnostics)
     : object_(object), diagnostics_(diagnostics), taken_(object.members.size(), false) {}
 
@@ -39,7 +37,7 @@ const JsonValue* Fields::find(const std::string& name, Kind kind, const char* wh
 }
 
 std::string Fields::text(const std::string& name, SourceSpan* where) {
-  const JsonValue* value = find(name, Kind::text, "a text in double quotes");
+  const JsonValue* value = find(name, JsonValue::Kind::text, "a text in double quotes");
   if (value == nullptr) return {};
   if (where != nullptr) *where = value->where;
   return value->text;
@@ -83,7 +81,7 @@ void Fields::refuse_the_rest() {
 }
 
 bool is_code(const JsonValue& value) {
-  return value.kind == Kind::number && value.whole && std::abs(value.number) <= 1e6;
+  return value.kind == JsonValue::Kind::number && value.whole && std::abs(value.number) <= 1e6;
 }
 
 Source read_source(const JsonValue& object, Diagnostics& diagnostics) {
@@ -109,10 +107,10 @@ Source read_source(const JsonValue& object, Diagnostics& diagnostics) {
 std::optional<Amount> amount_of(const JsonValue& value, const std::string& name, const Range& range,
                                 Fields& fields, Diagnostics& diagnostics) {
   Amount amount{value.number, value.where, {}};
-  if (value.kind == Kind::object) {
+  if (value.kind == JsonValue::Kind::object) {
     amount.source = read_source(value, diagnostics);
     if (!amount.source.written()) return amount;
-  } else if (value.kind != Kind::number) {
+  } else if (value.kind != JsonValue::Kind::number) {
     fields.report(value.where, fmt::format("'{}' must be a number", name),
                   "write a number, a count, an argument or an output here");
   } else if (!(value.number >= range.low && value.number <= range.high) ||
@@ -138,7 +136,7 @@ std::optional<Amount> read_amount(const std::string& name, const Range& range, F
 
 std::optional<double> read_number(const std::string& name, const Range& range, Fields& fields,
                                   Diagnostics& diagnostics) {
-  const JsonValue* value = fields.find(name, Kind::number, "a number");
+  const JsonValue* value = fields.find(name, JsonValue::Kind::number, "a number");
   if (value == nullptr) return std::nullopt;
   const auto amount = amount_of(*value, name, range, fields, diagnostics);
   if (!amount) return std::nullopt;
