@@ -98,7 +98,7 @@ void look_by_walks(const Problem& problem, const Requirement& requirement, const
   if (found) confront(problem, requirement, std::move(*found), verdict);
 }
 
-/// Looks for runs where a bound is not known to be attained.
+/// Looks for runs where nothing is decided, and where a bound is not known to be attained.
 void search(const Problem& problem, const Requirement& requirement, const Options& options,
             Verdict& verdict) {
   const bool open = verdict.state == State::undecided || (verdict.state == State::holds && !verdict.exact);
@@ -107,18 +107,16 @@ void search(const Problem& problem, const Requirement& requirement, const Option
   if (verdict.state == State::undecided) look_for_long_run(problem, requirement, options, verdict);
 }
 
-/// What is decided is only attacked by a few runs.
-void attack(const Problem& problem, const Requirement& requirement, const Options& options,
-            Verdict& verdict) {
-  if (verdict.state != State::holds || verdict.exact) return;
-  RunSearchOptions few;
-  few.runs = few.drawn;
-  look_for_run(problem, requirement, options, few, verdict);
-}
-
 void search_all(const Problem& problem, const Options& options, Analysis& analysis) {
   for (std::size_t r = 0; r < analysis.verdicts.size(); ++r)
     search(problem, problem.requirements[r], options, analysis.verdicts[r]);
+}
+
+void search_undecided(const Problem& problem, const Options& options, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    if (analysis.verdicts[r].state == State::undecided)
+      search(problem, problem.requirements[r], options, analysis.verdicts[r]);
+  }
 }
 
 /// So many classes of slices are explored, whatever the limit.
@@ -188,7 +186,6 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
     const Options here = share_of(options, part);
     const Requirement& requirement = problem.requirements[r];
     Verdict& verdict = analysis.verdicts[r];
-    attack(problem, requirement, here, verdict);
     if (verdict.state != State::undecided) continue;
     look_for_long_run(problem, requirement, share_of(here, 0.25), verdict);
     const bool more = verdict.gave_up && brief.max_states > glance(problem);
@@ -201,8 +198,6 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
       look_for_run(problem, requirement, share_of(here, 0.3), {}, verdict);
     if (verdict.state == State::undecided) look_by_walks(problem, requirement, share_of(here, 0.3), verdict);
     if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.6), verdict);
-    // Also of a bound that decides: the run that comes near it is shown.
-    if (verdict.state != State::undecided) search(problem, requirement, here, verdict);
   }
 }
 
@@ -240,23 +235,48 @@ bool settled_load(const Verdict& bound) {
   return bound.measure == Requirement::Measure::load && bound.state == State::holds;
 }
 
+/// So many classes are explored for all of the requirements together that hold by a bound. A verdict ends the
+/// search: in a small skill they show for nothing whether a run attains the bound, and whether there is
+/// anything to measure.
+constexpr std::size_t most_of_held = 80'000;
+
+/// Less than that shows nothing.
+constexpr std::size_t least_of_held = 500;
+
+/// The classes of each requirement that holds by a bound, if so many of them do; 0: it is not explored.
+std::size_t glance_at_held(const Problem& problem, std::size_t held) {
+  const std::size_t whole = glance(problem);
+  const std::size_t share = whole * (most_of_held / brief_exploration) / std::max<std::size_t>(held, 1);
+  return share < least_of_held ? 0 : std::min(whole, share);
+}
+
 /// What a moment's exploration shows of every requirement.
 Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
                      const std::vector<Verdict>& bounds) {
+  enum class Kind { open, held, settled_load };
+  const auto kind_of = [&bounds](std::size_t r) {
+    return settled_load(bounds[r])           ? Kind::settled_load
+           : bounds[r].state == State::holds ? Kind::held
+                                             : Kind::open;
+  };
   Analysis all;
-  all.verdicts.resize(bounds.size());
-  for (const bool load : {false, true}) {
-    Options how = options;
-    how.max_states = std::min(options.max_states, load ? most_of_load : glance(problem));
+  all.verdicts = bounds;
+  for (Verdict& verdict : all.verdicts) verdict.gave_up = true;
+  for (const Kind kind : {Kind::open, Kind::held, Kind::settled_load}) {
     Problem part = problem;
     part.requirements.clear();
     std::vector<std::size_t> which;
     for (std::size_t r = 0; r < bounds.size(); ++r) {
-      if (settled_load(bounds[r]) != load) continue;
+      if (kind_of(r) != kind) continue;
       which.push_back(r);
       part.requirements.push_back(problem.requirements[r]);
     }
-    if (which.empty()) continue;
+    const std::size_t classes = kind == Kind::open   ? glance(problem)
+                                : kind == Kind::held ? glance_at_held(problem, which.size())
+                                                     : most_of_load;
+    if (which.empty() || classes == 0) continue;
+    Options how = options;
+    how.max_states = std::min(options.max_states, classes);
     Analysis shown = provers.exact(part, how);
     all.statistics += shown.statistics;
     for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
@@ -322,8 +342,12 @@ Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoi
   const bool thorough = choice == AnalysisChoice::thorough;
   if (thorough || choice == AnalysisChoice::automatic)
     return analyze_automatically(provers, problem, options, thorough);
-  Analysis analysis = choice == AnalysisChoice::exact ? provers.exact(problem, options)
-                                                      : provers.compositional(problem, options);
+  if (choice == AnalysisChoice::compositional) {
+    Analysis bounds = provers.compositional(problem, options);
+    search_undecided(problem, options, bounds);
+    return bounds;
+  }
+  Analysis analysis = provers.exact(problem, options);
   search_all(problem, options, analysis);
   return analysis;
 }
