@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 using force_torque::Codec;
@@ -158,4 +158,4 @@ void ForceTorqueDriver::close() {
   waiting_.clear();
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -8,7 +8,7 @@
 #include "runtime/drivers/force_torque/codec.hpp"
 #include "runtime/drivers/linked_driver.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 struct ForceTorqueDriverOptions {
   std::string name = "force-torque";
@@ -59,4 +59,4 @@ class ForceTorqueDriver final : public LinkedDriver {
   bool serving_ = false;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers
