@@ -367,7 +367,7 @@ void say_unread(const Problem& problem, Analysis& analysis) {
 
 /// Bounds on the time that passes say nothing where it stands still. What has grown by then, and has no end,
 /// is not measured either.
-void withhold(Analysis& analysis) {
+void withhold(Analysis& analysis, const std::string& why) {
   for (Verdict& verdict : analysis.verdicts) {
     const bool grows = verdict.witness && verdict.witness->grows && !verdict.witness->failed;
     if (verdict.state == State::fails && !grows) continue;
@@ -376,7 +376,7 @@ void withhold(Analysis& analysis) {
     verdict.bound.reset();
     verdict.addends.clear();
     verdict.exact = false;
-    verdict.explanation = "a loop goes round for ever at one instant, so nothing is claimed about times";
+    verdict.explanation = why;
   }
 }
 
@@ -395,10 +395,16 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
   ZenoSearch look = find_zeno_run(problem, {std::min(options.max_states, first_look), options.stop});
   Analysis analysis = analyze_as(provers, problem, choice, options);
   say_unread(problem, analysis);
-  const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
+  const bool goes_on = !look.found && !look.excluded && !look.suspected && options.max_states > first_look;
   if (goes_on) look = find_zeno_run(problem, {options.max_states, options.stop});
   analysis.zeno_run = std::move(look.found);
-  if (analysis.zeno_run) withhold(analysis);
+  if (analysis.zeno_run)
+    withhold(analysis, "a loop goes round for ever at one instant, so nothing is claimed about times");
+  if (look.suspected)
+    withhold(
+        analysis,
+        "a loop may go round for ever at one instant: no run shows that, and it could not be excluded, so "
+        "nothing is claimed about times");
   withdraw_refuted(analysis.verdicts);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;
