@@ -43,6 +43,13 @@ void add_limits(CLI::App& command, ProofLimits& limits, const char* timeout) {
                   "give up a requirement after this many states (undecided)")
       ->capture_default_str()
       ->check(whole_number());
+  command
+      .add_option(
+          "--max-memory", limits.max_memory,
+          "explore no further once the program takes so much memory: 500MB, 4GB; without it half of what "
+          "the machine, its container or a ulimit gives")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
   add_timeout(command, limits.seconds, timeout == nullptr ? usual_timeout : timeout);
   command.add_option("--threads", limits.threads, "number of threads; 0: one for each core")
       ->capture_default_str()

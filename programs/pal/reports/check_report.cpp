@@ -76,6 +76,14 @@ std::string json(const std::vector<Proof>& proofs, const Session& session, bool 
       row["exact"] = verdict.exact;
       row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
+      row["taken_as_lost"] = nlohmann::ordered_json::array();
+      for (const analyzer::LostEvents& lost : verdict.taken_as_lost) {
+        const analyzer::Device& device = proof.problem.devices[lost.device];
+        row["taken_as_lost"].push_back({{"device", device.name},
+                                        {"message", proof.problem.channels[device.event].message},
+                                        {"lost", lost.lost},
+                                        {"in", lost.in}});
+      }
       row["addends"] = nlohmann::ordered_json::parse(arithmetic_json(verdict));
       if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
       document["requirements"].push_back(std::move(row));

@@ -28,7 +28,9 @@ void write_suite(const std::string& name, const std::vector<Case>& cases, std::o
     out << fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_escaped(name),
                        xml_escaped(each.name));
     if (each.kind.empty()) {
-      out << "/>\n";
+      out << (each.text.empty() ? "/>\n"
+                                : fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n",
+                                              xml_escaped(each.text)));
       continue;
     }
     out << fmt::format(">\n      <{} message=\"{}\">{}</{}>\n    </testcase>\n", each.kind,
@@ -62,6 +64,7 @@ Case case_of(const std::string& file, FileId id, const Session& session) {
 Case case_of(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   Case result{verdict.requirement, {}, {}, {}};
+  result.text = taken_as_lost_text(proof, index);
   if (verdict.state == analyzer::VerdictState::holds) return result;
   const bool fails = verdict.state == analyzer::VerdictState::fails;
   result.kind = fails ? "failure" : "error";

@@ -67,6 +67,7 @@ const analyzer::Reason* wait_between_set_and_read(const analyzer::Verdict& verdi
 /// What may decide a requirement that is undecided.
 std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
   if (proof.analysis.zeno_run) return "give something in the loop a time";
+  if (proof.ended_by_user) return "ended by you; let the proof go on, or limit it with --timeout";
   if (proof.explored)
     return "allow more with --max-states or --timeout, or make the skill or its times simpler";
   if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
@@ -92,8 +93,14 @@ std::string hint_of(const Proof& proof, std::size_t index) {
     case Measure::interval:
       return verdict.at_least ? "wait for something that comes no sooner"
                               : "shorten what lies between two passes";
-    case Measure::loss:
-      return "ask for the next one before working on the last";
+    case Measure::loss: {
+      const analyzer::Device& device = proof.problem.devices[proof.problem.requirements[index].device];
+      return std::holds_alternative<pan::EventDevice>(device.behaviour)
+                 ? "take each event before the next can come, by a module with less to do for it, or let "
+                   "them "
+                   "come less often"
+                 : "ask for the next one before working on the last";
+    }
     case Measure::duration:
       return "shorten what lies between the start and the completion";
     case Measure::age:
@@ -122,6 +129,18 @@ void report_never(const Proof& proof, std::size_t index, Session& session) {
           ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
             "DURATION"
           : "name a statement, an event or a completion that comes about in some run");
+}
+
+/// Events that no thread takes are lost in PAL, and delay nobody. Elsewhere they may be kept.
+void report_taken_as_lost(const Proof& proof, std::size_t index, Session& session) {
+  const std::string text = taken_as_lost_text(proof, index);
+  if (text.empty()) return;
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  session.diagnostics.report(
+      Code::PAL0824, verdict.where, text,
+      "say how many may be lost (LOSS OF " +
+          proof.problem.devices[verdict.taken_as_lost.front().device].name +
+          " AT MOST … IN …), or take each in time; if the real sender keeps them, the bound is too low");
 }
 
 // Lines of a story that fit on a screen with what else is said, and parts of one whole.
@@ -218,6 +237,19 @@ void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& 
     finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
 }
 
+std::string taken_as_lost_text(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  std::string lost;
+  for (const analyzer::LostEvents& each : verdict.taken_as_lost) {
+    const analyzer::Device& device = proof.problem.devices[each.device];
+    lost += (lost.empty() ? "" : ", and ") + std::to_string(each.lost) + " of " + std::to_string(each.in) +
+            " in a row of " + proof.problem.channels[device.event].message + " of " + device.name;
+  }
+  if (lost.empty()) return {};
+  return "'" + verdict.requirement + "' holds in " + proof.problem.environment +
+         " with lost events, which delay nothing: runs lose " + lost;
+}
+
 bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {
   constexpr std::size_t classes = 5'000;
   if (!analyzer::fits_exploration(problem)) return false;
@@ -233,6 +265,7 @@ void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& s
       const State state = proof.analysis.verdicts[i].state;
       if (state == State::never) report_never(proof, i, session);
       if (state == State::fails || state == State::undecided) report(proof, i, whole_story, session);
+      report_taken_as_lost(proof, i, session);
     }
   }
 }
