@@ -265,6 +265,15 @@ Wrench Workcell::wrench() const {
   return parts_->wrench();
 }
 
+Wrench Workcell::tool_weight() const {
+  const Physics& physics = parts_->physics;
+  const Pose tip = tool_pose(encoder_joints(), parts_->tool);
+  const Eigen::Vector3d down = tip.linear().transpose() * -Eigen::Vector3d::UnitZ();
+  const ToolMass mass = physics.tool_mass();
+  const Eigen::Vector3d force = mass.weight * (mass.turn * down);
+  return {force, mass.centre.cross(force)};
+}
+
 MotionController& Workcell::motion() {
   return parts_->motion;
 }
