@@ -12,7 +12,8 @@ namespace pal::test {
 std::vector<Figure> measure_follow_edge() {
   const Seam seam;
   constexpr double standoff = 200,
-                   settled = 90;  // mm; the first of the way is spent on leaning by 15 degrees
+                   settled = 90;  // mm
+  constexpr double translation = 0.5, rotation = 0.5;  // of both laws
   std::vector<Figure> figures;
   struct Law {
     const char* scene;
@@ -29,8 +30,8 @@ std::vector<Figure> measure_follow_edge() {
                                  .scene = scene,
                                  .parameters = {{"track", speed * 0.028},
                                                 {"distance", 20},
-                                                {"translation", literal ? 0.5 : 3},
-                                                {"rotation", literal ? 0.5 : 1},
+                                                {"translation", translation},
+                                                {"rotation", rotation},
                                                 {"standoff", standoff / 10},
                                                 {"literal", literal ? 1.0 : 0.0}},
                                  .seed = seed});
