@@ -13,6 +13,7 @@ inline constexpr double press_time = 2;   // s
 struct Held {
   double greatest = 0;  // N off, at most
   double rms = 1e9;     // N off
+  double worst_rms = 0; // N off, of one run
   double peak = 0;      // N, of the whole runs
   bool ended = true;    // all with completion 0
 };

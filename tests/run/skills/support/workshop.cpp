@@ -29,8 +29,9 @@ ChangedScene::ChangedScene(const std::string& name, const std::string& lines) {
   if (::mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no folder " + folder);
   folder_ = folder;
   const sim::Scene original = test::scene(name);
+  const std::filesystem::path models = PAL_SOURCE_DIR "/sim/scenes";
   for (const char* part : {"puma560.xml", "cell.xml"})
-    std::filesystem::copy_file(original.file.parent_path() / part, folder_ / part);
+    std::filesystem::copy_file(models / part, folder_ / part);
   scene_ = {name, folder_ / (name + ".scene")};
   std::ofstream out(scene_.file);
   out << std::ifstream(original.file).rdbuf() << '\n' << lines << '\n';
@@ -65,6 +66,13 @@ runtime::Outcome Workshop::run(const std::string& name,
 Eigen::Vector3d Workshop::middle(const std::string& thing) {
   const auto& at = sim::body_poses(cell_.workcell()).at(bodies_.at(thing)).position;
   return 1e3 * Eigen::Vector3d(at[0], at[1], at[2]) - Eigen::Vector3d(0, 0, shoulder);
+}
+
+std::map<std::string, Eigen::Vector3d> Workshop::parts() {
+  std::map<std::string, Eigen::Vector3d> result;
+  for (const auto& [name, index] : bodies_)
+    if (name.starts_with("part")) result[name] = middle(name);
+  return result;
 }
 
 std::span<const sim::Sample> Workshop::log() {
