@@ -361,7 +361,7 @@ void withhold(Analysis& analysis) {
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   const Provers provers{
       [](const Problem& of, const Options& how) { return analyze_exactly(of, how); },
-      [](const Problem& of, const Options& how) { return analyze_compositionally(of, how); }};
+      [](const Problem& of, const Options& how) { return compositional::analyze(of, how); }};
   return analyze_with(provers, problem, choice, options);
 }
 

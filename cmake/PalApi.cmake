@@ -6,7 +6,6 @@ endif()
 
 set(DOXYGEN_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/api")
 set(DOXYGEN_FILE_PATTERNS *.hpp *.md)
-set(DOXYGEN_EXCLUDE_PATTERNS */private/*)
 set(DOXYGEN_INPUT_FILTER "sed -f ${PROJECT_SOURCE_DIR}/cmake/doxygen.sed")
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${PROJECT_SOURCE_DIR}/docs/api/README.md")
 set(DOXYGEN_STRIP_FROM_PATH "${PROJECT_SOURCE_DIR}")
@@ -14,5 +13,5 @@ set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
 set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
 set(DOXYGEN_QUIET YES)
-doxygen_add_docs(api docs/api/README.md pal analyzer codegen operations runtime runtime_system
+doxygen_add_docs(api docs/api/README.md pal trace analyzer codegen operations runtime server programs
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}" COMMENT "Reference of the headers")

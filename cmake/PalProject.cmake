@@ -42,15 +42,19 @@ if(PAL_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …] [PUBLIC_HEADERS …]): a library pal_NAME with alias pal::NAME.
-# Headers are included from the project's root: #include "pal/support/source.hpp". Those that other projects use are
-# PUBLIC_HEADERS, and users of the library find these alone, below pal/: #include "pal/runtime/thread.hpp".
+# pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …]): a library pal_NAME with alias pal::NAME.
+# Headers are included from the project's root: #include "pal/support/source.hpp". A library that other projects use has a
+# folder include/pal/NAME: its headers are #include "pal/runtime/thread.hpp" everywhere, and its users find these alone.
 function(pal_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES;PUBLIC_HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   add_library(pal_${name} STATIC ${ARG_SOURCES})
   add_library(pal::${name} ALIAS pal_${name})
-  if(ARG_PUBLIC_HEADERS)
-    pal_public_headers(pal_${name} ${ARG_PUBLIC_HEADERS})
+  if(IS_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    target_include_directories(pal_${name} PRIVATE ${PROJECT_SOURCE_DIR} PUBLIC
+      $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    if(PAL_INSTALL)
+      install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development)
+    endif()
   else()
     target_include_directories(pal_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   endif()
@@ -59,19 +63,15 @@ function(pal_library name)
   set_target_properties(pal_${name} PROPERTIES EXPORT_NAME ${name})
   pal_warnings(pal_${name})
   pal_precompiled(pal_${name})
+  pal_links_alone(${name})
 endfunction()
 
-# pal_public_headers(TARGET FILE…): links to the headers of this folder, below include/pal in the build tree, as they are installed.
-function(pal_public_headers target)
-  file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/include/pal/${folder}")
-  foreach(header IN LISTS ARGN)
-    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/${header}" "${PROJECT_BINARY_DIR}/include/pal/${folder}/${header}" SYMBOLIC)
-  endforeach()
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  if(PAL_INSTALL)
-    install(FILES ${ARGN} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pal/${folder}" COMPONENT development)
+# pal_links_alone(NAME): the build fails if the library uses one that it does not name. All of it is linked with what it names.
+function(pal_links_alone name)
+  if(PAL_BUILD_TESTS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_executable(links_${name} "${PROJECT_SOURCE_DIR}/cmake/links_alone.cpp")
+    target_link_libraries(links_${name} PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,pal_${name}>)
+    set_target_properties(links_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" UNITY_BUILD OFF)
   endif()
 endfunction()
 

@@ -1,4 +1,4 @@
-#include "operations/private/json_value.hpp"
+#include "operations/json_value.hpp"
 
 #include <cstddef>
 #include <iterator>

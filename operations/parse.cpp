@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "operations/codes.hpp"
-#include "operations/private/json_value.hpp"
+#include "operations/json_value.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
 

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "runtime/ports.hpp"
-#include "runtime/recorder.hpp"
+#include "runtime/kernel/ports.hpp"
+#include "runtime/kernel/thrown.hpp"
 #include "runtime/run.hpp"
-#include "runtime/thrown.hpp"
+#include "runtime/watch/recorder.hpp"
 
 namespace pal::runtime {
 

@@ -1,8 +1,8 @@
 #include "runtime/run.hpp"
 
-#include "runtime/real_time/real_executive.hpp"
-#include "runtime/thrown.hpp"
-#include "runtime/virtual_executive.hpp"
+#include "runtime/executives/real_time/real_executive.hpp"
+#include "runtime/executives/virtual_executive.hpp"
+#include "runtime/kernel/thrown.hpp"
 
 namespace pal::runtime {
 

@@ -5,7 +5,7 @@
 
 #include "pal/runtime/outcome.hpp"
 #include "pal/runtime/skill.hpp"
-#include "runtime/devices.hpp"
+#include "runtime/kernel/devices.hpp"
 
 namespace pal::runtime {
 

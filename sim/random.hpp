@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::sim {
 

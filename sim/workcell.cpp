@@ -7,9 +7,9 @@
 #include "sim/arm/joint_sensing.hpp"
 #include "sim/controller/gripper_servo.hpp"
 #include "sim/controller/motion_controller.hpp"
-#include "sim/model/private/contacts.hpp"
-#include "sim/model/private/mujoco_physics.hpp"
-#include "sim/model/private/names.hpp"
+#include "sim/model/contacts.hpp"
+#include "sim/model/mujoco_physics.hpp"
+#include "sim/model/names.hpp"
 
 namespace pal::sim {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 #include "sim/arm/arm_fault.hpp"
 #include "sim/arm/kinematics.hpp"
 #include "sim/arm/machine.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 
 namespace pal::skills {
 

@@ -2,7 +2,7 @@
 #include "analyzer/chart/legend.hpp"
 #include "analyzer/chart/panel.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -81,4 +81,4 @@ Length draw_panel_heading(const std::string& text, Length top, SvgWriter& out) {
   return top + 120;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -8,7 +8,7 @@
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// A picture of one run, 940 pixels wide: legible on a page of A4. Names in `options` that the timeline does
 /// not have are drawn as text only.
@@ -34,4 +34,4 @@ std::string duration_text(std::int64_t ns);
 /// The same, rounded to the nearest microsecond from 0.1 ms on: for what was measured.
 std::string rounded_duration_text(std::int64_t ns);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

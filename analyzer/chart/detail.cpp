@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -226,4 +226,4 @@ std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Windo
   return Choice(layers, *focus, actions, unit).choose(candidates, time_of(width), time_of(fold));
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

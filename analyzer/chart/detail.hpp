@@ -6,7 +6,7 @@
 #include "analyzer/chart/layer.hpp"
 #include "analyzer/chart/text_width.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// The window that the options of the first layer ask for. If they ask for none: the highlighted intervals of
 /// all layers with some context, or all of the runs. In shifted time.
@@ -21,4 +21,4 @@ Window overview_window(const std::vector<Layer>& layers);
 std::vector<Window> detail_windows(const std::vector<Layer>& layers, const Window& window, Length width,
                                    Length fold);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

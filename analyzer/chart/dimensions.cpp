@@ -3,7 +3,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/panel.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -166,4 +166,4 @@ void Panel::point_to_deadline(std::int64_t at_ns, const std::string& label) {
             "deadline-flag", title);
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

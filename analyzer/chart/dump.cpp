@@ -2,7 +2,7 @@
 
 #include "analyzer/chart/timeline.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -142,4 +142,4 @@ std::string dump(const Timeline& timeline) {
   return dump(timeline, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

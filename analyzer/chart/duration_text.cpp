@@ -1,6 +1,6 @@
 #include "analyzer/chart/chart.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -31,4 +31,4 @@ std::string rounded_duration_text(std::int64_t ns) {
   return duration_text(ns < 100'000 ? ns : (ns + 500) / 1'000 * 1'000);
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

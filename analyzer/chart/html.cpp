@@ -7,7 +7,7 @@
 #include "analyzer/chart/viewer.hpp"
 #include "pal/support/xml.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -181,4 +181,4 @@ std::string html(const Book& book) {
   return page += rest;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

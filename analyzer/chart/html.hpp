@@ -9,7 +9,7 @@
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// A part of why an interval is as long as it is, with the parts inside it, which follow each other without
 /// gaps.
@@ -47,4 +47,4 @@ struct Book {
 /// The page. The same book gives the same bytes; all texts are escaped.
 std::string html(const Book& book);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 bool Labels::free(const Box& box) const {
   return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
@@ -16,4 +16,4 @@ bool Labels::claim(const Box& box) {
   return true;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

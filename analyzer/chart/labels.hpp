@@ -5,7 +5,7 @@
 
 #include "analyzer/chart/svg_writer.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 class Labels {
  public:
@@ -19,4 +19,4 @@ class Labels {
   std::vector<Box> taken_;
 };
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<std::size_t> lane_order(const Timeline& timeline) {
   return Orderer(timeline).best();
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -9,7 +9,7 @@
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 enum class Role : std::uint8_t {
   only,      // nothing else in the picture
@@ -28,4 +28,4 @@ struct Layer {
   std::vector<std::int64_t> waves;
 };
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -9,7 +9,7 @@
 #include "analyzer/chart/panel.hpp"
 #include "analyzer/chart/promises.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -202,4 +202,4 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
   return y + row_height;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -7,7 +7,7 @@
 #include "analyzer/chart/numbering.hpp"
 #include "analyzer/chart/svg_writer.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// All return where the next thing may begin.
 Length draw_caption(const std::vector<Layer>& layers, Length top, SvgWriter& out);
@@ -20,4 +20,4 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
 /// The caption as lines of text, for the caption itself and for the picture's title.
 std::vector<std::string> caption_lines(const std::vector<Layer>& layers);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

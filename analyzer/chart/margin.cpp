@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -40,4 +40,4 @@ Margin margin_for(const std::vector<Layer>& layers) {
   return margin;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

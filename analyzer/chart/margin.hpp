@@ -6,7 +6,7 @@
 #include "analyzer/chart/layer.hpp"
 #include "analyzer/chart/text_width.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// Where names and the time axis begin. Processors and devices begin at `group_x`.
 struct Margin {
@@ -18,4 +18,4 @@ struct Margin {
 /// As wide as the names need, within reason: time keeps two thirds of the page.
 Margin margin_for(const std::vector<Layer>& layers);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

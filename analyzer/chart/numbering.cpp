@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <set>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 bool text_fits(const Bar& bar, std::int64_t shift_ns, const TimeScale& scale) {
   const Length room = scale.x(bar.to_ns + shift_ns) - scale.x(bar.from_ns + shift_ns);
@@ -45,4 +45,4 @@ int Numbering::number(const Lane& lane, const Bar& bar) const {
   return found == numbers_.end() ? 0 : found->second;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -9,7 +9,7 @@
 #include "analyzer/chart/layer.hpp"
 #include "analyzer/chart/time_scale.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 constexpr Length bar_font = 85;
 
@@ -43,4 +43,4 @@ class Numbering {
   std::vector<Entry> entries_;
 };
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

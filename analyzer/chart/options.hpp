@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// [from_ns, to_ns] of the trace's time; to_ns > from_ns.
 struct Window {
@@ -77,4 +77,4 @@ struct ChartOptions {
   bool detail = true;
 };
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -4,7 +4,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/page.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::string overlay_svg(const Timeline& proved, const Timeline& measured, const 
   return page({back, front});
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

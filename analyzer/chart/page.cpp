@@ -8,7 +8,7 @@
 #include "analyzer/chart/svg_style.hpp"
 #include "pal/support/xml.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string page(const std::vector<Layer>& layers) {
   return document(out.str(), (y + 9) / 10 * 10, caption_lines(layers));
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

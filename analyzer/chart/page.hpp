@@ -7,9 +7,9 @@
 
 #include "analyzer/chart/layer.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// Draws the layers, the first at the back. The axis counts from shifted time 0.
 std::string page(const std::vector<Layer>& layers);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

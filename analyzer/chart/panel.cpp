@@ -5,7 +5,7 @@
 
 #include "analyzer/chart/chart.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -227,4 +227,4 @@ void Panel::draw_folds() {
     draw_tear(scale_.x1(), duration_text(run_to - scale_.to_ns()) + " after this are left out");
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

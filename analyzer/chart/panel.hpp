@@ -11,7 +11,7 @@
 #include "analyzer/chart/svg_writer.hpp"
 #include "analyzer/chart/time_scale.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// Right edge of time; the left one is the margin's.
 constexpr Length panel_right = 9250;
@@ -132,4 +132,4 @@ class Panel {
 /// "a", "b", …, "z", "aa", …: the name of an explanation's part.
 std::string segment_letter(std::size_t index);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -5,7 +5,7 @@
 #include "analyzer/chart/panel.hpp"
 #include "analyzer/chart/promises.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -193,4 +193,4 @@ void Panel::draw_marks(const Layer& layer) {
   }
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

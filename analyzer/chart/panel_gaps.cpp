@@ -3,7 +3,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/panel.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::vector<Length> Panel::gap_label_places(const Layer& layer, Length left, Len
   return places;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

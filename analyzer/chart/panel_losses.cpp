@@ -3,7 +3,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/panel.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -39,4 +39,4 @@ void Panel::draw_losses(const Layer& layer) {
   }
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

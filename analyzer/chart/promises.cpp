@@ -6,7 +6,7 @@
 #include "analyzer/chart/legend.hpp"
 #include "analyzer/chart/panel.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -68,4 +68,4 @@ Length draw_promise_list(const std::vector<Layer>& layers, Length top, SvgWriter
   return y + 60;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

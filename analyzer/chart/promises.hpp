@@ -9,7 +9,7 @@
 #include "analyzer/chart/layer.hpp"
 #include "analyzer/chart/svg_writer.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 struct BrokenPromise {
   std::string text;           // in words, as the trace has it
@@ -27,4 +27,4 @@ void draw_promise_sign(Point middle, std::size_t number, const std::string& styl
 /// The list under the panels. Returns where the next thing may begin.
 Length draw_promise_list(const std::vector<Layer>& layers, Length top, SvgWriter& out);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

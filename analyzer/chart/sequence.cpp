@@ -5,7 +5,7 @@
 #include "analyzer/chart/svg_writer.hpp"
 #include "pal/support/xml.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -177,4 +177,4 @@ std::string sequence_svg(const SequenceChart& chart) {
   return Drawing(chart).draw();
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 struct SequenceLane {
   std::string name;  // "SM1.2"
@@ -52,4 +52,4 @@ struct SequenceChart {
 /// The same chart gives the same bytes. Rows and lanes must be among those of the chart.
 std::string sequence_svg(const SequenceChart& chart);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

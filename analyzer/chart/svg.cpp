@@ -3,7 +3,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/page.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 std::string svg(const Timeline& timeline, const ChartOptions& options) {
   Layer layer{&timeline, &options, Role::only, 0, {}, {}};
@@ -14,4 +14,4 @@ std::string svg(const Timeline& timeline, const ChartOptions& options) {
   return page({layer});
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

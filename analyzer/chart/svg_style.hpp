@@ -3,7 +3,7 @@
 // Lengths are tenths of a pixel.
 #pragma once
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 constexpr const char* style_sheet = R"svg(<style>
 text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #000 }
@@ -59,4 +59,4 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 </defs>
 )svg";
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -2,7 +2,7 @@
 
 #include "pal/support/xml.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -72,4 +72,4 @@ void SvgWriter::upright(Point at, std::string_view style, std::string_view conte
   out_ += xml_escaped(content) + "</text>\n";
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

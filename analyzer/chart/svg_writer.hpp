@@ -8,7 +8,7 @@
 
 #include "analyzer/chart/text_width.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 struct Point {
   Length x = 0;
@@ -54,4 +54,4 @@ class SvgWriter {
 std::string move_to(Point to);
 std::string line_to(Point to);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::vector<std::string> wrapped(std::string_view text, Length font_size, Length
   return lines;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 /// A length on the page; ten to a CSS pixel, so that no coordinate needs a decimal.
 using Length = std::int64_t;
@@ -22,4 +22,4 @@ std::string fitted(std::string_view text, Length font_size, Length width);
 /// The text in lines of at most that width, broken at spaces; a word that is wider stands alone, and is cut.
 std::vector<std::string> wrapped(std::string_view text, Length font_size, Length width, bool bold = false);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

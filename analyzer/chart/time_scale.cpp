@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -149,4 +149,4 @@ Ticks ticks(const TimeScale& scale, std::int64_t zero_ns) {
   return result;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -8,7 +8,7 @@
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/text_width.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 class TimeScale {
  public:
@@ -65,4 +65,4 @@ struct Ticks {
 };
 Ticks ticks(const TimeScale& scale, std::int64_t zero_ns);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "analyzer/chart/lane_order.hpp"
-#include "runtime/trace/slices.hpp"
+#include "pal/trace/slices.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -233,4 +233,4 @@ Timeline timeline(const Trace& trace) {
   return Builder(trace).build();
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

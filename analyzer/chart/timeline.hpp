@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 enum class BarKind : std::uint8_t {
   computation,  // an activity
@@ -113,4 +113,4 @@ Timeline timeline(const trace::Trace& trace);
 std::string dump(const Timeline& timeline, std::int64_t from_ns, std::int64_t to_ns);
 std::string dump(const Timeline& timeline);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -4,10 +4,10 @@
 
 #include <string_view>
 
-namespace pal::chart::viewer {
+namespace pal::analyzer::chart::viewer {
 
 extern const std::string_view page;
 extern const std::string_view style;
 extern const std::string_view script;
 
-}  // namespace pal::chart::viewer
+}  // namespace pal::analyzer::chart::viewer

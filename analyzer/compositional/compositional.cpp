@@ -4,7 +4,7 @@
 #include "analyzer/compositional/causes/cloned_blocks.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::compositional {
 namespace {
 
 using namespace compositional;
@@ -67,7 +67,7 @@ Table<StepId, bool> asked_for(const Problem& problem) {
 
 }  // namespace
 
-Analysis analyze_compositionally(const Problem& skill, const Options& options) {
+Analysis analyze(const Problem& skill, const Options& options) {
   const double begun = options.clock ? options.clock() : 0;
   const Problem problem = clone_shared_blocks(skill);
   Analysis analysis;
@@ -113,4 +113,4 @@ Analysis analyze_compositionally(const Problem& skill, const Options& options) {
   return analysis;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::compositional

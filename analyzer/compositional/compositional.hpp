@@ -4,11 +4,11 @@
 
 #include "analyzer/exact/exact.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::compositional {
 
 /// One verdict a requirement: `holds` or `undecided`, never `fails`, never exact, without a witness. Takes
 /// time that grows about as the number of steps, as long as chains and processors do not grow with it.
 /// `options.max_states` is not used. Statistics count segments as states.
-Analysis analyze_compositionally(const Problem& problem, const Options& options = {});
+Analysis analyze(const Problem& problem, const Options& options = {});
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::compositional

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "analyzer/verdict/explain.hpp"
-#include "runtime/trace/slices.hpp"
+#include "pal/trace/slices.hpp"
 
 namespace pal::analyzer {
 namespace {

@@ -12,7 +12,7 @@
 #include "analyzer/machine/state.hpp"
 #include "analyzer/machine/watch.hpp"
 #include "analyzer/problem/problem.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::analyzer {
 

@@ -2,7 +2,7 @@
 
 #include "analyzer/run_checker/referee.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 namespace {
 
 /// Whether the tables of the run are those of the problem; the first difference, or nothing.
@@ -107,4 +107,4 @@ Ruling check_run(const Problem& problem, const Requirement* requirement, const t
   return ruling;
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

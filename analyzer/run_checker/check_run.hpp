@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "analyzer/problem/problem.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 /// The last instant that a run may have; sums of later ones would overflow.
 constexpr Nanoseconds latest_instant = 4'000'000'000'000'000'000;
@@ -50,4 +50,4 @@ Ruling check_run(const Problem& problem, const Requirement* requirement, const t
                  std::optional<Nanoseconds> until = std::nullopt, BusyFrom busy_from = BusyFrom::each_pause,
                  const std::function<bool()>& stop = {});
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 constexpr std::size_t events_between_stops = 1'000;
 
@@ -264,4 +264,4 @@ bool Referee::may_come(const Table<StepId, bool>& at) const {
   return false;
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

@@ -12,7 +12,7 @@
 #include "analyzer/run_checker/check_run.hpp"
 #include "analyzer/run_checker/requirement_monitor.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 /// A rule is broken.
 class Broken : public std::runtime_error {
@@ -242,4 +242,4 @@ class Referee {
   RequirementMonitor monitor_;
 };
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

@@ -3,7 +3,7 @@
 
 #include "analyzer/run_checker/referee.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 void Referee::open_device(DeviceId device) {
   Outside& of = devices_[device];
@@ -212,4 +212,4 @@ void Referee::check_device(DeviceId device, Nanoseconds next) const {
   }
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

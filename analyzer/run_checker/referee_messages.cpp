@@ -3,7 +3,7 @@
 
 #include "analyzer/run_checker/referee.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 Referee::Arrival& Referee::arrival(ChannelId channel, ThreadId thread) {
   Slot& of = slot(channel);
@@ -248,4 +248,4 @@ bool Referee::takes_next(ThreadId thread) const {
   return false;
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 void Referee::hold(ThreadId thread) {
   holder(thread) = thread;
@@ -196,4 +196,4 @@ Range Referee::cost(ThreadId thread) const {
   return party(thread).gives_up ? step_of(thread).give_up_cost : step_of(thread).cost;
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

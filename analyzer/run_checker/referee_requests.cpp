@@ -3,7 +3,7 @@
 
 #include "analyzer/run_checker/referee.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 /// A request was put. One to a device that answers nothing is never open.
 void Referee::asks(ChannelId request, ThreadId owner) {
@@ -82,4 +82,4 @@ void Referee::abandon(ThreadId thread) {
   for (const ChannelId c : slots_.ids()) withdraw(c, thread);
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 namespace {
 
@@ -318,4 +318,4 @@ void Referee::cancelled(const Event& event) {
   withdrawing_ = false;
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

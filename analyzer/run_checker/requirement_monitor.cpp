@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 RequirementMonitor::RequirementMonitor(const Problem& problem, const Requirement* requirement,
                                        BusyFrom busy_from)
@@ -318,4 +318,4 @@ std::optional<Nanoseconds> RequirementMonitor::growing_since() const {
   }
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

@@ -7,7 +7,7 @@
 
 #include "analyzer/run_checker/check_run.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 /// Is told everything that may count, in the order of the run. docs/reference/execution-model.md says what is
 /// measured. Births (of events, of samples, of values of a condition) are numbered in their order.
@@ -111,4 +111,4 @@ class RequirementMonitor {
   bool ended_ = false;
 };
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -149,4 +149,4 @@ std::string identity(const std::string& text) {
   return made;
 }
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

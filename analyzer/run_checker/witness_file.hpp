@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
-namespace pal::analyzer::rules {
+namespace pal::analyzer::run_checker {
 
 /// One event of the analysis's script: which timer fires when, and how each open choice of the skill is made.
 struct Firing {
@@ -56,4 +56,4 @@ std::vector<FiledWitness> read_witnesses(std::istream& in);
 /// Sixteen hexadecimal digits that change with `text` (FNV-1a).
 std::string identity(const std::string& text);
 
-}  // namespace pal::analyzer::rules
+}  // namespace pal::analyzer::run_checker

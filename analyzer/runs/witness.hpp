@@ -8,7 +8,7 @@
 #include "analyzer/runs/concrete_run.hpp"
 #include "analyzer/runs/path_schedule.hpp"
 #include "analyzer/zones/zone_graph.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::analyzer {
 

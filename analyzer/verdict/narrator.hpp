@@ -10,8 +10,8 @@
 
 #include "analyzer/problem/problem.hpp"
 #include "analyzer/verdict/verdict.hpp"
-#include "runtime/trace/slices.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/slices.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::analyzer {
 

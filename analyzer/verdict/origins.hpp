@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analyzer/problem/problem.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::analyzer {
 

@@ -5,7 +5,7 @@
 #include "analyzer/problem/flow.hpp"
 #include "analyzer/verdict/narrator.hpp"
 #include "analyzer/verdict/origins.hpp"
-#include "runtime/trace/slices.hpp"
+#include "pal/trace/slices.hpp"
 
 namespace pal::analyzer {
 namespace {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 __extension__ using Wide = __int128;
@@ -186,4 +186,4 @@ void Bracket::narrow(RequirementChecker& checker, const Effort& effort, Precisio
   }
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -6,7 +6,7 @@
 #include "analyzer/whatif/requirement_checker.hpp"
 #include "analyzer/whatif/scaling.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// How near holding and failing have to come: to the nanosecond, or to some hundredths.
 enum class Precision { rough, exact };
@@ -68,4 +68,4 @@ class Bracket {
   int asked_ = 0;
 };
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

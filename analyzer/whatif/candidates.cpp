@@ -5,7 +5,7 @@
 
 #include "pal/support/duration_text.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 /// By how much a period is made longer, in quarters.
@@ -99,4 +99,4 @@ std::vector<ChangeTexts> candidates_for(const Problem& problem, const pan::Envir
   return Candidates(problem, environment).all();
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -6,7 +6,7 @@
 
 #include "analyzer/problem/problem.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// Changes that belong together, each as change() reads it: "PROCESSOR P4", "SM1.processor = P4".
 using ChangeTexts = std::vector<std::string>;
@@ -16,4 +16,4 @@ using ChangeTexts = std::vector<std::string>;
 /// often. `problem` is of this environment.
 std::vector<ChangeTexts> candidates_for(const Problem& problem, const pan::Environment& environment);
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -5,7 +5,7 @@
 #include "analyzer/whatif/figures.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 const std::string activity_mark = "ACTIVITY ";
@@ -141,4 +141,4 @@ std::string change(pan::Environment& environment, const std::string& text) {
   return time ? "" : "'" + value + "' is not a time: write 5 ms, or 5 TO 7 ms with the shorter one first";
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

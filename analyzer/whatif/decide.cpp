@@ -9,7 +9,7 @@
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/verdict/unread.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Measure = Requirement::Measure;
@@ -259,4 +259,4 @@ bool refutes(const Problem& problem, RequirementId id, const Witness& witness,
   return made && broken(requirement, *made);
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -8,7 +8,7 @@
 #include "analyzer/whatif/ids.hpp"
 #include "analyzer/zones/workers.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// `holds` (also where no run measures anything) and `fails` are proved as by analyze(). Runs in which time
 /// stands still (zeno_run.hpp) are left to the caller.
@@ -46,4 +46,4 @@ Decision decide_by_exploration(const Problem& problem, RequirementId requirement
 bool refutes(const Problem& problem, RequirementId requirement, const Witness& witness,
              const std::function<bool()>& stop);
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 RequirementIds requirements_that(const Problem& problem, bool are_loads) {
@@ -80,4 +80,4 @@ std::optional<Nanoseconds> FigureSearch::fails() const {
   return std::min(timed_.fails(), loads_.fails());
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -8,7 +8,7 @@
 #include "analyzer/whatif/bracket.hpp"
 #include "analyzer/whatif/slack.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// Works in turns. Each turn goes on where the last one ended.
 class FigureSearch {
@@ -43,4 +43,4 @@ class FigureSearch {
   Nanoseconds step_;
 };
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

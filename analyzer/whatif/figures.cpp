@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 struct Named {
@@ -85,4 +85,4 @@ Interval* find_figure(pan::Environment& environment, const std::string& name) {
   return nullptr;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -6,7 +6,7 @@
 
 #include "analyzer/problem/problem.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// A time with a best and a worst.
 struct Figure {
@@ -35,4 +35,4 @@ Interval* find_figure(pan::Environment& environment, const std::string& name);
 /// nothing.
 std::string change(pan::Environment& environment, const std::string& text);
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

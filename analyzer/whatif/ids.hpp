@@ -5,7 +5,7 @@
 
 #include "analyzer/problem/ids.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 using RequirementIds = std::vector<RequirementId>;
 
@@ -15,4 +15,4 @@ using ProgramChangeId = Id<struct ProgramChangeTag>;
 /// In Remedies::candidates.
 using CandidateId = Id<struct RemedyCandidateTag>;
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

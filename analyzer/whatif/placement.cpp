@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
@@ -188,4 +188,4 @@ std::vector<Placements> fewest_processors(const pan::Environment& environment, R
   return all;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -9,7 +9,7 @@
 #include "analyzer/whatif/ids.hpp"
 #include "analyzer/whatif/requirement_checker.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// Where a thread runs.
 struct ThreadPlacement {
@@ -58,4 +58,4 @@ Placements placements_on(int processors, const pan::Environment& environment, Re
 std::vector<Placements> fewest_processors(const pan::Environment& environment, RequirementChecker& checker,
                                           const PlacementOptions& options);
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 /// More would take longer to try than they spare.
@@ -42,4 +42,4 @@ RequirementIds Refutations::in_order(const RequirementIds& requirements) const {
   return order;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

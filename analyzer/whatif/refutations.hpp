@@ -9,7 +9,7 @@
 #include "analyzer/verdict/verdict.hpp"
 #include "analyzer/whatif/ids.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// Shared by all threads that ask.
 class Refutations {
@@ -34,4 +34,4 @@ class Refutations {
   RequirementIds failed_;                                // the last first
 };
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -10,7 +10,7 @@
 #include "analyzer/whatif/requirement_checker.hpp"
 #include "analyzer/whatif/trial.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
@@ -198,4 +198,4 @@ Remedies find_remedies(const pan::Network& network, const pan::Environment& envi
   return RemedySearch(network, environment, network_of, options, how).run(*problem, programs);
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -11,7 +11,7 @@
 #include "analyzer/whatif/ids.hpp"
 #include "analyzer/whatif/short_enough.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// One change that was tried, alone or with others: of the environment, or of the program.
 struct Candidate {
@@ -54,4 +54,4 @@ using NetworkOf = std::function<const pan::Network*(const std::vector<ProgramCha
 Remedies find_remedies(const pan::Network& network, const pan::Environment& environment, std::size_t programs,
                        const NetworkOf& network_of, const Options& options, const RemedyOptions& how = {});
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

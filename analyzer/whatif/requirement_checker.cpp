@@ -5,7 +5,7 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/zeno_run.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
@@ -19,7 +19,7 @@ std::vector<Verdict> bounds_of(const Problem& problem, const RequirementIds& req
   asked.requirements.clear();
   for (const RequirementId r : requirements) asked.requirements.push_back(problem.requirements[r.index()]);
   options.addends = false;
-  return analyze_compositionally(asked, options).verdicts;
+  return compositional::analyze(asked, options).verdicts;
 }
 
 }  // namespace
@@ -149,4 +149,4 @@ RequirementIds requirements_of(const Problem& problem) {
   return all;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

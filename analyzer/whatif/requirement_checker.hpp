@@ -11,7 +11,7 @@
 #include "pal/pan/environment.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// What a set of requirements comes to: `holds` if all do, `fails` if one does, else `undecided`.
 struct Ruling {
@@ -89,4 +89,4 @@ class RequirementChecker {
 /// All of a problem.
 RequirementIds requirements_of(const Problem& problem);
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 /// The model allows no longer time (problem.cpp).
@@ -44,4 +44,4 @@ Nanoseconds Scaling::share(Nanoseconds worst, Nanoseconds extra) const {
   return static_cast<Nanoseconds>((static_cast<Wide>(worst) * extra + longest_ - 1) / longest_);
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -6,7 +6,7 @@
 
 #include "analyzer/whatif/figures.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// Of one figure, or of several in proportion. The environment must live as long.
 class Scaling {
@@ -31,4 +31,4 @@ class Scaling {
   Nanoseconds longest_ = 0;
 };
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -6,7 +6,7 @@
 #include "analyzer/whatif/requirement_checker.hpp"
 #include "analyzer/whatif/trial.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
@@ -102,4 +102,4 @@ std::vector<ShortEnough> short_enough_times(const pan::Network& network, const p
   return found;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -8,7 +8,7 @@
 #include "analyzer/whatif/figures.hpp"
 #include "analyzer/whatif/ids.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// A time with which a requirement holds that does not as things are. All others stay as they are.
 struct ShortEnough {
@@ -26,4 +26,4 @@ struct ShortEnough {
 std::vector<ShortEnough> short_enough_times(const pan::Network& network, const pan::Environment& environment,
                                             const std::vector<Verdict>& before, const Options& options);
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

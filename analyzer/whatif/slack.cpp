@@ -8,7 +8,7 @@
 #include "analyzer/whatif/figure_search.hpp"
 #include "analyzer/zones/workers.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
@@ -216,4 +216,4 @@ std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& e
   return all;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

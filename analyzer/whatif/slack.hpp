@@ -11,7 +11,7 @@
 #include "analyzer/whatif/figures.hpp"
 #include "analyzer/whatif/ids.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// Best times stay. So a grown time is an interval that holds the old one, and every old run is still a run.
 /// What breaks a requirement goes on breaking it (docs/reference/what-if.md).
@@ -51,4 +51,4 @@ struct SlackObserver {
 std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
                           const Options& options, const SlackObserver& observer = {});
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

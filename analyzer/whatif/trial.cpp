@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
@@ -50,4 +50,4 @@ double missed(const std::vector<Verdict>& after, const std::vector<Verdict>& bef
   return sum;
 }
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

@@ -6,7 +6,7 @@
 
 #include "analyzer/analysis.hpp"
 
-namespace pal::analyzer {
+namespace pal::analyzer::whatif {
 
 /// A trial explores so many classes: most changes either do it at once or break something at once.
 constexpr std::size_t classes_of_trial = 20'000;
@@ -27,4 +27,4 @@ std::vector<Verdict> verdicts_on(const Problem& problem, const Options& options,
 /// said nothing `before`, is no fault of the change. Both by RequirementId.
 double missed(const std::vector<Verdict>& after, const std::vector<Verdict>& before);
 
-}  // namespace pal::analyzer
+}  // namespace pal::analyzer::whatif

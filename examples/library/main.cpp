@@ -16,8 +16,9 @@ int main(int argc, char** argv) {
   }
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
-  const auto trees = pal::read_sources(pal::DiskFileSystem(), sources, {argv[1], argv[2]}, diagnostics);
-  const pal::Specification specification = pal::check(trees, diagnostics);
+  const auto trees =
+      pal::check::read_sources(pal::DiskFileSystem(), sources, {argv[1], argv[2]}, diagnostics);
+  const pal::check::Specification specification = pal::check::check(trees, diagnostics);
 
   bool all_hold = !specification.skills.empty() && !specification.environments.empty();
   if (!diagnostics.has_errors()) {

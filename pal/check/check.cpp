@@ -15,7 +15,7 @@
 #include "pal/pan/flow.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal {
+namespace pal::check {
 
 namespace {
 
@@ -37,7 +37,7 @@ class Checker {
     for (const auto& unit : trees_[index].units) {
       if (const auto* environment = std::get_if<syntax::EnvironmentUnit>(&unit)) {
         once(environments_, "environment", environment->name);
-        result_.environments.push_back(checker::build_environment(*environment, diagnostics_));
+        result_.environments.push_back(check::build_environment(*environment, diagnostics_));
       } else if (const auto* skill = std::get_if<syntax::SkillUnit>(&unit)) {
         const bool first = once(skills_, "skill", skill->name);
         // Of two skills of one name it is unknown which is meant.
@@ -63,11 +63,11 @@ class Checker {
   /// False, and reported, if there is one of this name already.
   bool once(std::map<std::string, const syntax::Name*>& seen, const char* what, const syntax::Name& name) {
     const auto [first, fresh] = seen.emplace(name.text, &name);
-    if (!fresh) checker::report_twice(diagnostics_, what, name, *first->second);
+    if (!fresh) check::report_twice(diagnostics_, what, name, *first->second);
     return fresh;
   }
 
-  bool complete(const checker::Scope& scope) const {
+  bool complete(const check::Scope& scope) const {
     for (const auto tree : scope.trees) {
       if (!trees_[tree].complete) return false;
     }
@@ -75,17 +75,17 @@ class Checker {
   }
 
   void check_skill(std::size_t index, const syntax::SkillUnit& skill) {
-    const auto scope = checker::scope_of(trees_, index, diagnostics_);
+    const auto scope = check::scope_of(trees_, index, diagnostics_);
     used_.insert(scope.trees.begin(), scope.trees.end());
     // What a syntax error hides would be missed everywhere else.
     if (!complete(scope)) return;
     const auto before = diagnostics_.all().size();
     const auto errors_before = diagnostics_.errors();
-    auto network = checker::build_network(scope, skill, diagnostics_);
+    auto network = check::build_network(scope, skill, diagnostics_);
     const bool sound = every_name_known(before);
     check_network(network, sound);
     if (sound && diagnostics_.errors() == errors_before)
-      checker::check_deadlocks(network, pan::Flow(network), diagnostics_, stop_);
+      check::check_deadlocks(network, pan::Flow(network), diagnostics_, stop_);
     result_.skills.push_back(std::move(network));
   }
 
@@ -105,7 +105,7 @@ class Checker {
     for (const auto& environment : result_.environments) {
       if (environment.where.file == file) environments.push_back(&environment);
     }
-    checker::check_unused(trees_[index], skills, environments, diagnostics_);
+    check::check_unused(trees_[index], skills, environments, diagnostics_);
     check_left_modules(index, skills);
   }
 
@@ -128,7 +128,7 @@ class Checker {
   /// Files with modules that no skill sees: a sketch for each that no other such file uses.
   void check_unused(std::size_t index) {
     if (used_.contains(index)) return;
-    const auto scope = checker::scope_of(trees_, index, diagnostics_);
+    const auto scope = check::scope_of(trees_, index, diagnostics_);
     used_.insert(scope.trees.begin(), scope.trees.end());
     if (scope.modules.all().empty() || !complete(scope)) return;
     const auto& first = *scope.modules.all().front();
@@ -137,7 +137,7 @@ class Checker {
         "no skill uses this module, so the names that it does not declare are trusted",
         "check a file with a SKILL that USES this one to have its talk and its ending checked");
     const auto errors_before = diagnostics_.errors();
-    auto network = checker::build_sketch(scope, first.name.text, first.where, diagnostics_);
+    auto network = check::build_sketch(scope, first.name.text, first.where, diagnostics_);
     if (diagnostics_.errors() == errors_before) check_bodies(network, pan::Flow(network));
     result_.sketches.push_back(std::move(network));
   }
@@ -160,24 +160,24 @@ class Checker {
   /// would be about another program than the user's.
   void check_network(const pan::Network& network, bool sound) {
     const auto errors_before = diagnostics_.errors();
-    checker::check_layers(network, diagnostics_);
+    check::check_layers(network, diagnostics_);
     // A party that a module may not talk with does not answer it either: that would be said of the same
     // mistake again.
     if (!sound || diagnostics_.errors() != errors_before) return;
     const pan::Flow flow(network);
-    checker::check_channels(network, diagnostics_);
-    checker::check_protocol(network, flow, diagnostics_);
-    checker::check_starts(network, diagnostics_);
+    check::check_channels(network, diagnostics_);
+    check::check_protocol(network, flow, diagnostics_);
+    check::check_starts(network, diagnostics_);
     check_bodies(network, flow);
   }
 
   void check_bodies(const pan::Network& network, const pan::Flow& flow) {
-    checker::check_askers(network, diagnostics_);
-    checker::check_writers(network, diagnostics_);
-    checker::check_reads(network, flow, diagnostics_);
-    checker::check_readers(network, flow, diagnostics_);
-    checker::check_flow(network, flow, diagnostics_);
-    checker::check_cases(network, flow, diagnostics_);
+    check::check_askers(network, diagnostics_);
+    check::check_writers(network, diagnostics_);
+    check::check_reads(network, flow, diagnostics_);
+    check::check_readers(network, flow, diagnostics_);
+    check::check_flow(network, flow, diagnostics_);
+    check::check_cases(network, flow, diagnostics_);
   }
 
   const std::vector<syntax::Tree>& trees_;
@@ -197,4 +197,4 @@ Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnos
   return Checker(trees, diagnostics, stop).check();
 }
 
-}  // namespace pal
+}  // namespace pal::check

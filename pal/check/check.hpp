@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal {
+namespace pal::check {
 
 /// What a set of files says. After errors a network may lack the parts that the errors are about, but its ids
 /// are valid.
@@ -28,4 +28,4 @@ struct Specification {
 Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
                     const std::function<bool()>& stop = {});
 
-}  // namespace pal
+}  // namespace pal::check

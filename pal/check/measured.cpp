@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -148,4 +148,4 @@ void check_measured(const std::vector<pan::Environment>& declared,
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/pan/environment.hpp"
 #include "pal/support/diagnostic.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Compares each of `measured`, an environment as runtime::Measurement writes it, with the environment of the
 /// same name in `declared`. Reports
@@ -18,4 +18,4 @@ namespace pal::checker {
 void check_measured(const std::vector<pan::Environment>& declared,
                     const std::vector<pan::Environment>& measured, Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -10,7 +10,7 @@
 #include "pal/syntax/parse.hpp"
 #include "pal/syntax/parse_dot.hpp"
 
-namespace pal {
+namespace pal::check {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::vector<syntax::Tree> read_sources(const FileSystem& files, SourceManager& s
   return SourceReader(files, sources, diagnostics).read(paths);
 }
 
-}  // namespace pal
+}  // namespace pal::check

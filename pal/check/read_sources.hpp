@@ -9,7 +9,7 @@
 #include "pal/support/source.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal {
+namespace pal::check {
 
 /// Reads and parses `paths` and all files that they use, each once, also if it has several names. Adds their
 /// texts to `sources`. Reports files that cannot be read or are not text, circles of USES, and every syntax
@@ -18,4 +18,4 @@ namespace pal {
 std::vector<syntax::Tree> read_sources(const FileSystem& files, SourceManager& sources,
                                        const std::vector<std::string>& paths, Diagnostics& diagnostics);
 
-}  // namespace pal
+}  // namespace pal::check

@@ -3,7 +3,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 std::string quoted(const std::string& name) {
   return "'" + name + "'";
@@ -36,4 +36,4 @@ void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what
   if (place) finding.notes.push_back({*place, quoted(*meant) + " is declared here"});
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

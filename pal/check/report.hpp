@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/statement.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// `second` is declared where `first` already is.
 void report_twice(Diagnostics& diagnostics, const std::string& what, const syntax::Name& second,
@@ -29,4 +29,4 @@ void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what
 /// "'name'".
 std::string quoted(const std::string& name);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -9,7 +9,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -207,4 +207,4 @@ void check_listed(const pan::Network& network, const pan::Environment& environme
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

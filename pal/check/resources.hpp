@@ -11,7 +11,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// One thing that a skill needs.
 struct Resource {
@@ -50,4 +50,4 @@ std::string kind_text(Resource::Kind kind);
 /// processor, behaviour or time is reported when the model of the skill in the environment is built.)
 void check_listed(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

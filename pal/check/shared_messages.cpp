@@ -11,7 +11,7 @@
 #include "pal/pan/threads.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -187,4 +187,4 @@ void check_shared_messages(const pan::Network& network, const pan::Environment& 
   Finder(network, environment, diagnostics).find();
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Reports each message that one block writes while another uses it. A wait, and an activity that WRITES it,
 /// write it. A send, a decision FROM it and an activity that READS it read it. Blocks on two processors may
@@ -15,4 +15,4 @@ namespace pal::checker {
 void check_shared_messages(const pan::Network& network, const pan::Environment& environment,
                            Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace pal {
+namespace pal::check {
 
 namespace {
 
@@ -182,4 +182,4 @@ syntax::ModuleUnit to_unit(const pan::Network& network, pan::ModuleId module) {
   return unit;
 }
 
-}  // namespace pal
+}  // namespace pal::check

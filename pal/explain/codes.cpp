@@ -5,7 +5,7 @@
 
 #include "pal/support/nearest.hpp"
 
-namespace pal {
+namespace pal::explain {
 namespace {
 
 std::string in_lower_case(std::string_view text) {
@@ -65,4 +65,4 @@ std::vector<Code> codes_near(std::string_view text) {
   return found;
 }
 
-}  // namespace pal
+}  // namespace pal::explain

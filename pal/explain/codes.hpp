@@ -8,7 +8,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal {
+namespace pal::explain {
 
 /// The code that is meant by "PAL0123", "pal0123", "0123" or "123".
 std::optional<Code> find_code(std::string_view text);
@@ -20,4 +20,4 @@ std::vector<Code> codes_near(std::string_view text);
 /// All rows of the table.
 std::vector<Code> all_codes();
 
-}  // namespace pal
+}  // namespace pal::explain

@@ -6,7 +6,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal {
+namespace pal::explain {
 
 struct EmbeddedPage {
   Code code;
@@ -16,4 +16,4 @@ struct EmbeddedPage {
 /// Those that there are, sorted by code.
 std::span<const EmbeddedPage> embedded_pages();
 
-}  // namespace pal
+}  // namespace pal::explain

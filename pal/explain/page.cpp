@@ -5,7 +5,7 @@
 
 #include "pal/explain/embedded.hpp"
 
-namespace pal {
+namespace pal::explain {
 namespace {
 
 constexpr std::string_view fence_begin = "```pal";
@@ -101,4 +101,4 @@ Page explain(Code code) {
   return found == pages.end() ? Page{} : read_page(found->markdown);
 }
 
-}  // namespace pal
+}  // namespace pal::explain

@@ -17,7 +17,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal {
+namespace pal::explain {
 
 /// One file of a sample.
 struct SampleFile {
@@ -44,4 +44,4 @@ Page explain(Code code);
 /// The parts of a page's text.
 Page read_page(std::string_view markdown);
 
-}  // namespace pal
+}  // namespace pal::explain

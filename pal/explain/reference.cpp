@@ -8,7 +8,7 @@
 #include "pal/explain/codes.hpp"
 #include "pal/explain/page.hpp"
 
-namespace pal {
+namespace pal::explain {
 namespace {
 
 constexpr std::string_view introduction =
@@ -51,4 +51,4 @@ void write_reference(std::ostream& out) {
   }
 }
 
-}  // namespace pal
+}  // namespace pal::explain

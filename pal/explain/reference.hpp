@@ -5,7 +5,7 @@
 
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal {
+namespace pal::explain {
 
 /// A line a code: code, severity, title.
 void write_list(std::ostream& out);
@@ -16,4 +16,4 @@ void write_page(Code code, std::ostream& out);
 /// docs/reference/diagnostics.md: the list as a table that links to the pages, then the pages.
 void write_reference(std::ostream& out);
 
-}  // namespace pal
+}  // namespace pal::explain

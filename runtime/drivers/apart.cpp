@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/thrown.hpp"
+#include "runtime/kernel/thrown.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 Letters::Letter& Letters::next() {
   if (count_ == ring_.size()) {
@@ -148,4 +148,4 @@ void DeviceApart::post(std::function<void()> action) {
   letters_.action(*this, std::move(action));
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

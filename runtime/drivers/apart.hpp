@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "pal/runtime/device.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 class DeviceApart;
 
@@ -101,4 +101,4 @@ class DeviceApart final : public Device, private DeviceHost {
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -1,9 +1,9 @@
 // A device at the far end of a link: a PAL device binds to it when it exchanges bytes.
 #pragma once
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// A driver belongs to a station and outlives the skills that use it. Each skill is a session: attach(),
 /// open(), messages, close(). Between sessions a driver goes on serving its device (an ALTER port is answered
@@ -27,4 +27,4 @@ class Driver : public Device {
   virtual std::string trouble() const { return {}; }
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

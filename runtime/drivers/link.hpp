@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 using Bytes = std::span<const std::uint8_t>;
 
@@ -39,4 +39,4 @@ inline std::string_view as_text(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

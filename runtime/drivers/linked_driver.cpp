@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 LinkedDriver::LinkedDriver(Timeline& timeline, Link& link, std::string name, std::vector<PortSpec> ports)
     : timeline_(timeline), link_(link), name_(std::move(name)), ports_(std::move(ports)) {
@@ -61,4 +61,4 @@ std::string shown(Bytes bytes) {
   return '"' + std::string(as_text(bytes)) + '"';
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -7,9 +7,9 @@
 
 #include "runtime/drivers/driver.hpp"
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// A driver that awaits at most one thing at a time, for a limited time. Trouble outside a session waits for
 /// trouble(); in a session it also ends the skill.
@@ -74,4 +74,4 @@ std::string in_hexadecimal(Bytes bytes);
 /// The same, but printable text stands as text in quotes.
 std::string shown(Bytes bytes);
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "runtime/drivers/apart.hpp"
-#include "runtime/real_time/clock.hpp"
-#include "runtime/thrown.hpp"
+#include "runtime/executives/real_time/clock.hpp"
+#include "runtime/kernel/thrown.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 constexpr Time look_outside_each = std::chrono::seconds(1);
@@ -234,4 +234,4 @@ Outcome Station::run(Skill& skill, std::span<const ParameterValue> parameters,
   return Dispatcher(devices_, world).run(skill, parameters, options.run);
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

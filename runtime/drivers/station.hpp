@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 #include "runtime/drivers/driver.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// How station time goes by; without one it is virtual and waits for nothing.
 class Pace {
@@ -94,4 +94,4 @@ class Station {
   bool commissioned_ = false;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 Time LineSpeed::duration(std::size_t bytes) const {
   const double seconds = static_cast<double>(bytes) * bits_per_byte / baud;
@@ -58,4 +58,4 @@ void Wire::cut(std::string_view reason) {
   }
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

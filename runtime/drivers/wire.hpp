@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// How fast a line is. A start bit, eight bits and a stop bit make ten bits a byte.
 struct LineSpeed {
@@ -91,4 +91,4 @@ class Wire {
   End b_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

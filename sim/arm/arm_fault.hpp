@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::sim {
 

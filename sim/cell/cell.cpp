@@ -34,7 +34,7 @@ ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell, const Machine
   return options;
 }
 
-runtime::force_torque::Load axes_of(const Wrench& wrench) {
+runtime::drivers::force_torque::Load axes_of(const Wrench& wrench) {
   return {wrench.force.x(),  wrench.force.y(),  wrench.force.z(),
           wrench.torque.x(), wrench.torque.y(), wrench.torque.z()};
 }
@@ -56,15 +56,15 @@ runtime::Time phase_of(const CellOptions& options) {
 template <class Emulator, class Driver>
 struct Attached {
   template <class MakeEmulator, class MakeDriver>
-  Attached(runtime::Timeline& timeline, runtime::LineSpeed speed, std::unique_ptr<runtime::Carrier> through,
-           MakeEmulator emulator_at, MakeDriver driver_at)
+  Attached(runtime::drivers::Timeline& timeline, runtime::drivers::LineSpeed speed,
+           std::unique_ptr<runtime::drivers::Carrier> through, MakeEmulator emulator_at, MakeDriver driver_at)
       : carrier(std::move(through)),
         wire(timeline, speed, carrier.get()),
         emulator(emulator_at(wire.b())),
         driver(driver_at(wire.a())) {}
 
-  std::unique_ptr<runtime::Carrier> carrier;
-  runtime::Wire wire;
+  std::unique_ptr<runtime::drivers::Carrier> carrier;
+  runtime::drivers::Wire wire;
   std::unique_ptr<Emulator> emulator;
   std::unique_ptr<Driver> driver;
 };
@@ -97,15 +97,15 @@ struct Cell::Parts {
         station(physics(world, workcell), options.pace),
         arm(workcell),
         alter_carrier(through(options)),
-        alter_wire(station.timeline(), runtime::alter::line, alter_carrier.get()),
+        alter_wire(station.timeline(), runtime::drivers::alter::line, alter_carrier.get()),
         alter_port(station.timeline(), alter_wire.b(), arm),
         val(
             station.timeline(), val::terminal_line, through(options),
-            [&](runtime::Link& link) {
+            [&](runtime::drivers::Link& link) {
               return std::make_unique<val::Controller>(station.timeline(), link, workcell, &alter_port);
             },
-            [&](runtime::Link& link) {
-              return std::make_unique<runtime::ValDriver>(station.timeline(), link);
+            [&](runtime::drivers::Link& link) {
+              return std::make_unique<runtime::drivers::ValDriver>(station.timeline(), link);
             }),
         opener(*val.driver),
         alter(station.timeline(), alter_wire.a(), opener) {
@@ -120,11 +120,11 @@ struct Cell::Parts {
     arm_fault = workcell.on_fault([this](const ArmFault&) { alter_port.arm_has_stopped(); });
   }
 
-  static std::unique_ptr<runtime::Carrier> through(const CellOptions& options) {
+  static std::unique_ptr<runtime::drivers::Carrier> through(const CellOptions& options) {
     return options.carrier ? options.carrier() : nullptr;
   }
 
-  void attach(runtime::Driver& driver, runtime::Wire& wire) {
+  void attach(runtime::drivers::Driver& driver, runtime::drivers::Wire& wire) {
     station.add(driver);
     lines.push_back({driver.name(), &wire});
   }
@@ -133,48 +133,48 @@ struct Cell::Parts {
     const ForceTorqueEmulatorOptions sensor = sensor_options(options, workcell.machine());
     force_torque.emplace(
         station.timeline(), sensor.line, through(options),
-        [&](runtime::Link& link) {
+        [&](runtime::drivers::Link& link) {
           return std::make_unique<ForceTorqueEmulator>(
               station.timeline(), link, [this] { return workcell.wrench(); }, sensor);
         },
-        [&](runtime::Link& link) {
-          runtime::ForceTorqueDriverOptions driver;
+        [&](runtime::drivers::Link& link) {
+          runtime::drivers::ForceTorqueDriverOptions driver;
           driver.tool_weight = [this] { return axes_of(workcell.tool_weight()); };
-          return std::make_unique<runtime::ForceTorqueDriver>(station.timeline(), link, driver);
+          return std::make_unique<runtime::drivers::ForceTorqueDriver>(station.timeline(), link, driver);
         });
     attach(*force_torque->driver, force_torque->wire);
   }
 
   void attach_gripper(const CellOptions& options) {
     gripper.emplace(
-        station.timeline(), runtime::gripper::line, through(options),
-        [&](runtime::Link& link) {
+        station.timeline(), runtime::drivers::gripper::line, through(options),
+        [&](runtime::drivers::Link& link) {
           return std::make_unique<GripperEmulator>(
               station.timeline(), link, [this] { return gripper_state(workcell); }, gripper_options(options));
         },
-        [&](runtime::Link& link) {
-          return std::make_unique<runtime::GripperDriver>(station.timeline(), link);
+        [&](runtime::drivers::Link& link) {
+          return std::make_unique<runtime::drivers::GripperDriver>(station.timeline(), link);
         });
     attach(*gripper->driver, gripper->wire);
   }
 
   void attach_range_finder(const CellOptions& options) {
     range_finder.emplace(
-        station.timeline(), runtime::range_finder::line, through(options),
-        [&](runtime::Link& link) {
+        station.timeline(), runtime::drivers::range_finder::line, through(options),
+        [&](runtime::drivers::Link& link) {
           RangeFinderEmulatorOptions finder;
           finder.seed = options.seed;
           if (!workcell.machine().noise) finder.error_scale = 0;
           return std::make_unique<RangeFinderEmulator>(station.timeline(), link, range_view(workcell),
                                                        finder);
         },
-        [&](runtime::Link& link) {
-          return std::make_unique<runtime::RangeFinderDriver>(station.timeline(), link);
+        [&](runtime::drivers::Link& link) {
+          return std::make_unique<runtime::drivers::RangeFinderDriver>(station.timeline(), link);
         });
     attach(*range_finder->driver, range_finder->wire);
   }
 
-  runtime::Driver* driver_of(const std::string& device) {
+  runtime::drivers::Driver* driver_of(const std::string& device) {
     if (force_torque && force_torque->driver->name() == device) return force_torque->driver.get();
     if (gripper && gripper->driver->name() == device) return gripper->driver.get();
     if (range_finder && range_finder->driver->name() == device) return range_finder->driver.get();
@@ -182,7 +182,7 @@ struct Cell::Parts {
   }
 
   Sensed sense_device(const std::string& sensor, const Source& source, const runtime::RunControl* control) {
-    runtime::Driver* driver = driver_of(source.device);
+    runtime::drivers::Driver* driver = driver_of(source.device);
     if (driver == nullptr) return {{}, "the cell has no " + source.device, false};
     const bool prepare = !started.contains(source.device) || !driver->trouble().empty();
     const Answer answer = ask(station, *driver, source.message, prepare, control);
@@ -202,7 +202,7 @@ struct Cell::Parts {
     return {value, value ? "" : "there is no sensor '" + sensor + "', or it sees nothing", false};
   }
 
-  runtime::Wire& line_of(const PlannedFault& fault) {
+  runtime::drivers::Wire& line_of(const PlannedFault& fault) {
     std::string names;
     for (const Line& line : lines) {
       if (line.device == fault.device) return *line.wire;
@@ -221,17 +221,17 @@ struct Cell::Parts {
   std::set<std::string> started;  // devices that a skill or a reading has started
   Workcell workcell;
   std::unique_ptr<runtime::World> world;
-  runtime::Station station;
+  runtime::drivers::Station station;
   CorrectedArm arm;
-  std::unique_ptr<runtime::Carrier> alter_carrier;
-  runtime::Wire alter_wire;
+  std::unique_ptr<runtime::drivers::Carrier> alter_carrier;
+  runtime::drivers::Wire alter_wire;
   AlterEmulator alter_port;
-  Attached<val::Controller, runtime::ValDriver> val;
+  Attached<val::Controller, runtime::drivers::ValDriver> val;
   ValOpener opener;
-  runtime::AlterDriver alter;
-  std::optional<Attached<ForceTorqueEmulator, runtime::ForceTorqueDriver>> force_torque;
-  std::optional<Attached<GripperEmulator, runtime::GripperDriver>> gripper;
-  std::optional<Attached<RangeFinderEmulator, runtime::RangeFinderDriver>> range_finder;
+  runtime::drivers::AlterDriver alter;
+  std::optional<Attached<ForceTorqueEmulator, runtime::drivers::ForceTorqueDriver>> force_torque;
+  std::optional<Attached<GripperEmulator, runtime::drivers::GripperDriver>> gripper;
+  std::optional<Attached<RangeFinderEmulator, runtime::drivers::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
   std::vector<PlannedFault> faults;
   std::function<void(runtime::Time)> at_begin;
@@ -245,7 +245,7 @@ Cell::~Cell() = default;
 
 runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::ParameterValue> parameters,
                            const runtime::RunOptions& options) {
-  runtime::SessionOptions session;
+  runtime::drivers::SessionOptions session;
   session.run = options;
   // A skill that drives by VAL as well says itself when corrections are taken.
   parts_->alter.leave_opening_to_skill(uses(skill, "val"));
@@ -277,7 +277,7 @@ Workcell& Cell::workcell() {
   return parts_->workcell;
 }
 
-runtime::Station& Cell::station() {
+runtime::drivers::Station& Cell::station() {
   return parts_->station;
 }
 
@@ -289,7 +289,7 @@ val::Store& Cell::val_store() {
   return parts_->val.emulator->store();
 }
 
-runtime::ValDriver& Cell::val_driver() {
+runtime::drivers::ValDriver& Cell::val_driver() {
   return *parts_->val.driver;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/drivers/station.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/fault_plan.hpp"
 #include "sim/cell/sensors.hpp"
@@ -34,9 +34,9 @@ struct CellOptions {
   /// given.
   std::optional<runtime::Time> phase;
   /// How station time goes by; null: it is virtual. Outlives the cell.
-  runtime::Pace* pace = nullptr;
+  runtime::drivers::Pace* pace = nullptr;
   /// What carries the bytes of a device's line: empty, or gives null: they stay in the process.
-  std::function<std::unique_ptr<runtime::Carrier>()> carrier;
+  std::function<std::unique_ptr<runtime::drivers::Carrier>()> carrier;
   /// Observes the physics while it moves; empty: no observer.
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
   /// Called shortly before a skill begins, with the station time of its beginning. Empty: nothing is called.
@@ -65,8 +65,7 @@ class Cell {
   /// The sensors that sense() can read.
   std::vector<SensorSpec> sensors() const;
   /// Reads a sensor between skills, by its device's line or at a fixed sensor's next measurement; time
-  /// passes. The force-torque sensor counts from the load under which it was started last, by a skill or by
-  /// its first reading. Stopped by `control`, which may be null. Never throws for what devices do.
+  /// passes. The force-torque sensor counts from free air, without the tool's weight. Stopped by `control`, which may be null. Never throws for what devices do.
   struct Sensed {
     std::optional<double> value;
     std::string problem;  // why there is no value
@@ -76,18 +75,18 @@ class Cell {
 
   runtime::Time phase() const { return phase_; }
   Workcell& workcell();
-  runtime::Station& station();
+  runtime::drivers::Station& station();
 
   /// The lines by the names of their devices: for faults on demand.
   struct Line {
     std::string device;
-    runtime::Wire* wire = nullptr;
+    runtime::drivers::Wire* wire = nullptr;
   };
   const std::vector<Line>& lines() const;
 
   /// Locations that skills can name, and programs: VAL's memory. At first it has the scene's locations.
   val::Store& val_store();
-  runtime::ValDriver& val_driver();
+  runtime::drivers::ValDriver& val_driver();
 
  private:
   struct Parts;

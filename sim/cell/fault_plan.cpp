@@ -9,7 +9,7 @@ namespace pal::sim {
 namespace {
 
 using Kind = PlannedFault::Kind;
-using runtime::Carrier;
+using runtime::drivers::Carrier;
 
 constexpr const char* form =
     "a fault is written as: at TIME ms|s DEVICE dropout|garble|late TIME|late-answer TIME|unplug, or "
@@ -122,7 +122,7 @@ std::variant<std::vector<PlannedFault>, FaultTextError> read_faults(std::string_
   return faults;
 }
 
-void bring_about(const PlannedFault& fault, runtime::Wire& wire) {
+void bring_about(const PlannedFault& fault, runtime::drivers::Wire& wire) {
   const auto from_device = Carrier::Direction::to_a;
   switch (fault.kind) {
     case Kind::dropout:

@@ -51,6 +51,6 @@ struct FaultTextError {
 std::variant<std::vector<PlannedFault>, FaultTextError> read_faults(std::string_view text);
 
 /// Makes the fault happen to the device's line, now. For faults of lines, not of statements.
-void bring_about(const PlannedFault& fault, runtime::Wire& wire);
+void bring_about(const PlannedFault& fault, runtime::drivers::Wire& wire);
 
 }  // namespace pal::sim

@@ -13,7 +13,7 @@ constexpr runtime::Time grain = std::chrono::milliseconds(1);
 /// A session of a driver with one message in it.
 class Session final : public runtime::DeviceHost {
  public:
-  Session(runtime::Station& station, std::size_t wanted)
+  Session(runtime::drivers::Station& station, std::size_t wanted)
       : station_(station), begun_(station.now()), wanted_(wanted) {}
 
   runtime::Time now() const override { return station_.now() - begun_; }
@@ -34,12 +34,12 @@ class Session final : public runtime::DeviceHost {
   Answer answer;
 
  private:
-  runtime::Station& station_;
+  runtime::drivers::Station& station_;
   runtime::Time begun_;
   std::size_t wanted_;
 };
 
-std::size_t port_of(const runtime::Driver& driver, const std::string& message) {
+std::size_t port_of(const runtime::drivers::Driver& driver, const std::string& message) {
   const auto& ports = driver.ports();
   const auto port = std::find_if(ports.begin(), ports.end(),
                                  [&](const runtime::PortSpec& each) { return each.message == message; });
@@ -49,8 +49,8 @@ std::size_t port_of(const runtime::Driver& driver, const std::string& message) {
 
 }  // namespace
 
-Answer ask(runtime::Station& station, runtime::Driver& driver, const std::string& message, bool prepare,
-           const runtime::RunControl* control) {
+Answer ask(runtime::drivers::Station& station, runtime::drivers::Driver& driver, const std::string& message,
+           bool prepare, const runtime::RunControl* control) {
   // False: it was stopped, or it takes too long.
   const auto pass_until = [&](runtime::Time limit, const auto& done) {
     const runtime::Time end = station.now() + limit;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pal/runtime/run_control.hpp"
 #include "runtime/drivers/station.hpp"
-#include "runtime/run_control.hpp"
 
 namespace pal::sim {
 
@@ -19,7 +19,7 @@ struct Answer {
 
 /// Sends `request MESSAGE` and lets station time pass until MESSAGE comes. `prepare`: as before a skill that
 /// uses the device. No skill runs meanwhile. `control` may be null.
-Answer ask(runtime::Station& station, runtime::Driver& driver, const std::string& message, bool prepare,
-           const runtime::RunControl* control);
+Answer ask(runtime::drivers::Station& station, runtime::drivers::Driver& driver, const std::string& message,
+           bool prepare, const runtime::RunControl* control);
 
 }  // namespace pal::sim

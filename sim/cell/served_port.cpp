@@ -14,8 +14,8 @@ namespace {
 
 /// The robot's controller with both of its lines.
 struct ServedController {
-  ServedController(runtime::Timeline& timeline, runtime::Link& terminal, runtime::Link& alter_line,
-                   Workcell& workcell)
+  ServedController(runtime::drivers::Timeline& timeline, runtime::drivers::Link& terminal,
+                   runtime::drivers::Link& alter_line, Workcell& workcell)
       : arm(workcell),
         alter(timeline, alter_line, arm),
         val(timeline, terminal, workcell, &alter),
@@ -45,7 +45,7 @@ std::vector<ServedPort> served_ports() {
        }},
       {"gripper",
        "the gripper's feedback",
-       {{"", runtime::gripper::line}},
+       {{"", runtime::drivers::gripper::line}},
        [](auto& timeline, const auto& links, auto& workcell, auto seed) {
          GripperEmulatorOptions gripper;
          gripper.seed = seed;
@@ -56,7 +56,7 @@ std::vector<ServedPort> served_ports() {
        "parts"},
       {"range-finder",
        "the laser range finder, at the tool's tip",
-       {{"", runtime::range_finder::line}},
+       {{"", runtime::drivers::range_finder::line}},
        [](auto& timeline, const auto& links, auto& workcell, auto seed) {
          RangeFinderEmulatorOptions finder;
          finder.seed = seed;
@@ -66,7 +66,7 @@ std::vector<ServedPort> served_ports() {
        "flat"},
       {"val",
        "the VAL II controller: its terminal, and its ALTER line beside it",
-       {{"val", val::terminal_line}, {"alter", runtime::alter::line}},
+       {{"val", val::terminal_line}, {"alter", runtime::drivers::alter::line}},
        [](auto& timeline, const auto& links, auto& workcell, auto) {
          return std::make_shared<ServedController>(timeline, *links[0], *links[1], workcell);
        }},

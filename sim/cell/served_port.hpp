@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "runtime/drivers/link.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "runtime/timeline.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {
@@ -17,7 +17,7 @@ namespace pal::sim {
 /// A line of a device to the outside.
 struct ServedLine {
   std::string name;  // "alter"; empty: the device's own, and there is no other
-  runtime::LineSpeed speed;
+  runtime::drivers::LineSpeed speed;
 };
 
 struct ServedPort {
@@ -25,7 +25,8 @@ struct ServedPort {
   std::string description;
   std::vector<ServedLine> lines;  // at least one
   /// The device at the far ends of its lines, alive as long as the answer is. What it is given outlives it.
-  std::function<std::shared_ptr<void>(runtime::Timeline&, const std::vector<runtime::Link*>&, Workcell&,
+  std::function<std::shared_ptr<void>(runtime::drivers::Timeline&,
+                                      const std::vector<runtime::drivers::Link*>&, Workcell&,
                                       std::uint64_t seed)>
       make;
   /// Only where the scene's tool is this one, as in scene `scene`.

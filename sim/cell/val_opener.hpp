@@ -2,22 +2,22 @@
 #pragma once
 
 #include "runtime/drivers/alter/opener.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 
 namespace pal::sim {
 
-class ValOpener final : public runtime::alter::Opener {
+class ValOpener final : public runtime::drivers::alter::Opener {
  public:
   /// The driver outlives the opener.
-  explicit ValOpener(runtime::ValDriver& terminal) : terminal_(terminal) {}
+  explicit ValOpener(runtime::drivers::ValDriver& terminal) : terminal_(terminal) {}
 
-  void open(const runtime::alter::Mode& mode, Done done) override;
+  void open(const runtime::drivers::alter::Mode& mode, Done done) override;
   void close(Done done) override;
 
  private:
-  void submit(runtime::val::Command command, Done done);
+  void submit(runtime::drivers::val::Command command, Done done);
 
-  runtime::ValDriver& terminal_;
+  runtime::drivers::ValDriver& terminal_;
 };
 
 }  // namespace pal::sim

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 #include "sim/controller/planner.hpp"
 #include "sim/controller/trajectory.hpp"
 

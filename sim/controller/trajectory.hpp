@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 #include "sim/controller/correction.hpp"
 #include "sim/controller/servo.hpp"
 

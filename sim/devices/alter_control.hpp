@@ -7,7 +7,7 @@
 
 namespace pal::sim {
 
-using AlterMode = runtime::alter::Mode;
+using AlterMode = runtime::drivers::alter::Mode;
 
 /// What VAL's DO ALTER and DO NOALTER reach.
 class AlterControl {

@@ -6,7 +6,7 @@
 namespace pal::sim {
 namespace {
 
-namespace alter = runtime::alter;
+namespace alter = runtime::drivers::alter;
 using Reason = alter::Ended::Reason;
 
 // The angles of a turn about x, then y, then z.
@@ -23,7 +23,8 @@ alter::Figures figures_of(const Pose& pose) {
 
 }  // namespace
 
-AlterEmulator::AlterEmulator(runtime::Timeline& timeline, runtime::Link& link, AlterArm& arm)
+AlterEmulator::AlterEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                             AlterArm& arm)
     : timeline_(timeline), link_(link), arm_(arm) {
   link_.connect(this);
 }
@@ -71,7 +72,7 @@ void AlterEmulator::cycle() {
   next_cycle_ = timeline_.at(began_ + alter::period, [this] { cycle(); });
 }
 
-void AlterEmulator::on_bytes(runtime::Bytes bytes) {
+void AlterEmulator::on_bytes(runtime::drivers::Bytes bytes) {
   decoder_.feed(bytes);
   while (const auto found = decoder_.next()) {
     const auto* frame = std::get_if<alter::Frame>(&*found);

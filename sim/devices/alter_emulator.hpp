@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/drivers/alter/frame.hpp"
+#include "runtime/drivers/alter/codec.hpp"
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/controller/correction.hpp"
 #include "sim/devices/alter_control.hpp"
 
@@ -41,10 +41,10 @@ class AlterArm {
 /// - no answer in time, or an answer that was not asked for;
 /// - a motion that the arm cannot make;
 /// - a fault of the arm.
-class AlterEmulator final : public AlterControl, private runtime::LinkUser {
+class AlterEmulator final : public AlterControl, private runtime::drivers::LinkUser {
  public:
   /// What is given outlives the emulator.
-  AlterEmulator(runtime::Timeline& timeline, runtime::Link& link, AlterArm& arm);
+  AlterEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, AlterArm& arm);
   ~AlterEmulator() override;
   AlterEmulator(const AlterEmulator&) = delete;
   AlterEmulator& operator=(const AlterEmulator&) = delete;
@@ -57,25 +57,25 @@ class AlterEmulator final : public AlterControl, private runtime::LinkUser {
   void arm_has_stopped();
 
  private:
-  void on_bytes(runtime::Bytes bytes) override;
+  void on_bytes(runtime::drivers::Bytes bytes) override;
   void on_break(std::string_view reason) override;
   void cycle();
-  void take(const runtime::alter::Answer& answer);
+  void take(const runtime::drivers::alter::Answer& answer);
   void answer_is_late();
   void silence();
-  void end(runtime::alter::Ended::Reason reason, std::string text);
+  void end(runtime::drivers::alter::Ended::Reason reason, std::string text);
 
-  runtime::Timeline& timeline_;
-  runtime::Link& link_;
+  runtime::drivers::Timeline& timeline_;
+  runtime::drivers::Link& link_;
   AlterArm& arm_;
-  runtime::alter::Decoder decoder_;
+  runtime::drivers::alter::Decoder decoder_;
   bool open_ = false;
   bool unanswered_ = false;
   bool garbled_ = false;  // something came in this cycle that was no answer
   std::uint8_t cycle_ = 0;
   runtime::Time began_{};
-  runtime::Timeline::Token next_cycle_;
-  runtime::Timeline::Token deadline_;
+  runtime::drivers::Timeline::Token next_cycle_;
+  runtime::drivers::Timeline::Token deadline_;
   std::string ended_because_;
 };
 

@@ -29,7 +29,7 @@ constexpr std::size_t z_axis = 2;
 
 }  // namespace
 
-ForceTorqueEmulator::ForceTorqueEmulator(runtime::Timeline& timeline, runtime::Link& link,
+ForceTorqueEmulator::ForceTorqueEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
                                          std::function<Wrench()> load, ForceTorqueEmulatorOptions options)
     : timeline_(timeline),
       link_(link),
@@ -70,7 +70,7 @@ void ForceTorqueEmulator::ready() {
   busy_for(send("\r\nF/T sensor, 65 N, 5 N*m\r\n>"), nullptr);
 }
 
-void ForceTorqueEmulator::on_bytes(runtime::Bytes bytes) {
+void ForceTorqueEmulator::on_bytes(runtime::drivers::Bytes bytes) {
   for (const std::uint8_t byte : bytes) {
     if (byte == control_w) {
       boot();

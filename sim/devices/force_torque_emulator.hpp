@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "runtime/drivers/link.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "runtime/timeline.hpp"
 #include "sim/random.hpp"
 #include "sim/workcell.hpp"
 
@@ -24,7 +24,7 @@ struct ForceTorqueEmulatorOptions {
   /// From control W, or from being switched on, to the prompt.
   runtime::Time boot = std::chrono::milliseconds(50);
   /// The controller waits until what it sends has left.
-  runtime::LineSpeed line{38400, 10};
+  runtime::drivers::LineSpeed line{38400, 10};
   // Standard deviations of one conversion: the resolution that the thesis states along x and y, and for
   // torques.
   double force_noise = 0.05;    // N
@@ -40,16 +40,16 @@ struct ForceTorqueEmulatorOptions {
 /// Speaks the protocol of docs/workcell/force-torque.md: CV, CD A, CD B, SB, SU, SZ, QR, QS, an empty line,
 /// ^T, ^W. Values are whole counts: 0.05 N, along z 0.10 N, 0.003 N*m. More than 65 N or 5 N*m on an axis,
 /// with or without the bias, sets the overload byte and ends there.
-class ForceTorqueEmulator final : public runtime::LinkUser {
+class ForceTorqueEmulator final : public runtime::drivers::LinkUser {
  public:
   /// `load`: what acts on the sensor now (Workcell::wrench). All that is given outlives the emulator.
-  ForceTorqueEmulator(runtime::Timeline& timeline, runtime::Link& link, std::function<Wrench()> load,
-                      ForceTorqueEmulatorOptions options = {});
+  ForceTorqueEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                      std::function<Wrench()> load, ForceTorqueEmulatorOptions options = {});
   ForceTorqueEmulator(const ForceTorqueEmulator&) = delete;
   ForceTorqueEmulator& operator=(const ForceTorqueEmulator&) = delete;
   ~ForceTorqueEmulator() override;
 
-  void on_bytes(runtime::Bytes bytes) override;
+  void on_bytes(runtime::drivers::Bytes bytes) override;
   void on_break(std::string_view reason) override;
 
   /// A fault on demand: from now on each conversion takes longer by this time.
@@ -81,8 +81,8 @@ class ForceTorqueEmulator final : public runtime::LinkUser {
   runtime::Time send(const std::vector<std::uint8_t>& bytes);
   runtime::Time send(std::string_view text);
 
-  runtime::Timeline& timeline_;
-  runtime::Link& link_;
+  runtime::drivers::Timeline& timeline_;
+  runtime::drivers::Link& link_;
   std::function<Wrench()> load_;
   ForceTorqueEmulatorOptions options_;
   Random timing_;
@@ -95,7 +95,7 @@ class ForceTorqueEmulator final : public runtime::LinkUser {
   std::string line_;                // typed so far
   bool busy_ = false;
   bool streaming_ = false;
-  runtime::Timeline::Token work_;
+  runtime::drivers::Timeline::Token work_;
   runtime::Time sending_until_{};
   unsigned mask_ = 0x3f;
   bool binary_ = false;

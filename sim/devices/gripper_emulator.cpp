@@ -12,7 +12,7 @@ constexpr std::size_t longest_gripper_line = 40;
 
 }  // namespace
 
-GripperEmulator::GripperEmulator(runtime::Timeline& timeline, runtime::Link& link,
+GripperEmulator::GripperEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
                                  std::function<GripperState()> state, GripperEmulatorOptions options)
     : timeline_(timeline),
       link_(link),
@@ -28,7 +28,7 @@ GripperEmulator::~GripperEmulator() {
   link_.connect(nullptr);
 }
 
-void GripperEmulator::on_bytes(runtime::Bytes bytes) {
+void GripperEmulator::on_bytes(runtime::drivers::Bytes bytes) {
   for (const std::uint8_t byte : bytes) {
     if (byte == '\r') {
       obey(std::exchange(line_, {}));
@@ -41,7 +41,7 @@ void GripperEmulator::on_bytes(runtime::Bytes bytes) {
 // A question that comes before the last one was answered takes its place.
 void GripperEmulator::obey(const std::string& line) {
   timeline_.cancel(work_);
-  if (line != "STATE") return link_.write(runtime::as_bytes("? " + line + "\r\n"));
+  if (line != "STATE") return link_.write(runtime::drivers::as_bytes("? " + line + "\r\n"));
   const runtime::Time wait = timing_.between(options_.shortest_wait, options_.longest_wait) + slower_by_;
   work_ = timeline_.after(wait, [this] { answer(); });
 }
@@ -53,7 +53,7 @@ void GripperEmulator::answer() {
   std::array<char, 40> text{};
   const int length = std::snprintf(text.data(), text.size(), "STATE %06.2f %05.1f %d\r\n", width, force,
                                    state.holding ? 1 : 0);
-  link_.write(runtime::as_bytes({text.data(), static_cast<std::size_t>(length)}));
+  link_.write(runtime::drivers::as_bytes({text.data(), static_cast<std::size_t>(length)}));
 }
 
 }  // namespace pal::sim

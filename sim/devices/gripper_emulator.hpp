@@ -5,7 +5,7 @@
 #include <string>
 
 #include "runtime/drivers/link.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/random.hpp"
 
 namespace pal::sim {
@@ -28,16 +28,16 @@ struct GripperEmulatorOptions {
 };
 
 /// Speaks the protocol of docs/workcell/gripper.md: a line STATE is answered with width, force and holding.
-class GripperEmulator final : public runtime::LinkUser {
+class GripperEmulator final : public runtime::drivers::LinkUser {
  public:
   /// `state`: how the gripper stands now. All that is given outlives the emulator.
-  GripperEmulator(runtime::Timeline& timeline, runtime::Link& link, std::function<GripperState()> state,
-                  GripperEmulatorOptions options = {});
+  GripperEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                  std::function<GripperState()> state, GripperEmulatorOptions options = {});
   GripperEmulator(const GripperEmulator&) = delete;
   GripperEmulator& operator=(const GripperEmulator&) = delete;
   ~GripperEmulator() override;
 
-  void on_bytes(runtime::Bytes bytes) override;
+  void on_bytes(runtime::drivers::Bytes bytes) override;
   void on_break(std::string_view) override { line_.clear(); }
 
   /// A fault on demand: from now on each answer takes longer by this time.
@@ -47,15 +47,15 @@ class GripperEmulator final : public runtime::LinkUser {
   void obey(const std::string& line);
   void answer();
 
-  runtime::Timeline& timeline_;
-  runtime::Link& link_;
+  runtime::drivers::Timeline& timeline_;
+  runtime::drivers::Link& link_;
   std::function<GripperState()> state_;
   GripperEmulatorOptions options_;
   Random timing_;
   Random noise_;
   runtime::Time slower_by_{};
   std::string line_;
-  runtime::Timeline::Token work_;
+  runtime::drivers::Timeline::Token work_;
 };
 
 }  // namespace pal::sim

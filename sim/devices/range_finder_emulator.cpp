@@ -11,7 +11,7 @@ namespace pal::sim {
 namespace {
 
 using runtime::Time;
-namespace protocol = runtime::range_finder;
+namespace protocol = runtime::drivers::range_finder;
 
 constexpr std::size_t longest_range_line = 40;
 constexpr std::size_t point_length = 13;  // with the line's end
@@ -43,8 +43,8 @@ double range_error(double z) {
   return a.error * std::pow(above->error / a.error, part);
 }
 
-RangeFinderEmulator::RangeFinderEmulator(runtime::Timeline& timeline, runtime::Link& link, RangeView view,
-                                         RangeFinderEmulatorOptions options)
+RangeFinderEmulator::RangeFinderEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link,
+                                         RangeView view, RangeFinderEmulatorOptions options)
     : timeline_(timeline),
       link_(link),
       view_(std::move(view)),
@@ -60,7 +60,7 @@ RangeFinderEmulator::~RangeFinderEmulator() {
   link_.connect(nullptr);
 }
 
-void RangeFinderEmulator::on_bytes(runtime::Bytes bytes) {
+void RangeFinderEmulator::on_bytes(runtime::drivers::Bytes bytes) {
   for (const std::uint8_t byte : bytes) {
     if (byte == '\r') {
       obey(std::exchange(line_, {}));
@@ -205,7 +205,7 @@ std::int64_t RangeFinderEmulator::clock(Time instant) const {
 }
 
 void RangeFinderEmulator::send(std::string_view text) {
-  if (!text.empty()) link_.write(runtime::as_bytes(text));
+  if (!text.empty()) link_.write(runtime::drivers::as_bytes(text));
 }
 
 }  // namespace pal::sim

@@ -9,7 +9,7 @@
 
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/range_finder/protocol.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/arm/kinematics.hpp"
 #include "sim/random.hpp"
 
@@ -48,16 +48,16 @@ double range_error(double z);
 /// Speaks the protocol of docs/workcell/range-finder.md: INIT, PROFILE. Rays are cast while the scan goes on,
 /// three or four a millisecond, from the arm's current place. They are cast only if the profile was asked
 /// for.
-class RangeFinderEmulator final : public runtime::LinkUser {
+class RangeFinderEmulator final : public runtime::drivers::LinkUser {
  public:
   /// All that is given outlives the emulator.
-  RangeFinderEmulator(runtime::Timeline& timeline, runtime::Link& link, RangeView view,
+  RangeFinderEmulator(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, RangeView view,
                       RangeFinderEmulatorOptions options = {});
   RangeFinderEmulator(const RangeFinderEmulator&) = delete;
   RangeFinderEmulator& operator=(const RangeFinderEmulator&) = delete;
   ~RangeFinderEmulator() override;
 
-  void on_bytes(runtime::Bytes bytes) override;
+  void on_bytes(runtime::drivers::Bytes bytes) override;
   void on_break(std::string_view) override { line_.clear(); }
 
  private:
@@ -82,8 +82,8 @@ class RangeFinderEmulator final : public runtime::LinkUser {
   std::int64_t clock(runtime::Time instant) const;
   void send(std::string_view text);
 
-  runtime::Timeline& timeline_;
-  runtime::Link& link_;
+  runtime::drivers::Timeline& timeline_;
+  runtime::drivers::Link& link_;
   RangeView view_;
   RangeFinderEmulatorOptions options_;
   Random phase_;
@@ -91,8 +91,8 @@ class RangeFinderEmulator final : public runtime::LinkUser {
 
   std::string line_;  // typed so far
   bool swinging_ = false;
-  runtime::Timeline::Token next_scan_;
-  runtime::Timeline::Token next_step_;
+  runtime::drivers::Timeline::Token next_scan_;
+  runtime::drivers::Timeline::Token next_step_;
   runtime::Time started_{};  // INIT
   runtime::Time swinging_since_{};
   runtime::Time scan_began_{};
@@ -101,7 +101,7 @@ class RangeFinderEmulator final : public runtime::LinkUser {
   std::optional<Point> before_;  // the point before that
   bool steep_before_ = false;    // between that one and the one before it the surface was too steep
   std::string text_;             // points that have been measured and not sent
-  runtime::range_finder::Checksum sum_;
+  runtime::drivers::range_finder::Checksum sum_;
 };
 
 }  // namespace pal::sim

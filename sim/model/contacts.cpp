@@ -1,4 +1,4 @@
-#include "sim/model/private/contacts.hpp"
+#include "sim/model/contacts.hpp"
 
 #include <algorithm>
 #include <array>

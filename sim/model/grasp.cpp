@@ -1,4 +1,4 @@
-#include "sim/model/private/grasp.hpp"
+#include "sim/model/grasp.hpp"
 
 #include <Eigen/Geometry>
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <numbers>
 
-#include "sim/model/private/mjcf.hpp"
+#include "sim/model/mjcf.hpp"
 
 namespace pal::sim {
 namespace {

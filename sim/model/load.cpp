@@ -1,4 +1,4 @@
-#include "sim/model/private/load.hpp"
+#include "sim/model/load.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <variant>
 
-#include "sim/model/private/mjcf.hpp"
-#include "sim/model/private/mjcf_file.hpp"
-#include "sim/model/private/scene_description.hpp"
+#include "sim/model/mjcf.hpp"
+#include "sim/model/mjcf_file.hpp"
+#include "sim/model/scene_description.hpp"
 
 namespace pal::sim {
 namespace {

@@ -1,11 +1,11 @@
-#include "sim/model/private/mjcf.hpp"
+#include "sim/model/mjcf.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "sim/model/private/embedded.hpp"
+#include "sim/model/embedded.hpp"
 
 namespace pal::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/model/private/mjcf_file.hpp"
+#include "sim/model/mjcf_file.hpp"
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
@@ -9,8 +9,8 @@
 #include <iterator>
 #include <set>
 
-#include "sim/model/private/embedded.hpp"
-#include "sim/model/private/mjcf_schema.hpp"
+#include "sim/model/embedded.hpp"
+#include "sim/model/mjcf_schema.hpp"
 
 namespace pal::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/model/private/mjcf_schema.hpp"
+#include "sim/model/mjcf_schema.hpp"
 
 #include <mujoco/mujoco.h>
 

@@ -1,6 +1,6 @@
 #include <regex>
 
-#include "sim/model/private/mjcf_file.hpp"
+#include "sim/model/mjcf_file.hpp"
 
 namespace pal::sim {
 namespace {

@@ -1,10 +1,10 @@
-#include "sim/model/private/mujoco_physics.hpp"
+#include "sim/model/mujoco_physics.hpp"
 
 #include <stdexcept>
 #include <string>
 
-#include "sim/model/private/grasp.hpp"
-#include "sim/model/private/names.hpp"
+#include "sim/model/grasp.hpp"
+#include "sim/model/names.hpp"
 
 namespace pal::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/model/private/names.hpp"
+#include "sim/model/names.hpp"
 
 #include <array>
 #include <cctype>

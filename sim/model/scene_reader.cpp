@@ -4,7 +4,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "sim/model/private/scene_description.hpp"
+#include "sim/model/scene_description.hpp"
 
 namespace pal::sim {
 namespace {

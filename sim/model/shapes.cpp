@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/model/private/mjcf.hpp"
+#include "sim/model/mjcf.hpp"
 
 namespace pal::sim {
 namespace {

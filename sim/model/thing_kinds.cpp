@@ -1,4 +1,4 @@
-#include "sim/model/private/scene_description.hpp"
+#include "sim/model/scene_description.hpp"
 
 namespace pal::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/model/private/mujoco_physics.hpp"
+#include "sim/model/mujoco_physics.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {

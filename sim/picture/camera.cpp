@@ -1,4 +1,4 @@
-#include "sim/picture/private/camera.hpp"
+#include "sim/picture/camera.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/picture/private/canvas.hpp"
+#include "sim/picture/canvas.hpp"
 
 #include <cstdint>
 #include <cstring>

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "sim/picture/private/offscreen.hpp"
+#include "sim/picture/offscreen.hpp"
 
 namespace pal::sim {
 namespace {

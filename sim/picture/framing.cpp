@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "sim/arm/puma.hpp"
-#include "sim/picture/private/framing.hpp"
+#include "sim/picture/framing.hpp"
 
 namespace pal::sim {
 

@@ -1,4 +1,4 @@
-#include "sim/picture/private/offscreen.hpp"
+#include "sim/picture/offscreen.hpp"
 
 #include <dlfcn.h>
 

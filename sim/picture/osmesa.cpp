@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/picture/private/offscreen.hpp"
+#include "sim/picture/offscreen.hpp"
 
 namespace pal::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/picture/private/painter.hpp"
+#include "sim/picture/painter.hpp"
 
 #include <algorithm>
 

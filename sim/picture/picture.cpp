@@ -1,6 +1,6 @@
 #include "sim/picture/picture.hpp"
 
-#include "sim/picture/private/sheet.hpp"
+#include "sim/picture/sheet.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::sim {

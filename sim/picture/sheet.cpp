@@ -1,4 +1,4 @@
-#include "sim/picture/private/sheet.hpp"
+#include "sim/picture/sheet.hpp"
 
 #include <fmt/format.h>
 

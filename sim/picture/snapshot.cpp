@@ -1,6 +1,6 @@
-#include "sim/picture/private/snapshot.hpp"
+#include "sim/picture/snapshot.hpp"
 
-#include "sim/model/private/mujoco_physics.hpp"
+#include "sim/model/mujoco_physics.hpp"
 
 namespace pal::sim {
 

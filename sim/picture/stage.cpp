@@ -1,4 +1,4 @@
-#include "sim/picture/private/stage.hpp"
+#include "sim/picture/stage.hpp"
 
 #include <stdexcept>
 

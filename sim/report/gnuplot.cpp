@@ -1,4 +1,4 @@
-#include "sim/report/private/gnuplot.hpp"
+#include "sim/report/gnuplot.hpp"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "sim/report/plot.hpp"
-#include "sim/report/private/process.hpp"
+#include "sim/report/process.hpp"
 
 namespace pal::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/observer.hpp"
+#include "pal/runtime/observer.hpp"
 
 namespace pal::sim {
 

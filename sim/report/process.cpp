@@ -1,4 +1,4 @@
-#include "sim/report/private/process.hpp"
+#include "sim/report/process.hpp"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/report/private/gnuplot.hpp"
+#include "sim/report/gnuplot.hpp"
 
 namespace pal::sim {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/report/gnuplot.hpp"
 #include "sim/report/plot.hpp"
-#include "sim/report/private/gnuplot.hpp"
 
 namespace pal::sim {
 namespace {

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "sim/picture/private/sheet.hpp"
-#include "sim/report/private/process.hpp"
+#include "sim/picture/sheet.hpp"
+#include "sim/report/process.hpp"
 
 namespace pal::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 #include "sim/controller/planner.hpp"
 #include "sim/devices/alter_control.hpp"
 

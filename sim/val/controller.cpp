@@ -2,7 +2,7 @@
 
 namespace pal::sim::val {
 
-Controller::Controller(runtime::Timeline& timeline, runtime::Link& link, Workcell& workcell,
+Controller::Controller(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, Workcell& workcell,
                        AlterControl* alter)
     : arm_(workcell, timeline),
       hand_(workcell, timeline),

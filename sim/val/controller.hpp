@@ -2,15 +2,15 @@
 #pragma once
 
 #include "runtime/drivers/link.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "runtime/drivers/wire.hpp"
-#include "runtime/timeline.hpp"
 #include "sim/val/terminal.hpp"
 #include "sim/val/workcell_arm.hpp"
 
 namespace pal::sim::val {
 
 /// The line of the terminal.
-inline constexpr runtime::LineSpeed terminal_line{9600, 10};
+inline constexpr runtime::drivers::LineSpeed terminal_line{9600, 10};
 
 /// Takes bytes and gives bytes. The caller that brings time on brings the workcell to an instant before the
 /// timeline's actions of that instant.
@@ -18,7 +18,7 @@ class Controller {
  public:
   /// Everything given outlives the controller. `alter` null: it has no ALTER port. It has a hand if the
   /// workcell has one.
-  Controller(runtime::Timeline& timeline, runtime::Link& link, Workcell& workcell,
+  Controller(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, Workcell& workcell,
              AlterControl* alter = nullptr);
 
   /// Locations, numbers and programs, to be filled before or read after.

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/devices/alter_control.hpp"
 #include "sim/val/arm.hpp"
 #include "sim/val/expression.hpp"
@@ -18,7 +18,7 @@ struct ProgramSpeed {
 };
 
 struct Machine {
-  runtime::Timeline& timeline;
+  runtime::drivers::Timeline& timeline;
   Arm& arm;
   Hand* hand = nullptr;           // null: there is none
   AlterControl* alter = nullptr;  // null: there is none

@@ -89,8 +89,8 @@ class Monitor {
   std::string announcements_;  // not shown yet
   bool typing_ = false;
   std::string stop_answer_;  // shown when the arm stands
-  runtime::Timeline::Token next_;
-  runtime::Timeline::Token program_next_;
+  runtime::drivers::Timeline::Token next_;
+  runtime::drivers::Timeline::Token program_next_;
   std::optional<RunningProgram> program_;
 };
 

@@ -10,7 +10,7 @@ constexpr std::size_t longest_val_line = 128;
 
 }  // namespace
 
-Terminal::Terminal(runtime::Link& link, Machine& machine, MonitorOptions options)
+Terminal::Terminal(runtime::drivers::Link& link, Machine& machine, MonitorOptions options)
     : link_(link),
       monitor_(
           machine, [this](std::string_view text) { write(text); }, options) {
@@ -21,8 +21,8 @@ Terminal::~Terminal() {
   link_.connect(nullptr);
 }
 
-void Terminal::on_bytes(runtime::Bytes bytes) {
-  for (const char c : runtime::as_text(bytes)) {
+void Terminal::on_bytes(runtime::drivers::Bytes bytes) {
+  for (const char c : runtime::drivers::as_text(bytes)) {
     key(c);
     monitor_.typing(!line_.empty());
   }

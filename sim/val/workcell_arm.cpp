@@ -17,7 +17,7 @@ constexpr runtime::Time least = std::chrono::milliseconds(80);
 
 }  // namespace
 
-WorkcellArm::WorkcellArm(Workcell& workcell, const runtime::Timeline& timeline)
+WorkcellArm::WorkcellArm(Workcell& workcell, const runtime::drivers::Timeline& timeline)
     : workcell_(workcell), timeline_(timeline) {}
 
 Joints WorkcellArm::joints() const {

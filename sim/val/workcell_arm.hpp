@@ -1,7 +1,7 @@
 // The workcell's arm and hand, as VAL commands them.
 #pragma once
 
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 #include "sim/controller/motion_controller.hpp"
 #include "sim/val/arm.hpp"
 #include "sim/workcell.hpp"
@@ -11,7 +11,7 @@ namespace pal::sim::val {
 class WorkcellArm final : public Arm {
  public:
   /// Both outlive it. The workcell is brought to the clock's time before anything happens by it.
-  WorkcellArm(Workcell& workcell, const runtime::Timeline& timeline);
+  WorkcellArm(Workcell& workcell, const runtime::drivers::Timeline& timeline);
 
   Joints joints() const override;
   Joints goal() const override;
@@ -31,13 +31,13 @@ class WorkcellArm final : public Arm {
   runtime::Time now() const { return timeline_.now(); }
 
   Workcell& workcell_;
-  const runtime::Timeline& timeline_;
+  const runtime::drivers::Timeline& timeline_;
 };
 
 /// The workcell's gripper. Only where the workcell has one.
 class WorkcellHand final : public Hand {
  public:
-  WorkcellHand(Workcell& workcell, const runtime::Timeline& timeline)
+  WorkcellHand(Workcell& workcell, const runtime::drivers::Timeline& timeline)
       : workcell_(workcell), timeline_(timeline) {}
 
   void open() override;
@@ -46,7 +46,7 @@ class WorkcellHand final : public Hand {
 
  private:
   Workcell& workcell_;
-  const runtime::Timeline& timeline_;
+  const runtime::drivers::Timeline& timeline_;
   runtime::Time commanded_{};
   // Where the fingers were when they were last seen to move, and when that was.
   mutable double width_ = 0;

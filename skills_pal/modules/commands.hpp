@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/drivers/val/command.hpp"
+#include "runtime/drivers/val/protocol.hpp"
 #include "skills_pal/modules/signature.hpp"
 
 namespace pal::skills {
 
-using runtime::val::Verb;
+using runtime::drivers::val::Verb;
 
 /// What SM1 and its contingency list, and SM2 gives: they run one after the other. `Command` is the message.
 template <class Command>
@@ -61,7 +61,7 @@ template <class Interface>
 class Commands final : public Interface {
   using Command = ResultOf<&Interface::give>;
   using Answer = ArgumentOf<&Interface::decide_pc_ok>;
-  using Error = runtime::val::Error;
+  using Error = runtime::drivers::val::Error;
 
  public:
   explicit Commands(std::shared_ptr<CommandList<Command>> list) : list_(std::move(list)) {}

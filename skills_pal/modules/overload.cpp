@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 
 namespace pal::skills {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 
 namespace pal::skills {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 // How much better two lines must be than one. A test holds that 1000 planes and 1000 waves show no edge.
@@ -218,4 +218,4 @@ std::optional<Edge> find_edge(const Profile& profile, const EdgeOptions& options
   return Search(profile, points, options).best();
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

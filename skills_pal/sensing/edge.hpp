@@ -5,7 +5,7 @@
 
 #include "skills_pal/sensing/line.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 enum class EdgeKind {
   crease,  // two surfaces meet: the edge is where their lines do
@@ -42,4 +42,4 @@ struct EdgeOptions {
 /// edge is where two lines explain the points clearly better than one does.
 std::optional<Edge> find_edge(const Profile& profile, const EdgeOptions& options = {});
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 constexpr double tukey = 4.685;  // deviations at which a point has no weight: 95 % efficient for normal noise
@@ -103,4 +103,4 @@ double StretchSums::residual(Stretch stretch) const {
   return std::max(0.0, yy > 0 ? zz - yz * yz / yy : zz);
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

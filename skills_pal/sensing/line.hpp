@@ -3,7 +3,7 @@
 
 #include "skills_pal/sensing/profile.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 /// z = height + slope · (y - middle).
 struct Line {
@@ -52,4 +52,4 @@ class StretchSums {
   std::array<Sums, most_points + 1> sums_{};
 };
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

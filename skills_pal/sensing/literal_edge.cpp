@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 constexpr std::size_t half_mask = 7;  // of 15 points
@@ -82,4 +82,4 @@ std::optional<LiteralEdge> find_literal_edge(const Profile& profile, const Liter
   return LiteralEdge{profile.y[edge], profile.z[edge], slope * 180 / std::numbers::pi};
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

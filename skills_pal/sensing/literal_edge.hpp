@@ -5,7 +5,7 @@
 
 #include "skills_pal/sensing/profile.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 struct LiteralEdge {
   double y = 0;      // mm, of the last point of the nearer surface
@@ -27,4 +27,4 @@ struct LiteralEdgeOptions {
 /// answer without an edge.
 std::optional<LiteralEdge> find_literal_edge(const Profile& profile, const LiteralEdgeOptions& options = {});
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 void ToolMotion::add(double instant, const Eigen::Isometry3d& pose) {
   if (count_ > 0 && instant <= known(count_ - 1).instant) return;
@@ -43,4 +43,4 @@ std::size_t compensate(const Profile& profile, double taken, const ToolMotion& m
   return count;
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -8,7 +8,7 @@
 
 #include "skills_pal/sensing/profile.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 /// How a scan goes on in time: point i is taken at its beginning + first_point + i · scan_time / 255 (ms).
 inline constexpr double scan_time = 76;
@@ -48,4 +48,4 @@ class ToolMotion {
 std::size_t compensate(const Profile& profile, double taken, const ToolMotion& motion, double instant,
                        std::span<Eigen::Vector3d> points);
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -5,7 +5,7 @@
 
 #include "skills_pal/sensing/line.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 constexpr double connected = 6;           // deviations between neighbours
@@ -85,4 +85,4 @@ std::optional<NearestPoint> find_nearest_point(const Profile& profile) {
   return NearestPoint{y, surface.line.at(y)};
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -5,7 +5,7 @@
 
 #include "skills_pal/sensing/profile.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 struct NearestPoint {
   double y = 0;  // mm along the tool's y axis
@@ -17,4 +17,4 @@ struct NearestPoint {
 /// of 255 noisy values alone would lie three deviations too near.
 std::optional<NearestPoint> find_nearest_point(const Profile& profile);
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 constexpr int plane_rounds = 12;
@@ -81,4 +81,4 @@ std::optional<Plane> find_plane(std::span<const Eigen::Vector3d> points, const P
   return plane;
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

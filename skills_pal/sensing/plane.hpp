@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 /// A plane in the frame of its points, mostly the tool's: mm and deg.
 struct Plane {
@@ -32,4 +32,4 @@ struct PlaneOptions {
 /// The plane through most of the points, or nothing if they are not flat, too few, or all on one line.
 std::optional<Plane> find_plane(std::span<const Eigen::Vector3d> points, const PlaneOptions& options = {});
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

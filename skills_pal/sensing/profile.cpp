@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 constexpr double spike = 6;                            // deviations
@@ -81,4 +81,4 @@ double noise_of(const Points& points) {
   return std::max(least, std::sqrt(squares / counted) / middle_to_point);
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 
 /// The range finder's points in one profile: no profile is longer.
 inline constexpr std::size_t most_points = 255;
@@ -46,4 +46,4 @@ constexpr double z_force(double fz) {
   return -fz;
 }
 
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -112,7 +112,7 @@ int systems(std::uint64_t count, std::uint64_t first, double exact_seconds) {
     system = test::random_chains(seed, shape);
     const Problem problem = test::problem_of(system);
     const auto begin = Clock::now();
-    const Analysis compositional = analyze_compositionally(problem);
+    const Analysis compositional = compositional::analyze(problem);
     seconds += seconds_since(begin);
     const auto baseline = test::holistic(system);
     const auto exact = exact_bounds(problem, exact_seconds);
@@ -168,7 +168,7 @@ void grow(int steps, int processors) {
   const auto begin = Clock::now();
   Options options;
   options.addends = false;  // as pal check without --explain
-  const Analysis analysis = analyze_compositionally(problem, options);
+  const Analysis analysis = compositional::analyze(problem, options);
   const double seconds = seconds_since(begin);
   const auto bounds = std::count_if(analysis.verdicts.begin(), analysis.verdicts.end(),
                                     [](const Verdict& verdict) { return verdict.bound.has_value(); });

@@ -15,11 +15,11 @@
 
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
-#include "runtime_system/client.hpp"
-#include "runtime_system/server.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
+#include "programs/workcell/session/instruments.hpp"
+#include "server/client.hpp"
+#include "server/server.hpp"
 #include "sim/cell/cell.hpp"
-#include "sim/program/cell_runner.hpp"
-#include "sim/program/instruments.hpp"
 
 using namespace pal;
 
@@ -160,8 +160,7 @@ class ServedCell {
     for (int i = 0; i < skills; ++i) {
       const double dz = down_ ? 30.0 : -30.0;
       down_ = !down_;
-      desk_->ask(me_, runtime_system::RunSkill{"relative-move", {{"dz", dz, {}, {}}}},
-                 [](const runtime_system::Reply&) {});
+      desk_->ask(me_, server::RunSkill{"relative-move", {{"dz", dz, {}, {}}}}, [](const server::Reply&) {});
       const double begin = processor_time();
       desk_->work();
       spent += processor_time() - begin;
@@ -169,8 +168,8 @@ class ServedCell {
     return spent;
   }
   /// Asks for everything and reads nothing.
-  std::unique_ptr<runtime_system::Client> sleeper() {
-    auto client = std::make_unique<runtime_system::Client>("127.0.0.1", server_.port());
+  std::unique_ptr<server::Client> sleeper() {
+    auto client = std::make_unique<server::Client>("127.0.0.1", server_.port());
     client->call("hello", R"({"token": "token"})");
     client->call("watch", R"({"telemetry": 0.02})");
     while (!server_.wanted()) ::usleep(1000);
@@ -181,17 +180,17 @@ class ServedCell {
   }
 
  private:
-  static runtime_system::ServerOptions server_options() {
-    runtime_system::ServerOptions result;
+  static server::ServerOptions server_options() {
+    server::ServerOptions result;
     result.token = "token";
     return result;
   }
-  runtime_system::Server server_;
+  server::Server server_;
   std::vector<workcell::KnownSkill> known_ = workcell::linked_skills();
   std::optional<sim::Cell> cell_;
   std::optional<workcell::CellRunner> runner_;
-  std::optional<runtime_system::Desk> desk_;
-  runtime_system::ClientId me_ = 0;
+  std::optional<server::Desk> desk_;
+  server::ClientId me_ = 0;
   bool down_ = false;
 };
 
@@ -224,20 +223,20 @@ void sleeping_client() {
 
 void events() {
   constexpr int count = 50'000;
-  runtime_system::ServerOptions options;
+  server::ServerOptions options;
   options.token = "token";
-  runtime_system::Server server(options);
+  server::Server server(options);
   Nothing runner;
-  runtime_system::Desk desk(runner, {}, server);
+  server::Desk desk(runner, {}, server);
   server.start(desk);
-  runtime_system::Client client("127.0.0.1", server.port());
+  server::Client client("127.0.0.1", server.port());
   client.call("hello", R"({"token": "token"})");
   client.call("watch");
   const double begin = wall();
   std::thread cell([&] {
     for (int i = 1; i <= count; ++i) {
       server.make_room();
-      server.happened({static_cast<std::uint64_t>(i), {}, runtime_system::IconReached{"icon"}});
+      server.happened({static_cast<std::uint64_t>(i), {}, server::IconReached{"icon"}});
     }
   });
   int in_order = 0;

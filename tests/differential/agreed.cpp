@@ -90,7 +90,7 @@ void expect_all_runs_agree(const Skill& skill, const Wanted& wanted, const Verdi
 }
 
 void expect_bounds_hold(const Problem& problem, const Analysis& exact) {
-  const Analysis compositional = analyze_compositionally(problem);
+  const Analysis compositional = compositional::analyze(problem);
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& bound = compositional.verdicts[r];
     const Verdict& known = exact.verdicts[r];
@@ -112,7 +112,7 @@ void expect_simulated_runs_agree(const Problem& problem, const Requirement& requ
     options.times = seed % 2 == 0 ? SimulationOptions::Times::random : SimulationOptions::Times::extremes;
     options.until = 200 * unit.count();
     const Simulation run = simulate(machine, options);
-    const rules::Ruling ruling = rules::check_run(problem, &requirement, run.trace);
+    const run_checker::Ruling ruling = run_checker::check_run(problem, &requirement, run.trace);
     INFO("seed " << seed);
     CHECK(ruling.broken == "");
     CHECK(ruling.failed == run.failed);

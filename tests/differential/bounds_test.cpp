@@ -30,7 +30,7 @@ struct Shown {
 Shown show(const std::string& text) {
   const auto skill = test::meaningful_skill(text);
   Shown shown;
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   shown.bound = analysis.verdicts.front().bound;
   shown.why = analysis.verdicts.front().explanation;
   const Watch watch = watch_of(*skill->problem, skill->problem->requirements.front());
@@ -138,7 +138,7 @@ TEST_CASE("a limit starts again when a request is withdrawn while it is being ta
 
 TEST_CASE("each request that is withdrawn while it is being taken costs a receive") {
   const auto skill = test::meaningful_skill(looks(answer_in_time, gives_up, "LOAD OF P0 AT MOST 10 %"));
-  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+  const Verdict bound = compositional::analyze(*skill->problem).verdicts.front();
   // In a round that never ends MC1 receives for 1 ms, for nothing, every 6.5 ms at the least.
   if (bound.bound) CHECK(bound.bound->count() >= 150'000'000);
 }
@@ -170,7 +170,7 @@ TEST_CASE("the load does not depend on the unit: seconds or milliseconds") {
   for (const std::string unit : {"ms", "s", "min"}) {
     INFO(unit);
     const auto skill = test::meaningful_skill(replaced(program("bounds/slow"), " ms", " " + unit));
-    const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+    const Verdict bound = compositional::analyze(*skill->problem).verdicts.front();
     REQUIRE(bound.bound);
     CHECK(bound.bound->count() == 200'000'000);
     CHECK(bound.state != Verdict::State::holds);
@@ -182,7 +182,7 @@ TEST_CASE("a processor that always works has no longest busy period") {
   std::string text =
       replaced(program("bounds/slow"), "LOAD OF P0 AT MOST 10 %", "BUSY PERIOD OF P0 AT MOST 300 s");
   text = replaced(replaced(text, "100 ms", "1 us"), "20 ms", "100 s");
-  const Verdict bound = analyze_compositionally(*test::meaningful_skill(text)->problem).verdicts.front();
+  const Verdict bound = compositional::analyze(*test::meaningful_skill(text)->problem).verdicts.front();
   CHECK_FALSE(bound.bound);
   CHECK(bound.state != Verdict::State::holds);
 }
@@ -191,7 +191,7 @@ TEST_CASE("a turn of more than seventy years is a turn") {
   std::string works;
   for (int n = 0; n < 2400; ++n) works += "    work\n";
   const auto skill = test::meaningful_skill(replaced(program("bounds/long"), "    work\n", works));
-  const Verdict load = analyze_compositionally(*skill->problem).verdicts.front();
+  const Verdict load = compositional::analyze(*skill->problem).verdicts.front();
   // The rounds come too late for times to be known, so no rate is: not that which a sum beyond 64 bits has.
   CHECK_FALSE(load.bound);
   CHECK(load.state == Verdict::State::undecided);
@@ -211,7 +211,7 @@ TEST_CASE("all statements of a skill may stand in one row of one module") {
   std::string works;
   for (int n = 0; n < 28'000; ++n) works += "    short\n";
   const auto skill = test::meaningful_skill(replaced(program("bounds/in_a_row"), "    short\n", works));
-  for (const Verdict& each : analyze_compositionally(*skill->problem).verdicts) {
+  for (const Verdict& each : compositional::analyze(*skill->problem).verdicts) {
     REQUIRE(each.bound);
     CHECK(each.bound->count() >= 28'000'000);
   }
@@ -224,7 +224,7 @@ TEST_CASE("the compositional analysis asks whether to end at each segment") {
   Options options;
   options.stop = [&asked] { return ++asked > 20; };
   const auto skill = test::meaningful_skill(program("bounds/slow"));
-  const Verdict load = analyze_compositionally(*skill->problem, options).verdicts.front();
+  const Verdict load = compositional::analyze(*skill->problem, options).verdicts.front();
   CHECK(asked > 20);
   CHECK_FALSE(load.bound);
 }
@@ -282,7 +282,7 @@ TEST_CASE("the compositional analysis asks whether to end while it looks at ways
 TEST_CASE("a request that a block took may be answered as soon as the block ends") {
   // Every other answer needs 10 ms of work: SM1 works for 2 ms in every 12 ms, not for 1 ms in every 11 ms.
   const auto skill = test::meaningful_skill(program("bounds/in_turns"));
-  const Verdict bound = analyze_compositionally(*skill->problem).verdicts.front();
+  const Verdict bound = compositional::analyze(*skill->problem).verdicts.front();
   if (bound.bound) CHECK(bound.bound->count() >= 166'666'666);
 }
 
@@ -298,7 +298,7 @@ TEST_CASE(
   // The sensor is asked as soon as the last value is filtered. As far as the bounds know, rounds may come as
   // fast as with the least filtering, and each may take the most. So nothing bounds when one is over.
   const auto skill = test::meaningful_skill(program("bounds/polled"));
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   REQUIRE(analysis.verdicts.size() == 3);
   for (const Verdict& verdict : analysis.verdicts) {
     INFO(verdict.requirement << ": " << verdict.explanation);
@@ -311,7 +311,7 @@ TEST_CASE("why there is no bound: the thread that may skip its statement is name
   const auto skill = test::meaningful_skill(replaced(program("bounds/polled"), "    SPC( contact )\n  UNTIL",
                                                      "    CASE\n      ( contact ): Do Nothing\n      ( NOT "
                                                      "contact ): SPC( contact )\n    END CASE\n  UNTIL"));
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   const std::string& why = analysis.verdicts.front().explanation;
   INFO(why);
   CHECK(why.find("SD1 need not come to it in every job") != std::string::npos);
@@ -319,13 +319,13 @@ TEST_CASE("why there is no bound: the thread that may skip its statement is name
 
 TEST_CASE("no bound: a block that passes its statement in every job may leave its loop") {
   const auto skill = test::meaningful_skill(program("bounds/leaves"));
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its loop") != std::string::npos);
 }
 
 TEST_CASE("why there is no bound: the unbounded thread that keeps another waiting is named") {
   const auto skill = test::meaningful_skill(program("served/by_module"));
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   const auto says = [](const Verdict& verdict) {
     return verdict.explanation.find("when LS1 comes to it, since SM1 may still be waiting") !=
            std::string::npos;
@@ -335,7 +335,7 @@ TEST_CASE("why there is no bound: the unbounded thread that keeps another waitin
 
 TEST_CASE("why there is no bound: the times of a job and of the next one are named") {
   const auto skill = test::meaningful_skill(program("served/outlasts_period"));
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   INFO(analysis.verdicts.front().explanation);
   CHECK(
       analysis.verdicts.front().explanation.find(
@@ -345,7 +345,7 @@ TEST_CASE("why there is no bound: the times of a job and of the next one are nam
 
 TEST_CASE("why there is no bound: the clients of a server that waits are named") {
   const auto skill = test::meaningful_skill(program("served/two_clients"));
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   for (const Verdict& verdict : analysis.verdicts) {
     INFO(verdict.explanation);
     CHECK(verdict.explanation.find("LS1 serves 2 clients, SM1 and SM2, and waits within its jobs") !=
@@ -358,7 +358,7 @@ TEST_CASE("the parts of an age say whether the first set or the next is awaited"
   // there are 10 + 2 - 1 ms from a set to the next; if filtering may take no time, as many.
   const auto added_up = [](const std::string& text) {
     const auto skill = test::meaningful_skill(text);
-    const Analysis analysis = analyze_compositionally(*skill->problem);
+    const Analysis analysis = compositional::analyze(*skill->problem);
     std::string all;
     for (const Addend& each : analysis.verdicts.front().addends)
       all += std::to_string(each.amount / 1'000'000) + " " + each.actor + " " + each.what + "\n";

@@ -88,7 +88,7 @@ class Comparison {
         seed_(seed),
         effort_(effort) {
     Problem problem = *skill.problem;
-    compositional_ = analyze_compositionally(problem);
+    compositional_ = compositional::analyze(problem);
     if (effort.only_bounded) leave_bounded(problem);
     Options options;
     options.max_states = effort.classes;

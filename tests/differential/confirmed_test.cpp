@@ -53,7 +53,7 @@ void simulate_some(const Problem& problem, std::uint64_t seed, Tally& tally) {
     options.max_events = 400;
     const trace::Trace made = simulate(machine, options).trace;
     INFO("times " << static_cast<int>(times));
-    CHECK(rules::check_run(problem, nullptr, made).broken == "");
+    CHECK(run_checker::check_run(problem, nullptr, made).broken == "");
     tally.events += made.events.size();
   }
 }

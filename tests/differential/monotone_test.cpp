@@ -127,7 +127,7 @@ class Pairs {
     if (!wide || wider.empty()) return {};
     ++tally.pairs;
     std::string found = contradiction(before, exactly(*wide), tally);
-    if (found.empty()) found = contradiction(before, analyze_compositionally(*wide), tally);
+    if (found.empty()) found = contradiction(before, compositional::analyze(*wide), tally);
     return found.empty() ? found : how + " wider: " + wider + "\n" + found;
   }
 
@@ -149,7 +149,7 @@ class Pairs {
     const Analysis after = exactly(*skill->problem);
     std::string found = contradiction(before, after, tally);
     if (found.empty()) found = contradiction(after, before, tally);
-    if (found.empty()) found = contradiction(before, analyze_compositionally(*skill->problem), tally);
+    if (found.empty()) found = contradiction(before, compositional::analyze(*skill->problem), tally);
     return found.empty() ? found : " written so:\n" + text + "\n" + found;
   }
 
@@ -162,7 +162,7 @@ class Pairs {
     if (found.empty()) found = contradiction(after, before, tally);
     // Steps that nothing reaches are none of the compositional analysis.
     if (found.empty() && told.find("twins") == std::string::npos)
-      found = contradiction(before, analyze_compositionally(same), tally);
+      found = contradiction(before, compositional::analyze(same), tally);
     return found.empty() ? found : " told with " + told + "\n" + found;
   }
 

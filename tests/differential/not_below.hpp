@@ -17,7 +17,7 @@ inline std::int64_t exact_and_not_below(const std::string& text) {
   const analyzer::Verdict exact = analyzer::analyze_exactly(*skill->problem).verdicts.front();
   REQUIRE(exact.exact);
   REQUIRE(exact.bound);
-  const analyzer::Verdict bound = analyzer::analyze_compositionally(*skill->problem).verdicts.front();
+  const analyzer::Verdict bound = analyzer::compositional::analyze(*skill->problem).verdicts.front();
   if (bound.bound) CHECK(*bound.bound >= *exact.bound);
   return exact.bound->count();
 }

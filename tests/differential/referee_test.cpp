@@ -43,7 +43,7 @@ void expect_simulated(const std::string& name) {
     options.until = 60'000'000;
     const trace::Trace run = simulate(machine, options).trace;
     INFO("seed " << seed);
-    CHECK(rules::check_run(*made->problem, &made->problem->requirements.front(), run).broken == "");
+    CHECK(run_checker::check_run(*made->problem, &made->problem->requirements.front(), run).broken == "");
   }
 }
 

@@ -7,7 +7,7 @@
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/run_checker/check_run.hpp"
 #include "codegen/plan.hpp"
-#include "runtime/trace/measure.hpp"
+#include "pal/trace/measure.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/drawn_program.hpp"
 #include "tests/support/planned_skill.hpp"
@@ -61,7 +61,7 @@ std::string told(const trace::Trace& run) {
   return out.str();
 }
 
-/// What the trace alone shows of the requirement (runtime/trace/measure.hpp).
+/// What the trace alone shows of the requirement (trace/include/pal/trace/measure.hpp).
 std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& problem,
                                        const Requirement& requirement) {
   std::vector<trace::StatementName> at;
@@ -124,11 +124,11 @@ TEST_CASE("runs of the runtime keep the rules, and exceed no bound") {
         const Requirement& requirement = problem.requirements[r];
         if (requirement.measure == Requirement::Measure::load) continue;
         const Verdict& verdict = analysis.verdicts[r];
-        const rules::Ruling ruling = rules::check_run(problem, &requirement, made);
+        const run_checker::Ruling ruling = run_checker::check_run(problem, &requirement, made);
         if (!ruling.broken.empty() && wrong.empty()) wrong = "broken " + ruling.broken;
         const auto [value, failed] = measured(made, problem, requirement);
         std::int64_t confirmed = -1;
-        for (const rules::Measured& of : ruling.measured) confirmed = std::max(confirmed, of.value);
+        for (const run_checker::Measured& of : ruling.measured) confirmed = std::max(confirmed, of.value);
         if (wrong.empty() && !failed && confirmed != value)
           wrong = requirement.name + " measures " + std::to_string(value) + ", the referee " +
                   std::to_string(confirmed);

@@ -44,12 +44,12 @@ std::string told(const trace::Trace& run) {
 }
 
 /// What the run shows that was proved not to be; empty: nothing.
-std::string contradiction(const rules::Ruling& ruling, const Verdict& verdict, bool least) {
+std::string contradiction(const run_checker::Ruling& ruling, const Verdict& verdict, bool least) {
   const bool load = verdict.measure == Requirement::Measure::load;
   if (load) return {};
   if (verdict.state == Verdict::State::never && !ruling.measured.empty()) return "something is measured";
   if (verdict.state == Verdict::State::holds && ruling.failed) return "an event has no response";
-  for (const rules::Measured& each : ruling.measured) {
+  for (const run_checker::Measured& each : ruling.measured) {
     const Duration value(each.value);
     const auto beyond = [&](Duration limit) { return least ? value < limit : value > limit; };
     if ((verdict.bound && beyond(*verdict.bound)) ||
@@ -86,7 +86,7 @@ void expect_sound(const std::string& text, std::uint64_t seed, ToldTally& tally)
     tally.events += made.events.size();
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const Requirement& requirement = problem.requirements[r];
-      const rules::Ruling ruling = rules::check_run(problem, &requirement, made, teller.until());
+      const run_checker::Ruling ruling = run_checker::check_run(problem, &requirement, made, teller.until());
       INFO("seed " << seed << " run " << run << " " << requirement.name << ": "
                    << analysis.verdicts[r].explanation << "\n"
                    << text << told(made));
@@ -112,7 +112,7 @@ std::size_t confirm(const std::string& text, std::uint64_t seed) {
     options.max_events = 500;
     const trace::Trace made = simulate(machine, options).trace;
     INFO("seed " << seed << " run " << run << "\n" << text << told(made));
-    CHECK(rules::check_run(*skill->problem, nullptr, made).broken == "");
+    CHECK(run_checker::check_run(*skill->problem, nullptr, made).broken == "");
     events += made.events.size();
   }
   return events;

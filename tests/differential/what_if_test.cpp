@@ -17,6 +17,7 @@
 
 using namespace pal;
 using namespace pal::analyzer;
+using namespace pal::analyzer::whatif;
 using test::setting;
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime_system/session.hpp"
+#include "server/session.hpp"
 
 namespace pal::fuzz {
 
@@ -31,7 +31,7 @@ class Counting final : public operations::SkillRunner {
   void stop() noexcept override { stopped_ = true; }
   void allow() override { stopped_ = false; }
   int moved = 0;
-  runtime_system::Desk* desk = nullptr;
+  server::Desk* desk = nullptr;
 
  private:
   Duration time_{};
@@ -39,17 +39,16 @@ class Counting final : public operations::SkillRunner {
   bool stopped_ = false;
 };
 
-class FuzzedSession final : public runtime_system::EventSink {
+class FuzzedSession final : public server::EventSink {
  public:
-  using Make = std::unique_ptr<runtime_system::Session> (*)(runtime_system::SessionContext&,
-                                                            runtime_system::SessionOutput);
+  using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
 
   explicit FuzzedSession(Make make)
       : session(make(context, {[](const std::string&) {}, [](const auto& sample) { sample(0); },
                                [this] { hung_up = true; }})) {
     runner.desk = &desk;
   }
-  void happened(const runtime_system::Event& event) override {
+  void happened(const server::Event& event) override {
     history.add(event);
     waiting.push_back(event);
   }
@@ -63,8 +62,8 @@ class FuzzedSession final : public runtime_system::EventSink {
     was_admitted = was_admitted || session->admitted();
   }
 
-  static runtime_system::DeskOptions options() {
-    runtime_system::DeskOptions result;
+  static server::DeskOptions options() {
+    server::DeskOptions result;
     result.sensors = {{"eye", {"mm", "what it sees"}}};
     return result;
   }
@@ -86,13 +85,13 @@ class FuzzedSession final : public runtime_system::EventSink {
   }
 
   Counting runner;
-  runtime_system::History history;
-  std::vector<runtime_system::Event> waiting;
-  runtime_system::Desk desk{runner, skills(), *this, options()};
-  runtime_system::SessionContext context{desk, history, "0123456789abcdef0123456789abcdef",
-                                         [](const std::function<void()>& action) { action(); }};
+  server::History history;
+  std::vector<server::Event> waiting;
+  server::Desk desk{runner, skills(), *this, options()};
+  server::SessionContext context{desk, history, "0123456789abcdef0123456789abcdef",
+                                 [](const std::function<void()>& action) { action(); }};
   bool hung_up = false, was_admitted = false;
-  std::unique_ptr<runtime_system::Session> session;
+  std::unique_ptr<server::Session> session;
 };
 
 }  // namespace pal::fuzz

@@ -5,7 +5,7 @@
 #include "tests/fuzz/fuzzed_session.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  pal::fuzz::FuzzedSession dialogue(pal::runtime_system::json_session);
+  pal::fuzz::FuzzedSession dialogue(pal::server::json_session);
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   if (!rest.empty() && rest.front() == '+') {
     rest.remove_prefix(1);

@@ -18,8 +18,8 @@ namespace pal::fuzz {
 inline void check_whole(const MemoryFileSystem& files, const std::string& path) {
   SourceManager sources;
   Diagnostics diagnostics;
-  const auto trees = read_sources(files, sources, {path}, diagnostics);
-  const auto specification = check(trees, diagnostics);
+  const auto trees = check::read_sources(files, sources, {path}, diagnostics);
+  const auto specification = check::check(trees, diagnostics);
   std::ostringstream out;
   render_text(diagnostics.sorted(), sources, out);
   out << render_json(diagnostics.sorted(), sources);

@@ -11,14 +11,14 @@
 
 #include "pal/check/check.hpp"
 #include "pal/check/read_sources.hpp"
-#include "pal/driver/command_line.hpp"
-#include "pal/driver/proof.hpp"
-#include "pal/driver/selection.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/line_difference.hpp"
 #include "pal/support/render.hpp"
 #include "pal/syntax/print.hpp"
+#include "programs/pal/options/command_line.hpp"
+#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/selection.hpp"
 
 namespace {
 
@@ -29,8 +29,8 @@ struct Outcome {
 
 /// Options of `pal check` that a golden asks for in its first line: "# --max-states 10", of the exact
 /// analysis alone, or "# --analysis compositional".
-pal::driver::ProofLimits limits_in(std::string_view text) {
-  pal::driver::ProofLimits limits;
+pal::program::ProofLimits limits_in(std::string_view text) {
+  pal::program::ProofLimits limits;
   if (text.starts_with("# --analysis compositional"))
     limits.analysis = pal::analyzer::AnalysisChoice::compositional;
   constexpr std::string_view option = "# --max-states ";
@@ -51,18 +51,18 @@ std::vector<std::string> measured_in(std::string_view text) {
 Outcome check(const std::string& file) {
   const pal::DiskFileSystem files;
   std::ostringstream out;
-  const pal::driver::Console console{out, out, files};
-  pal::driver::Session session;
+  const pal::program::Console console{out, out, files};
+  pal::program::Session session;
   std::ifstream in(file, std::ios::binary);
   std::string first;
   std::getline(in, first);
-  pal::driver::Selection selection;
+  pal::program::Selection selection;
   selection.files = {file};
   selection.measured = measured_in(first);
-  pal::driver::read(selection, console, session);
+  pal::program::read(selection, console, session);
   if (!session.diagnostics.has_errors()) {
     const auto limits = limits_in(session.sources.text(pal::FileId(0)));
-    pal::driver::report_unmet(pal::driver::prove(session, limits), false, session);
+    pal::program::report_unmet(pal::program::prove(session, limits), false, session);
   }
   pal::render_text(session.diagnostics.sorted(), session.sources, out);
   return {out.str(), session.diagnostics.has_errors()};
@@ -73,14 +73,14 @@ Outcome check(const std::string& file) {
 Outcome check_operation(const std::string& file) {
   const pal::DiskFileSystem files;
   std::ostringstream out;
-  auto status = pal::driver::run({"operation", "check", file, "--skills", "skills.pal", "-e", "cell.pal",
-                                  "--location", "HOME", "--sensor", "eye"},
-                                 {out, out, files});
+  auto status = pal::program::run({"operation", "check", file, "--skills", "skills.pal", "-e", "cell.pal",
+                                   "--location", "HOME", "--sensor", "eye"},
+                                  {out, out, files});
   const std::string log = std::filesystem::path(file).replace_extension(".jsonl").string();
   if (std::filesystem::exists(log))
-    status = pal::driver::run({"operation", "storyboard", file, "--skills", "skills.pal", "--run", log},
-                              {out, out, files});
-  return {out.str(), status == pal::driver::ExitStatus::wrong_specification};
+    status = pal::program::run({"operation", "storyboard", file, "--skills", "skills.pal", "--run", log},
+                               {out, out, files});
+  return {out.str(), status == pal::program::ExitStatus::wrong_specification};
 }
 
 Outcome run(const std::string& stage, const std::string& file) {
@@ -90,13 +90,13 @@ Outcome run(const std::string& stage, const std::string& file) {
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
   std::ostringstream out;
-  const auto trees = pal::read_sources(files, sources, {file}, diagnostics);
+  const auto trees = pal::check::read_sources(files, sources, {file}, diagnostics);
   if (stage == "tree") {
     for (const auto& tree : trees) pal::syntax::dump(tree, sources, out);
   } else if (stage == "format") {
     if (!trees.empty() && trees.front().complete) pal::syntax::print(trees.front(), out);
   } else {
-    const auto specification = pal::check(trees, diagnostics);
+    const auto specification = pal::check::check(trees, diagnostics);
     if (stage == "pan") {
       for (const auto& network : specification.skills) pal::pan::dump(network, out);
       for (const auto& network : specification.sketches) pal::pan::dump(network, out);

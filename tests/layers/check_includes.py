@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["pal", "analyzer", "codegen", "operations", "runtime_system", "runtime", "skills_pal", "sim", "tests"]
+FOLDERS = ["trace", "pal", "analyzer", "codegen", "operations", "server", "runtime", "skills_pal", "sim", "programs", "tests"]
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((?:.*?)\)\1"|"(?:\\.|[^"\\\n])*"', re.S)
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 # At the beginning of a line: of a namespace.
@@ -51,8 +51,11 @@ def includes_generated(path, texts):
 
 
 def real_path(include):
-    """runtime/ is installed as pal/runtime/."""
-    return include.removeprefix("pal/") if include.startswith("pal/runtime/") else include
+    """The headers of runtime/include and trace/include are named as they are installed."""
+    for library in ["runtime", "trace"]:
+        if include.startswith(f"pal/{library}/"):
+            return f"{library}/include/{include}"
+    return include
 
 
 def closure(path, includes):

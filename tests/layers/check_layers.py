@@ -1,4 +1,4 @@
-"""Checks that each library includes only what stands left of it, and that no public header shows a third party's types.
+"""Checks the order of the libraries: what each includes, its namespace, and where third parties' types are shown.
 
 Usage: check_layers.py SOURCE_DIR | --self-test. Exit status 1 and one line a break.
 """
@@ -6,15 +6,28 @@ import pathlib
 import re
 import sys
 
-# The proof, from the bottom up: each stage may use those before it.
-BOUNDS = [f"compositional/{stage}" for stage in ["causes", "times", "measures"]]
-PROOF = ["problem", "machine", "slice", "zones", "runs", "verdict", "load", "exact", "compositional/saturating.hpp", *BOUNDS, "compositional"]
-MODEL = ["pal/support", "pal/pan", "runtime/trace"]
-STAGES = [f"analyzer/{stage}" for stage in PROOF]
+# The proof, from the bottom up: each part may use those before it.
+PROOF = ["problem", "machine", "slice", "zones", "runs", "verdict", "load", "exact",
+         "compositional/causes", "compositional/times", "compositional/measures", "compositional"]
+MODEL = ["pal/support", "pal/pan", "trace"]
+PARTS = [f"analyzer/{part}" for part in PROOF]
+# The runtime, likewise. Other libraries see what it installs, and its drivers.
+KERNEL = ["runtime/include", "runtime/watch", "runtime/kernel", "runtime/executives", "runtime"]
+RUNTIME = ["runtime/include", "trace"]
+COMPILER = ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/rewrite", "pal/check", "analyzer", "analyzer/chart",
+            "analyzer/run_checker", "analyzer/whatif", *PARTS, "codegen", "operations", "trace"]
+# Each program: a room may use those before it.
+ROOMS = {"pal": ["session", "reports", "commands", "options"], "workcell": ["session", "reports", "options", "commands"]}
 
-# Longest matching prefix names the layer of a file; its list is what it may include besides itself.
+
+def rooms(program, uses):
+    names = [f"programs/{program}/{room}" for room in ROOMS[program]]
+    return {**{name: names[:i] + uses for i, name in enumerate(names)}, f"programs/{program}": names + ["pal/support"]}
+
+
+# The longest prefix names the layer of a file; its list is what it may include besides itself.
 LAYERS = {
-    "runtime/trace": [],
+    "trace": [],
     "pal/support": [],
     "pal/units": [],
     "pal/explain": ["pal/support"],
@@ -24,57 +37,101 @@ LAYERS = {
     "pal/syntax": ["pal/support", "pal/units", "pal/pan", "grammar"],
     "pal/rewrite": ["pal/support", "pal/pan", "pal/syntax"],
     "pal/check": ["pal/support", "pal/units", "pal/pan", "pal/syntax"],
-    "analyzer/chart": ["pal/support", "runtime/trace"],
-    **{stage: STAGES[:i] + MODEL for i, stage in enumerate(STAGES)},
-    "analyzer": STAGES + MODEL,
-    "analyzer/whatif": ["analyzer"] + STAGES + MODEL,
+    "analyzer/chart": ["pal/support", "trace"],
+    **{part: PARTS[:i] + MODEL for i, part in enumerate(PARTS)},
+    "analyzer": PARTS + MODEL,
+    "analyzer/whatif": ["analyzer"] + PARTS + MODEL,
     "analyzer/run_checker": ["analyzer/problem"] + MODEL,  # of the analysis nothing
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
-    "runtime_system": ["operations", "pal/support", "pal/pan"],  # likewise
-    "pal/driver": ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/rewrite", "pal/check", "analyzer", "analyzer/chart",
-                   "analyzer/run_checker", "analyzer/whatif", *STAGES, "codegen", "operations", "runtime/trace"],
-    "pal/program": ["pal/driver", "pal/support"],
-    "runtime": ["runtime/trace"],
-    "runtime/drivers/val/command.hpp": ["runtime", "runtime/trace"],
-    "runtime/drivers": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],
-    "skills_pal": ["runtime", "runtime/trace", "runtime/drivers/val/command.hpp"],  # VAL's verbs and errors
-    "sim": ["runtime", "runtime/trace", "runtime/drivers", "runtime/drivers/val/command.hpp"],
-    "sim/program": ["sim", "runtime", "runtime/trace", "runtime/drivers", "skills_pal", "pal/support", "pal/pan",
-                    "pal/check", "pal/syntax", "analyzer", *STAGES, "analyzer/chart", "pal/driver", "operations",
-                    "runtime_system"],
+    "server": ["operations", "pal/support", "pal/pan"],  # likewise
+    **rooms("pal", COMPILER),
+    **{room: KERNEL[:i] + ["trace"] for i, room in enumerate(KERNEL)},
+    "runtime/drivers/val/protocol.hpp": RUNTIME,
+    "runtime/drivers": KERNEL + ["trace", "runtime/drivers/val/protocol.hpp"],
+    "skills_pal": RUNTIME + ["runtime/drivers/val/protocol.hpp"],  # VAL's verbs and errors
+    "sim": RUNTIME + ["runtime/drivers", "runtime/drivers/val/protocol.hpp"],
+    **rooms("workcell", COMPILER + RUNTIME + [f"programs/pal/{room}" for room in ROOMS["pal"]] + ["sim", "runtime/drivers", "skills_pal", "server"]),
 }
-# Third-party headers that must stay inside .cpp files.
-PRIVATE = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost)/|^(cgraph|gvc|png)\.h")
+# The namespace of a file is that of the longest prefix here. Folders that are not named add none.
+NAMESPACES = {
+    "trace": "pal::trace",
+    "pal/support": "pal",  # the ground: all that stands on it uses its names as they are
+    **{f"pal/{folder}": f"pal::{folder}" for folder in ["units", "explain", "pan", "doc", "syntax", "rewrite", "check"]},
+    **{f"pal/check/{folder}": f"pal::check::{folder}" for folder in ["conditions", "deadlock"]},
+    "analyzer": "pal::analyzer",
+    **{f"analyzer/{folder}": f"pal::analyzer::{folder}" for folder in ["compositional", "run_checker", "whatif", "chart"]},
+    "codegen": "pal::codegen",
+    "operations": "pal::operations",
+    "server": "pal::server",
+    "runtime": "pal::runtime",
+    "runtime/drivers": "pal::runtime::drivers",
+    **{f"runtime/drivers/{device}": f"pal::runtime::drivers::{device}" for device in ["alter", "force_torque", "gripper", "range_finder", "val"]},
+    "skills_pal": "pal::skills",
+    "skills_pal/sensing": "pal::skills::sensing",
+    "sim": "pal::sim",
+    "sim/val": "pal::sim::val",
+    "programs/pal": "pal::program",
+    "programs/workcell": "pal::workcell",
+}
+THIRD_PARTY = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost)/|^(cgraph|gvc|png)\.h")
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.M)
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
 
 
-def layer(path):
-    fitting = [name for name in LAYERS if path == name or path.startswith(name + "/")]
+def longest_prefix(path, table):
+    fitting = [name for name in table if path == name or path.startswith(name + "/")]
     return max(fitting, key=len) if fitting else None
 
 
-def breaks(path, text):
-    """The includes of the file `path` with content `text` that it must not have."""
+def place(include):
+    """The file that an include names: the headers of runtime/include and trace/include are named as they are installed."""
+    for library in ["runtime", "trace"]:
+        if include.startswith(f"pal/{library}/"):
+            return f"{library}/include/{include}"
+    return include
+
+
+def layer(path):
+    name = longest_prefix(path, LAYERS)
+    return "trace" if name is None and path.startswith("trace/") else name
+
+
+def breaks(path, text, third_party=()):
+    """The includes of the file `path` with content `text` that it must not have, and a namespace that is not its folder's.
+
+    `third_party`: headers of the project that show a third party's types. Only their own library may include them.
+    """
     own = layer(path)
     if own is None:
         return
-    for include in INCLUDE.findall(text):
-        other = layer(include.removeprefix("pal/") if include.startswith("pal/runtime/") else include)
+    for include in map(place, INCLUDE.findall(text)):
+        other = layer(include)
         if other is not None and other != own and other not in LAYERS[own]:
             yield f"{path}: {own} must not use {other} (includes {include})"
-        if path.endswith(".hpp") and PRIVATE.search(include) and "/private/" not in path:
-            yield f"{path}: {include} must stay inside a .cpp file"
+        if include in third_party and other != own:
+            yield f"{path}: {include} shows a third party's types; only its own library may include it"
+    expected = NAMESPACES.get(longest_prefix(path, NAMESPACES))
+    for namespace in NAMESPACE.findall(text):
+        if namespace.startswith("pal") and expected and not (namespace == expected or namespace.startswith(expected + "::")):
+            if not (expected.startswith("pal::runtime::drivers::") and namespace == "pal::runtime::drivers"):
+                yield f"{path}: namespace {namespace}, expected {expected}"
 
 
 def self_test():
-    assert list(breaks("runtime/task.cpp", '#include "pal/pan/graph.hpp"\n'))
-    assert list(breaks("codegen/plan.cpp", '#include "pal/runtime/skill.hpp"\n'))  # a public name of runtime/skill.hpp
-    assert list(breaks("codegen/plan.cpp", '#include "analyzer/problem/problem.hpp"\n'))
-    assert list(breaks("sim/model.hpp", "#include <mujoco/mujoco.h>\n"))
+    assert list(breaks("runtime/kernel/mail.cpp", '#include "pal/pan/graph.hpp"\n'))
+    assert list(breaks("runtime/kernel/mail.cpp", '#include "runtime/executives/scheduler.hpp"\n'))
+    assert list(breaks("runtime/include/pal/runtime/task.hpp", '#include "runtime/kernel/mail.hpp"\n'))
+    assert list(breaks("codegen/plan.cpp", '#include "pal/runtime/skill.hpp"\n'))
     assert list(breaks("analyzer/problem/compile.cpp", '#include "analyzer/zones/dbm.hpp"\n'))
     assert list(breaks("analyzer/compositional/times/slots.cpp", '#include "analyzer/compositional/measures/sum.hpp"\n'))
     assert list(breaks("analyzer/run_checker/referee.cpp", '#include "analyzer/machine/machine.hpp"\n'))
+    assert list(breaks("programs/pal/reports/junit.cpp", '#include "programs/pal/commands/commands.hpp"\n'))
+    assert list(breaks("programs/workcell/session/session.cpp", '#include "sim/model/compiled.hpp"\n', {"sim/model/compiled.hpp"}))
+    assert list(breaks("sim/cell/cell.cpp", "namespace pal::workcell {\n"))
+    assert not list(breaks("sim/model/mjcf.cpp", '#include "sim/model/compiled.hpp"\n', {"sim/model/compiled.hpp"}))
+    assert not list(breaks("sim/val/store.cpp", "namespace pal::sim::val {\nnamespace {\n"))
+    assert not list(breaks("runtime/kernel/mail.cpp", '#include "pal/trace/trace.hpp"\n#include "pal/runtime/device.hpp"\n'))
     assert not list(breaks("analyzer/exact/exact.cpp", '#include "pal/pan/graph.hpp"\n#include <vector>\n'))
 
 
@@ -83,12 +140,14 @@ def main(argument):
         self_test()
         return 0
     root = pathlib.Path(argument)
-    found = []
+    texts = {}
     for name in sorted({name.split("/")[0] for name in LAYERS}):
         for file in sorted((root / name).rglob("*")):
             if file.suffix in {".cpp", ".hpp"}:
-                path = file.relative_to(root).as_posix()
-                found += breaks(path, file.read_text(encoding="utf-8"))
+                texts[file.relative_to(root).as_posix()] = file.read_text(encoding="utf-8")
+    third_party = {path for path, text in texts.items()
+                   if path.endswith(".hpp") and any(THIRD_PARTY.search(include) for include in INCLUDE.findall(text))}
+    found = [each for path, text in texts.items() for each in breaks(path, text, third_party)]
     print("\n".join(found) or "every include follows the order")
     return 1 if found else 0
 

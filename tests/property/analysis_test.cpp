@@ -7,7 +7,7 @@
 #include "analyzer/load/share_bound.hpp"
 #include "analyzer/load/unending_search.hpp"
 #include "analyzer/runs/simulate.hpp"
-#include "runtime/trace/slices.hpp"
+#include "pal/trace/slices.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/random_skill.hpp"
 #include "tests/support/setting.hpp"

@@ -9,7 +9,7 @@
 #include "tests/support/talking_skill.hpp"
 
 using namespace pal;
-using namespace pal::checker;
+using namespace pal::check;
 using pal::test::setting;
 using pal::test::talking_skill;
 

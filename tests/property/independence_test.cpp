@@ -11,8 +11,8 @@
 #include "tests/support/talking_skill.hpp"
 
 using namespace pal;
-using namespace pal::checker;
-using namespace pal::checker::deadlock;
+using namespace pal::check;
+using namespace pal::check::deadlock;
 using pal::test::setting;
 using pal::test::talking_skill;
 

@@ -30,7 +30,7 @@ std::string refused_runs(const std::string& text, SimulationOptions::Times times
     how.seed = seed;
     how.until = 100'000'000;
     const std::string broken =
-        rules::check_run(*skill->problem, nullptr, simulate(machine, how).trace).broken;
+        run_checker::check_run(*skill->problem, nullptr, simulate(machine, how).trace).broken;
     if (!broken.empty()) refused += std::to_string(seed) + ": " + broken + "\n";
   }
   return refused;

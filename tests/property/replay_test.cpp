@@ -93,7 +93,7 @@ void expect_rules_kept(std::uint64_t usual_rounds, const std::function<std::stri
         options.until = 300 * one_millisecond;
         options.max_events = 1'000;
         const Simulation made = simulate(machine, options);
-        const rules::Ruling ruling = rules::check_run(*skill->problem, &requirement, made.trace);
+        const run_checker::Ruling ruling = run_checker::check_run(*skill->problem, &requirement, made.trace);
         INFO("seed " << seed << " run " << run << " " << requirement.name << "\n"
                      << text
                      << tail(up_to(made.trace,
@@ -144,7 +144,7 @@ TEST_CASE("no run that the referee measures exceeds a bound") {
         const Requirement& requirement = problem.requirements[r];
         const Verdict& verdict = analysis.verdicts[r];
         if (requirement.measure == Requirement::Measure::load) continue;
-        const rules::Ruling ruling = rules::check_run(problem, &requirement, made.trace);
+        const run_checker::Ruling ruling = run_checker::check_run(problem, &requirement, made.trace);
         INFO("seed " << seed << " run " << run << " " << requirement.name << "\n"
                      << text << tail(made.trace));
         if (verdict.state == Verdict::State::holds) REQUIRE_FALSE(ruling.failed);

@@ -32,7 +32,7 @@ std::string modules_of(const syntax::Tree& tree) {
 std::string module_of(const pan::Network& network, const std::string& name) {
   syntax::Tree tree;
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
-    if (network.modules[i].name == name) tree.units.push_back(to_unit(network, pan::ModuleId(i)));
+    if (network.modules[i].name == name) tree.units.push_back(check::to_unit(network, pan::ModuleId(i)));
   }
   std::ostringstream out;
   syntax::print(tree, out);

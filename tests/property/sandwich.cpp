@@ -105,7 +105,7 @@ void expect_arithmetic(const Analysis& analysis) {
 }  // namespace
 
 void expect_sandwich(const Problem& problem, std::uint64_t seed, std::size_t states, Tally& tally) {
-  const Analysis compositional = analyze_compositionally(problem);
+  const Analysis compositional = compositional::analyze(problem);
   expect_arithmetic(compositional);
   ++tally.programs;
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {

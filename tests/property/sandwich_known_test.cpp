@@ -39,7 +39,7 @@ TEST_CASE("an answer that is sent twice is there before the next request") {
   // LS1's second answer is SD1's spare one: it does not take the sensor's 2 ms. So nothing is said of such
   // skills.
   const auto skill = test::sound_skill(test::project_file("tests/property/sandwich/sent_twice.pal"));
-  const Analysis above = analyze_compositionally(*skill->problem);
+  const Analysis above = compositional::analyze(*skill->problem);
   const Analysis exact = analyze_exactly(*skill->problem);
   REQUIRE(exact.verdicts.front().exact);
   CHECK(exact.verdicts.front().bound == Duration(1'000'000));

@@ -18,7 +18,7 @@ inline double milliseconds(const analyzer::Verdict& verdict) {
 /// Milliseconds, by requirement of the skill: its compositional bound and its exact one; -1: none.
 inline void expect_bounds(const std::string& text, const std::vector<std::pair<double, double>>& expected) {
   const auto skill = test::sound_skill(text);
-  const analyzer::Analysis compositional = analyzer::analyze_compositionally(*skill->problem);
+  const analyzer::Analysis compositional = analyzer::compositional::analyze(*skill->problem);
   const analyzer::Analysis exact = analyzer::analyze_exactly(*skill->problem);
   REQUIRE(compositional.verdicts.size() == expected.size());
   for (std::size_t r = 0; r < expected.size(); ++r) {

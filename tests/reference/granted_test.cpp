@@ -18,7 +18,7 @@ std::string granted(const std::string& name) {
 /// Whether the compositional analysis says that it has no bound, and a run shows why.
 void expect_no_bound(const std::string& text) {
   const auto skill = pal::test::meaningful_skill(text);
-  const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
+  const auto compositional = pal::analyzer::compositional::analyze(*skill->problem);
   CHECK_FALSE(compositional.verdicts.front().bound);
   const auto exact = pal::analyzer::analyze_exactly(*skill->problem);
   CHECK(exact.verdicts.front().state != pal::analyzer::VerdictState::holds);
@@ -27,7 +27,7 @@ void expect_no_bound(const std::string& text) {
 /// The same, where the greatest value in milliseconds is known.
 void expect_age(const std::string& text, int exact_value) {
   const auto skill = pal::test::meaningful_skill(text);
-  CHECK_FALSE(pal::analyzer::analyze_compositionally(*skill->problem).verdicts.front().bound);
+  CHECK_FALSE(pal::analyzer::compositional::analyze(*skill->problem).verdicts.front().bound);
   CHECK(pal::test::milliseconds(pal::analyzer::analyze_exactly(*skill->problem).verdicts.front()) ==
         exact_value);
 }
@@ -156,7 +156,7 @@ TEST_CASE("a round that may send to one slot three times finds it full") {
   expect_bounds(granted("sent_thrice"), {{-1, 7}});
   // That MC1 may have to wait comes from there.
   const auto skill = pal::test::meaningful_skill(granted("sent_thrice"));
-  const auto analysis = pal::analyzer::analyze_compositionally(*skill->problem);
+  const auto analysis = pal::analyzer::compositional::analyze(*skill->problem);
   const std::string& why = analysis.verdicts.front().explanation;
   INFO(why);
   CHECK(why.find("since SM1 may find the slot full at TXM( motion to MC2 )") != std::string::npos);

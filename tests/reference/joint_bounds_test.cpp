@@ -78,7 +78,7 @@ struct Bounds {
 
 Bounds bounds_of(const std::string& text) {
   const auto skill = sound_skill(text);
-  const Verdict bound = analyze_compositionally(*skill->problem, {}).verdicts.at(0);
+  const Verdict bound = compositional::analyze(*skill->problem, {}).verdicts.at(0);
   const Verdict exact = analyze_exactly(*skill->problem, {}).verdicts.at(0);
   INFO(bound.explanation);
   REQUIRE(bound.bound);

@@ -103,7 +103,7 @@ TEST_CASE("a response to a message counts from its sending, by any module") {
   expect_exact(*skill->problem, analysis, 2, 2250us);   // 0.25 + 2
   expect_exact(*skill->problem, analysis, 3, 8250us);   // 6 + 0.25 + 2
   // MC1 asks 0.75 ms after the tick, the only one that can be late; it asks again when it has its answer.
-  const Analysis bounds = analyze_compositionally(*skill->problem, {});
+  const Analysis bounds = compositional::analyze(*skill->problem, {});
   REQUIRE(bounds.verdicts[0].bound);
   CHECK(*bounds.verdicts[0].bound == 10500us);
 }
@@ -190,7 +190,7 @@ ENVIRONMENT cell
   COST SEND 1 ms
 END ENVIRONMENT
 )");
-  CHECK_FALSE(analyze_compositionally(*skill->problem, {}).verdicts.front().bound);
+  CHECK_FALSE(compositional::analyze(*skill->problem, {}).verdicts.front().bound);
   const Verdict found = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(found.state == VerdictState::fails);
   REQUIRE(found.witness);

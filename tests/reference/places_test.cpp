@@ -6,6 +6,7 @@
 
 using namespace pal;
 using namespace pal::analyzer;
+using namespace pal::analyzer::whatif;
 
 namespace {
 

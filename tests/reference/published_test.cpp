@@ -129,7 +129,7 @@ TEST_CASE("compositional bounds do not exceed the published values") {
   std::string last;
   Analysis analysis;
   for (const Answer& answer : answers) {
-    if (last != answer.file) analysis = analyze_compositionally(*published(answer.file)->problem);
+    if (last != answer.file) analysis = compositional::analyze(*published(answer.file)->problem);
     last = answer.file;
     const Verdict& verdict = of(analysis, answer.requirement);
     INFO(answer.file << " " << answer.requirement << ": " << (verdict.bound ? verdict.bound->count() : -1)
@@ -210,7 +210,7 @@ TEST_CASE("pyCPA's responses under jitter are attained") {
 
 TEST_CASE("systems published as schedulable hold, and those published as not do not") {
   const auto set_a = published("burns_wellings_set_a");
-  const Analysis a = analyze_compositionally(*set_a->problem);
+  const Analysis a = compositional::analyze(*set_a->problem);
   CHECK(of(a, "b").state == Verdict::State::holds);
   CHECK(of(a, "c").state == Verdict::State::holds);
   CHECK(of(a, "a").state == Verdict::State::undecided);
@@ -221,7 +221,7 @@ TEST_CASE("systems published as schedulable hold, and those published as not do 
   for (const char* file : {"burns_wellings_set_b", "baker_2006_quiz", "liu_layland_1973"}) {
     const auto skill = published(file);
     INFO(file);
-    const Analysis analysis = analyze_compositionally(*skill->problem);
+    const Analysis analysis = compositional::analyze(*skill->problem);
     for (const Verdict& verdict : analysis.verdicts) {
       CHECK(verdict.state == Verdict::State::holds);
     }
@@ -234,7 +234,7 @@ TEST_CASE("Liu and Layland: the second task's time may be no longer") {
   REQUIRE(longer.find(time) != std::string::npos);
   longer.replace(longer.find(time), time.size(), "TIME work OF SD-two : 2000010 ns");
   const auto skill = test::sound_skill(longer);
-  const Analysis analysis = analyze_compositionally(*skill->problem);
+  const Analysis analysis = compositional::analyze(*skill->problem);
   const Verdict& verdict = of(analysis, "two");
   CHECK((!verdict.bound || verdict.bound->count() > 5'000'000 - 50));
 }

@@ -60,7 +60,7 @@ TEST_CASE("branches in a row count with the longest way through each") {
 
 TEST_CASE("branches that multiply without end have no bound, which is found soon") {
   const auto skill = pal::test::sound_skill(branches_in_a_row(12));
-  const auto analysis = pal::analyzer::analyze_compositionally(*skill->problem);
+  const auto analysis = pal::analyzer::compositional::analyze(*skill->problem);
   CHECK_FALSE(analysis.verdicts.front().bound);
 }
 

@@ -15,7 +15,7 @@ void expect_refuted(const std::string& name) {
   const auto skill =
       pal::test::any_skill(pal::test::project_file("tests/reference/granted/" + name + ".pal"));
   REQUIRE(skill->problem);
-  const auto compositional = pal::analyzer::analyze_compositionally(*skill->problem);
+  const auto compositional = pal::analyzer::compositional::analyze(*skill->problem);
   for (const auto& verdict : compositional.verdicts) CHECK_FALSE(verdict.bound);
   pal::analyzer::Options brief;
   brief.max_states = 300;

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "pal/driver/proof_chart.hpp"
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
+#include "programs/pal/reports/proof_chart.hpp"
 #include "skills_pal/registry.hpp"
 #include "tests/run/support/bench.hpp"
 #include "tests/run/support/touch_cell.hpp"
@@ -15,16 +15,16 @@ using namespace pal::test;
 
 namespace {
 
-driver::Proof prove(const skills::RegisteredSkill& skill) {
+program::Proof prove(const skills::RegisteredSkill& skill) {
   const std::string folder = std::string(PAL_SOURCE_DIR) + "/skills_pal/";
   const DiskFileSystem files;
   std::ostringstream out, err;
-  driver::Session session;
-  driver::Selection selection;
+  program::Session session;
+  program::Selection selection;
   selection.files = {folder + std::string(skill.pal_file)};
   selection.environments = {folder + std::string(skill.environment_file)};
-  REQUIRE(driver::read(selection, {out, err, files}, session));
-  auto proofs = driver::prove(session, {});
+  REQUIRE(program::read(selection, {out, err, files}, session));
+  auto proofs = program::prove(session, {});
   REQUIRE(proofs.size() == 1);
   return std::move(proofs.front());
 }
@@ -52,7 +52,7 @@ TEST_CASE("no run measures more than was proved") {
                      [](std::string_view device) { return device == "force-torque" || device == "alter"; }))
       continue;
     CAPTURE(skill.name);
-    const driver::Proof proof = prove(skill);
+    const program::Proof proof = prove(skill);
     std::map<std::string, Duration> greatest;
     for (int i = 0; i < 56; ++i) {
       for (const auto costs :
@@ -62,7 +62,7 @@ TEST_CASE("no run measures more than was proved") {
             run(skill, i * 500us, answer, {.costs = costs, .seed = static_cast<std::uint64_t>(i)});
         for (std::size_t k = 0; k < proof.analysis.verdicts.size(); ++k) {
           const auto& verdict = proof.analysis.verdicts[k];
-          const auto longest = driver::longest_in(measured, proof, k);
+          const auto longest = program::longest_in(measured, proof, k);
           if (!longest) continue;
           CAPTURE(verdict.requirement, i, costs);
           REQUIRE(verdict.bound);

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 #include "skills_pal/registry.hpp"
 #include "tests/run/support/allocation_count.hpp"
 #include "tests/run/support/bench.hpp"

@@ -19,8 +19,8 @@ inline std::unique_ptr<Skill> any_skill(const std::string& text,
   MemoryFileSystem files;
   files.add("skill.pal", text);
   auto skill = std::make_unique<Skill>();
-  const auto trees = read_sources(files, skill->sources, {"skill.pal"}, skill->diagnostics);
-  skill->specification = check(trees, skill->diagnostics);
+  const auto trees = check::read_sources(files, skill->sources, {"skill.pal"}, skill->diagnostics);
+  skill->specification = check::check(trees, skill->diagnostics);
   for (const Diagnostic& each : skill->diagnostics.all()) {
     const std::string code(name(each.code));
     const bool passes = std::find(std::begin(pass), std::end(pass), code) != std::end(pass);

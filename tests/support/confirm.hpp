@@ -8,8 +8,8 @@
 
 namespace pal::test {
 
-inline bool shows(const analyzer::rules::Ruling& ruling, const analyzer::Measurement& measured) {
-  for (const analyzer::rules::Measured& each : ruling.measured) {
+inline bool shows(const analyzer::run_checker::Ruling& ruling, const analyzer::Measurement& measured) {
+  for (const analyzer::run_checker::Measured& each : ruling.measured) {
     if (each.value == measured.value && each.born == measured.born && each.at == measured.at) return true;
   }
   return false;
@@ -20,7 +20,8 @@ inline std::string refusal(const analyzer::Problem& problem, const analyzer::Req
                            const analyzer::Witness& witness, const trace::Trace& run) {
   const analyzer::Measurement& measured = witness.measured;
   const auto until = witness.grows ? std::optional(measured.at) : std::nullopt;
-  const analyzer::rules::Ruling ruling = analyzer::rules::check_run(problem, &requirement, run, until);
+  const analyzer::run_checker::Ruling ruling =
+      analyzer::run_checker::check_run(problem, &requirement, run, until);
   if (!ruling.broken.empty()) return ruling.broken;
   if (requirement.measure == analyzer::Requirement::Measure::load) return {};
   if (witness.grows) {

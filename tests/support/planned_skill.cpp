@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "runtime/ports.hpp"
+#include "runtime/kernel/ports.hpp"
 
 namespace pal::test {
 

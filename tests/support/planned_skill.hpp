@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "codegen/plan.hpp"
-#include "runtime/dispatcher.hpp"
-#include "runtime/thread.hpp"
+#include "pal/runtime/dispatcher.hpp"
+#include "pal/runtime/thread.hpp"
 
 namespace pal::test {
 

@@ -9,7 +9,7 @@
 
 #include "analyzer/problem/problem.hpp"
 #include "analyzer/runs/concrete_run.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::test {
 

@@ -19,7 +19,7 @@ namespace pal::test {
 struct Skill {
   SourceManager sources;
   Diagnostics diagnostics;
-  Specification specification;
+  check::Specification specification;
   std::optional<analyzer::Problem> problem;
 };
 
@@ -34,8 +34,8 @@ inline std::string messages(const Diagnostics& diagnostics) {
 /// what.
 inline std::unique_ptr<Skill> load_skill(const FileSystem& files, const std::vector<std::string>& paths) {
   auto skill = std::make_unique<Skill>();
-  const auto trees = read_sources(files, skill->sources, paths, skill->diagnostics);
-  skill->specification = check(trees, skill->diagnostics);
+  const auto trees = check::read_sources(files, skill->sources, paths, skill->diagnostics);
+  skill->specification = check::check(trees, skill->diagnostics);
   if (skill->diagnostics.has_errors()) return skill;
   if (skill->specification.skills.empty() || skill->specification.environments.empty()) {
     throw std::runtime_error("no skill, or no environment");

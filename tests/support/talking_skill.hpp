@@ -18,7 +18,8 @@ inline std::optional<pan::Network> talking_skill(const std::string& text) {
   files.add("talk.pal", text);
   SourceManager sources;
   Diagnostics diagnostics;
-  auto specification = check(read_sources(files, sources, {"talk.pal"}, diagnostics), diagnostics);
+  auto specification =
+      check::check(check::read_sources(files, sources, {"talk.pal"}, diagnostics), diagnostics);
   for (const auto& finding : diagnostics.all()) {
     const bool dead_end = finding.code == Code::PAL0521 || finding.code == Code::PAL0522;
     if (finding.severity == Severity::error && !dead_end) return std::nullopt;

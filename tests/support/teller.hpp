@@ -61,10 +61,11 @@ class Teller {
   }
 
   std::string follow(std::optional<analyzer::Nanoseconds> until) const {
-    analyzer::rules::Referee referee(problem_, nullptr, run_.events, analyzer::rules::BusyFrom::each_pause);
+    analyzer::run_checker::Referee referee(problem_, nullptr, run_.events,
+                                           analyzer::run_checker::BusyFrom::each_pause);
     try {
       referee.follow(until, {});
-    } catch (const analyzer::rules::Broken& rule) {
+    } catch (const analyzer::run_checker::Broken& rule) {
       return rule.what();
     }
     return {};

@@ -59,7 +59,8 @@ class Told {
 
   /// Which rule it breaks; empty: none.
   std::string broken() const {
-    return analyzer::rules::check_run(*skill_->problem, &skill_->problem->requirements.front(), run_).broken;
+    return analyzer::run_checker::check_run(*skill_->problem, &skill_->problem->requirements.front(), run_)
+        .broken;
   }
 
  private:

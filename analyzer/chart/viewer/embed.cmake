@@ -1,5 +1,5 @@
 # cmake -DFOLDER=… -DOUTPUT=… -P embed.cmake: the files of the folder as texts of C++.
-set(text "#include \"analyzer/chart/viewer.hpp\"\n\nnamespace pal::chart::viewer {\n\n")
+set(text "#include \"analyzer/chart/viewer.hpp\"\n\nnamespace pal::analyzer::chart::viewer {\n\n")
 foreach(pair page=page.html style=viewer.css script=viewer.js)
   string(REPLACE "=" ";" pair "${pair}")
   list(GET pair 0 name)
@@ -7,5 +7,5 @@ foreach(pair page=page.html style=viewer.css script=viewer.js)
   file(READ "${FOLDER}/${file}" content)
   string(APPEND text "constexpr std::string_view ${name}_text = R\"viewer(${content})viewer\";\nconst std::string_view ${name} = ${name}_text;\n\n")
 endforeach()
-string(APPEND text "}  // namespace pal::chart::viewer\n")
+string(APPEND text "}  // namespace pal::analyzer::chart::viewer\n")
 file(WRITE "${OUTPUT}" "${text}")

@@ -14,9 +14,9 @@ bool stops(const Step& step) {
 }
 
 /// Steps from `first` on, up to where segments end, each before those that follow it; false: there is a loop.
-class Order {
+class StepOrder {
  public:
-  explicit Order(const Problem& problem) : problem_(problem) {}
+  explicit StepOrder(const Problem& problem) : problem_(problem) {}
 
   bool from(StepId first) {
     if (stops(at(first))) return true;
@@ -131,7 +131,7 @@ Segment Segments::make(const Beginning& beginning) const {
       beginning.kind == Beginning::Kind::arm || beginning.kind == Beginning::Kind::give_up;
   if (after_wait) segment.steps.push_back({beginning.step, before.best, before.worst});
   segment.worst = before.worst;
-  Order order(problem_);
+  StepOrder order(problem_);
   if (!order.from(first)) {
     segment.spins = true;
     segment.worst = never;

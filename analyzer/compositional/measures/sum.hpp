@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analyzer/compositional/causes/ids.hpp"
-#include "analyzer/compositional/saturating.hpp"
+#include "analyzer/compositional/causes/saturating.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "analyzer/compositional/saturating.hpp"
+#include "analyzer/compositional/causes/saturating.hpp"
 
 namespace pal::analyzer::compositional {
 

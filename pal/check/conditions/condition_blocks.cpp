@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-namespace pal::checker::conditions {
+namespace pal::check::conditions {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::vector<Ending> endings(const pan::Network& network, const Concern& concern,
   return result;
 }
 
-}  // namespace pal::checker::conditions
+}  // namespace pal::check::conditions

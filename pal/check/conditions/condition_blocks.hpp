@@ -9,7 +9,7 @@
 #include "pal/check/conditions/condition_state.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::checker::conditions {
+namespace pal::check::conditions {
 
 /// An SPC that a block finishes before it is cancelled.
 struct LastSet {
@@ -28,4 +28,4 @@ struct Ending {
 std::vector<Ending> endings(const pan::Network& network, const Concern& concern, const State& state,
                             std::int32_t parent);
 
-}  // namespace pal::checker::conditions
+}  // namespace pal::check::conditions

@@ -6,7 +6,7 @@
 
 #include "pal/check/conditions/guards.hpp"
 
-namespace pal::checker::conditions {
+namespace pal::check::conditions {
 
 Concern::Concern(const pan::Network& network, pan::ModuleId root) : network_(network) {
   std::set<pan::ModuleId> entered{root};
@@ -62,4 +62,4 @@ Place Concern::settled(const Place& from) const {
   return place;
 }
 
-}  // namespace pal::checker::conditions
+}  // namespace pal::check::conditions

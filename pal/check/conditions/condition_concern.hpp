@@ -6,7 +6,7 @@
 #include "pal/check/conditions/condition_state.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::checker::conditions {
+namespace pal::check::conditions {
 
 class Concern {
  public:
@@ -34,4 +34,4 @@ class Concern {
   std::set<pan::ConditionId> tested_;
 };
 
-}  // namespace pal::checker::conditions
+}  // namespace pal::check::conditions

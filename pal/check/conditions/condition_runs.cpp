@@ -10,7 +10,7 @@
 #include "pal/check/conditions/guards.hpp"
 #include "pal/pan/threads.hpp"
 
-namespace pal::checker {
+namespace pal::check::conditions {
 
 namespace {
 
@@ -300,4 +300,4 @@ ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& f
   return ConditionExplorer(network, flow, root).run();
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check::conditions

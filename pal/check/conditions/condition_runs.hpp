@@ -10,7 +10,7 @@
 #include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::checker {
+namespace pal::check::conditions {
 
 /// One step of a run that sets, reads or tests a condition.
 struct RunStep {
@@ -41,4 +41,4 @@ struct ConditionRuns {
 /// is not executed by another module.
 ConditionRuns explore_conditions(const pan::Network& network, const pan::Flow& flow, pan::ModuleId root);
 
-}  // namespace pal::checker
+}  // namespace pal::check::conditions

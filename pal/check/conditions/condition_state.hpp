@@ -8,7 +8,7 @@
 
 #include "pal/pan/network.hpp"
 
-namespace pal::checker::conditions {
+namespace pal::check::conditions {
 
 using Values = std::map<pan::ConditionId, bool>;
 
@@ -41,4 +41,4 @@ struct State {
   friend auto operator<=>(const State&, const State&) = default;
 };
 
-}  // namespace pal::checker::conditions
+}  // namespace pal::check::conditions

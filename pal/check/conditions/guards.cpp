@@ -1,6 +1,6 @@
 #include "pal/check/conditions/guards.hpp"
 
-namespace pal::checker {
+namespace pal::check::conditions {
 
 void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result) {
   if (guard.kind == pan::Guard::Kind::equals &&
@@ -9,4 +9,4 @@ void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& resul
   for (const auto& term : guard.terms) conditions_of(term, result);
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check::conditions

@@ -7,7 +7,7 @@
 
 #include "pal/pan/network.hpp"
 
-namespace pal::checker {
+namespace pal::check::conditions {
 
 /// A test with more conditions than this is not tried with all values: 10 conditions have 2^10.
 constexpr std::size_t most_read_at_once = 10;
@@ -32,4 +32,4 @@ bool holds(const pan::Guard& guard, const Read& read) {
 /// Adds the conditions of a guard, each once, in the order of the text.
 void conditions_of(const pan::Guard& guard, std::vector<pan::ConditionId>& result);
 
-}  // namespace pal::checker
+}  // namespace pal::check::conditions

@@ -10,7 +10,7 @@
 #include "pal/check/deadlock/simplify.hpp"
 #include "pal/pan/threads.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -298,4 +298,4 @@ Automata without_conditions(Automata automata) {
   return automata;
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -14,7 +14,7 @@
 #include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// One step of a thread. `next` are the steps that can follow, in the order of the text.
 struct Step {
@@ -90,4 +90,4 @@ Automata automata(const pan::Network& network, const pan::Flow& flow);
 /// which may have others.
 Automata without_conditions(Automata automata);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

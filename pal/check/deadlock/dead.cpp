@@ -1,6 +1,6 @@
 #include "pal/check/deadlock/dead.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 bool dead(const Automata& automata, const Moves& moves, const State& state, std::size_t thread,
           const std::function<bool(std::size_t)>& never_moves) {
@@ -22,4 +22,4 @@ bool dead(const Automata& automata, const Moves& moves, const State& state, std:
   return some && (ends || all);
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

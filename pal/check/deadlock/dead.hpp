@@ -5,11 +5,11 @@
 
 #include "pal/check/deadlock/moves.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// The thread waits for ever, or its end depends on blocks of its CONCURRENT that do. `never_moves` is called
 /// for threads that wait or send.
 bool dead(const Automata& automata, const Moves& moves, const State& state, std::size_t thread,
           const std::function<bool(std::size_t)>& never_moves);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -8,7 +8,7 @@
 #include "pal/check/deadlock/dead.hpp"
 #include "pal/check/deadlock/search.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -290,4 +290,4 @@ Decision decide(const Automata& automata, const Moves& moves, const Independence
   return Decider(automata, moves, independence, most_states, stop).run();
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

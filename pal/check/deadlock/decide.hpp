@@ -8,7 +8,7 @@
 
 #include "pal/check/deadlock/independence.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 struct Decision {
   bool complete = true;  // false: the limit was reached, and what was not found may be there
@@ -26,4 +26,4 @@ struct Decision {
 Decision decide(const Automata& automata, const Moves& moves, const Independence& independence,
                 std::size_t most_states, const std::function<bool()>& stop);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

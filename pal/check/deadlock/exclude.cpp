@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::si
   return decision;
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

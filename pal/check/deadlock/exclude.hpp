@@ -7,7 +7,7 @@
 
 #include "pal/check/deadlock/decide.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// Decides the skill with its conditions unknown. The result holds for the skill itself on two conditions. It
 /// has no dead end and takes every message that is put. And some runs of the skill itself are seen to take
@@ -16,4 +16,4 @@ namespace pal::checker::deadlock {
 std::optional<Decision> exclude(const Automata& automata, int withdrawn, std::size_t most_states,
                                 const std::function<bool()>& stop);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

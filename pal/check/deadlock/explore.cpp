@@ -11,7 +11,7 @@
 #include "pal/check/deadlock/search.hpp"
 #include "pal/check/deadlock/ways_on.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -227,4 +227,4 @@ Findings explore(const Automata& automata, const Limits& limits) {
   return DeadlockExplorer(automata, limits).run();
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

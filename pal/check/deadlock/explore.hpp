@@ -10,7 +10,7 @@
 #include "pal/check/deadlock/automata.hpp"
 #include "pal/check/deadlock/moves.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// A thread that never goes on, at a wait or a send.
 struct Stuck {
@@ -62,4 +62,4 @@ struct Findings {
 
 Findings explore(const Automata& automata, const Limits& limits = {});
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

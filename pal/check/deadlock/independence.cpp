@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -96,7 +96,7 @@ void Independence::enter_uses(std::size_t index) {
   if (step.kind == Step::Kind::set && bit(step.condition)) add(Use::write, *bit(step.condition));
   if (step.kind == Step::Kind::latch && bit(step.condition)) add(Use::read, *bit(step.condition));
   std::vector<pan::ConditionId> conditions;
-  for (const auto& guard : step.guards) conditions_of(guard, conditions);
+  for (const auto& guard : step.guards) conditions::conditions_of(guard, conditions);
   for (const auto condition : conditions) {
     if (bit(condition)) add(Use::read, *bit(condition));
   }
@@ -214,7 +214,7 @@ void Independence::add_conditions(const State& state, std::size_t thread, Thread
   const auto& step = moves_.at(state, thread);
   std::vector<pan::ConditionId> conditions;
   if (step.kind == Step::Kind::set || step.kind == Step::Kind::latch) conditions.push_back(step.condition);
-  for (const auto& guard : step.guards) conditions_of(guard, conditions);
+  for (const auto& guard : step.guards) conditions::conditions_of(guard, conditions);
   for (const auto condition : conditions) {
     const auto& bit = automata_.bit[condition.index()];
     if (!bit) continue;
@@ -333,4 +333,4 @@ std::optional<Threads> Independence::closure(const State& state, const Enabled& 
   return in;
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

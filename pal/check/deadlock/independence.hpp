@@ -13,7 +13,7 @@
 #include "pal/check/deadlock/moves.hpp"
 #include "pal/check/deadlock/threads.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 class Independence {
  public:
@@ -58,4 +58,4 @@ class Independence {
   std::vector<Threads> above_;       // by thread: its parent, its parent's parent, …
 };
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

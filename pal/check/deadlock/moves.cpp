@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 bool is_talk(const Action& action) {
   switch (action.kind) {
@@ -28,7 +28,7 @@ Moves::Moves(const Automata& automata, int withdrawn)
   for (const auto& step : automata.steps) {
     forks_ += step.kind == Step::Kind::fork ? 1 : 0;
     auto& read = unknown_.emplace_back();
-    for (const auto& guard : step.guards) conditions_of(guard, read);
+    for (const auto& guard : step.guards) conditions::conditions_of(guard, read);
     std::erase_if(read, [&](pan::ConditionId c) { return !automata.unknown[c.index()]; });
   }
 }
@@ -166,4 +166,4 @@ void Moves::steps_of(const State& state, std::size_t thread, std::vector<Move>& 
   }
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

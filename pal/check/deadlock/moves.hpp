@@ -12,7 +12,7 @@
 #include "pal/check/deadlock/automata.hpp"
 #include "pal/check/deadlock/relevance.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// A state of all threads, slots and conditions, as words; Moves knows which word is which. What no later
 /// step reads is forgotten: conditions and latches that only earlier steps read are FALSE.
@@ -201,4 +201,4 @@ class Enabled {
   mutable std::vector<bool> is_found_;
 };
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

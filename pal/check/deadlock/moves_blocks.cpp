@@ -4,7 +4,7 @@
 
 #include "pal/check/deadlock/moves.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// The thread is done with its statement: it goes on, or stops if it was cancelled.
 void Moves::go(Move move, std::size_t next, std::vector<Move>& result) const {
@@ -135,4 +135,4 @@ void Moves::stop(Move move, std::size_t thread, std::vector<Move>& result) const
   after_blocks(std::move(move), *automata_.threads[thread].parent, result);
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -3,7 +3,7 @@
 
 #include "pal/check/deadlock/moves.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 void Moves::Slot::push(std::size_t thread) {
   by[static_cast<std::size_t>(asked++)] = static_cast<int>(thread) + 1;
@@ -174,4 +174,4 @@ void Moves::abandon(State& state, std::size_t thread) const {
   }
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -4,7 +4,7 @@
 
 #include "pal/check/deadlock/moves.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 void Moves::wait(const State& state, std::size_t thread, const Step& step, std::vector<Move>& result) const {
   const auto index = static_cast<std::size_t>(&step - automata_.steps.data());
@@ -116,7 +116,7 @@ bool Moves::reads(const State& state, std::size_t thread, pan::ConditionId condi
 std::vector<std::size_t> Moves::branches(const State& state, std::size_t thread, std::size_t index) const {
   const auto& guards = automata_.steps[index].guards;
   const auto& unknown = unknown_[index];
-  const bool too_many = unknown.size() > most_read_at_once;
+  const bool too_many = unknown.size() > conditions::most_read_at_once;
   std::vector<bool> may(guards.size() + 1, too_many);
   for (std::size_t values = 0; !too_many && values >> unknown.size() == 0; ++values) {
     const auto read = [&](pan::ConditionId condition) {
@@ -124,7 +124,7 @@ std::vector<std::size_t> Moves::branches(const State& state, std::size_t thread,
       if (at == unknown.end()) return reads(state, thread, condition);
       return (values >> (at - unknown.begin()) & 1) != 0;
     };
-    const auto holds_now = [&](const pan::Guard& guard) { return holds(guard, read); };
+    const auto holds_now = [&](const pan::Guard& guard) { return conditions::holds(guard, read); };
     const auto first = std::find_if(guards.begin(), guards.end(), holds_now);
     may[static_cast<std::size_t>(first - guards.begin())] = true;
   }
@@ -152,4 +152,4 @@ void Moves::test(const State& state, std::size_t thread, const Step& step, std::
   }
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

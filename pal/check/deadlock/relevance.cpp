@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::optional<std::size_t> bit_of(const Automata& automata, pan::ConditionId con
 
 void add_guards(const Automata& automata, std::size_t step, StepSets& sets) {
   std::vector<pan::ConditionId> conditions;
-  for (const auto& guard : automata.steps[step].guards) conditions_of(guard, conditions);
+  for (const auto& guard : automata.steps[step].guards) conditions::conditions_of(guard, conditions);
   for (const auto condition : conditions) {
     if (const auto bit = bit_of(automata, condition)) sets.add(step, *bit);
   }
@@ -93,4 +93,4 @@ void close_over_future(const Automata& automata, StepSets& sets) {
   spread(automata, sets, nullptr);
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -7,7 +7,7 @@
 
 #include "pal/check/deadlock/automata.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// Sets of numbers below a size, one a step; as wide as they must be.
 class StepSets {
@@ -42,4 +42,4 @@ StepSets latches_to_be_read(const Automata& automata);
 /// blocks that it begins, and what follows it.
 void close_over_future(const Automata& automata, StepSets& sets);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -164,4 +164,4 @@ Found search(const Moves& moves, const Independence& independence, std::size_t t
   return Searcher(moves, independence, threads, goal, most_states, stop).run(from);
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

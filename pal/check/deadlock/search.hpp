@@ -10,7 +10,7 @@
 
 #include "pal/check/deadlock/independence.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// Of two runs, the one with fewer unlucky moments is shorter. Then the one with fewer messages is, then the
 /// one with fewer steps.
@@ -56,4 +56,4 @@ Found search(const Moves& moves, const Independence& independence, std::size_t t
 Threads choose(const Independence& independence, const State& state, const Enabled& enabled,
                const Threads& needed, std::size_t first = 0);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

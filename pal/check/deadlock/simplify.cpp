@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <map>
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
 /// Some guard holds, whatever the conditions are.
 bool exhaustive(const std::vector<pan::Guard>& guards) {
   std::vector<pan::ConditionId> conditions;
-  for (const auto& guard : guards) conditions_of(guard, conditions);
-  if (conditions.size() > most_read_at_once) return false;
+  for (const auto& guard : guards) conditions::conditions_of(guard, conditions);
+  if (conditions.size() > conditions::most_read_at_once) return false;
   for (std::size_t bits = 0; bits < std::size_t{1} << conditions.size(); ++bits) {
     std::map<pan::ConditionId, bool> values;
     for (std::size_t i = 0; i < conditions.size(); ++i) values[conditions[i]] = (bits >> i & 1) != 0;
     const auto read = [&](pan::ConditionId condition) { return values.at(condition); };
-    if (std::none_of(guards.begin(), guards.end(), [&](const auto& guard) { return holds(guard, read); }))
+    if (std::none_of(guards.begin(), guards.end(),
+                     [&](const auto& guard) { return conditions::holds(guard, read); }))
       return false;
   }
   return true;
@@ -76,7 +77,7 @@ class Simplifier {
     std::vector<pan::ConditionId> found;
     for (std::size_t i = 0; i < automata_.steps.size(); ++i) {
       if (passed_[i]) continue;
-      for (const auto& guard : automata_.steps[i].guards) conditions_of(guard, found);
+      for (const auto& guard : automata_.steps[i].guards) conditions::conditions_of(guard, found);
     }
     for (const auto condition : found) read_[condition.index()] = true;
   }
@@ -162,4 +163,4 @@ void simplify(Automata& automata) {
   Simplifier(automata).simplify();
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -3,10 +3,10 @@
 
 #include "pal/check/deadlock/automata.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// Removes a test if the same follows whatever it finds. Then removes sets and latches of conditions that no
 /// remaining test reads, and so on until nothing changes. Numbers the remaining conditions (Automata::bit).
 void simplify(Automata& automata);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

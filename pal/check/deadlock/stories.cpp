@@ -1,6 +1,6 @@
 #include "pal/check/deadlock/stories.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 std::vector<Story> stories(const pan::Network& network) {
   std::vector<Story> result;
@@ -15,4 +15,4 @@ std::vector<Story> stories(const pan::Network& network) {
   return result;
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -2,7 +2,7 @@
 
 #include "pal/pan/dump.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -146,4 +146,4 @@ Story tell(const pan::Network& network, const Automata& automata, const Undelive
   return story;
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

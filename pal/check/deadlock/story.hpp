@@ -8,7 +8,7 @@
 #include "pal/check/deadlock/explore.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// One line of the run, with its place.
 struct Line {
@@ -45,4 +45,4 @@ Story tell(const pan::Network& network, const Automata& automata, const DeadEnd&
 /// A run that ends with the completion; no thread is stuck.
 Story tell(const pan::Network& network, const Automata& automata, const Undelivered& undelivered);
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -5,7 +5,7 @@
 
 #include "pal/check/deadlock/dead.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 namespace {
 
@@ -113,4 +113,4 @@ void WaysOn::inherit(const State& before, const Move& move) {
   ways_.emplace(move.state, std::move(inherited));
 }
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -11,7 +11,7 @@
 
 #include "pal/check/deadlock/search.hpp"
 
-namespace pal::checker::deadlock {
+namespace pal::check::deadlock {
 
 /// For each state, and each thread on which the end of the first thread depends, this keeps some way on for
 /// that thread. A run to a state without such a way must at some time interfere with the way that exists now.
@@ -64,4 +64,4 @@ class WaysOn {
   std::unordered_map<State, ByThread> ways_;
 };
 
-}  // namespace pal::checker::deadlock
+}  // namespace pal::check::deadlock

@@ -7,7 +7,7 @@
 #include "pal/check/report.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -279,4 +279,4 @@ void build_body(pan::ModuleId module, pan::ModuleId speaker, Names& names, pan::
   result.body = std::move(builder).graph();
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

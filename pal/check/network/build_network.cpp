@@ -10,7 +10,7 @@
 #include "pal/check/network/requirements.hpp"
 #include "pal/check/rules/sensors.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -104,4 +104,4 @@ pan::Network build_sketch(const Scope& scope, const std::string& name, SourceSpa
   return network;
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Reports unknown names, and mistakes of the template.
 pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, Diagnostics& diagnostics);
@@ -16,4 +16,4 @@ pan::Network build_network(const Scope& scope, const syntax::SkillUnit& skill, D
 pan::Network build_sketch(const Scope& scope, const std::string& name, SourceSpan where,
                           Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -9,7 +9,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -153,4 +153,4 @@ void build_template(const syntax::SkillUnit& skill, Names& names, pan::Network& 
   TemplateBuilder(skill, names, network, diagnostics).build();
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -5,10 +5,10 @@
 #include "pal/pan/network.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Fills in Network::skill and enters the modules that it lists.
 void build_template(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
                     Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/check/report.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -82,4 +82,4 @@ void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) 
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

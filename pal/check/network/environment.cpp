@@ -11,7 +11,7 @@
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -174,4 +174,4 @@ pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagn
   return result;
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -5,8 +5,8 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -4,7 +4,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -270,4 +270,4 @@ pan::ChannelId Names::channel(const pan::Party& sender, pan::MessageId message, 
   return entry->second;
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -12,7 +12,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// The tables of one network while it is built. Everything is entered where it is first named.
 class Names {
@@ -84,4 +84,4 @@ class Names {
   std::map<std::tuple<pan::Party, pan::MessageId, pan::Party>, pan::ChannelId> channels_;
 };
 
-}  // namespace pal::checker
+}  // namespace pal::check

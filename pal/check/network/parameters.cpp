@@ -11,7 +11,7 @@
 #include "pal/units/conversion.hpp"
 #include "pal/units/unit.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -196,4 +196,4 @@ pan::Parameter build_parameter(const syntax::Parameter& written, Diagnostics& di
   return ParameterBuilder(written, diagnostics).build();
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -340,4 +340,4 @@ void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Netwo
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

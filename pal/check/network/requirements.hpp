@@ -5,10 +5,10 @@
 #include "pal/pan/network.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Fills in Network::requirements. Reports requirements that name nothing in the skill.
 void build_requirements(const syntax::SkillUnit& skill, Names& names, pan::Network& network,
                         Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/units/unit.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -113,4 +113,4 @@ Scope scope_of(const std::vector<syntax::Tree>& trees, std::size_t root, Diagnos
   return scope;
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

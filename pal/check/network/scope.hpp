@@ -9,7 +9,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Declarations of one sort, by name and in order: the file's own first, then those of used files.
 template <class Unit>
@@ -48,4 +48,4 @@ struct Scope {
 /// What `trees[root]` sees. Reports names that it sees twice.
 Scope scope_of(const std::vector<syntax::Tree>& trees, std::size_t root, Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

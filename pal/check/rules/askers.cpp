@@ -6,7 +6,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -46,4 +46,4 @@ void check_askers(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -5,7 +5,7 @@
 
 #include "pal/pan/network.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Calls `visit( node )` for the nodes [begin, end) of a module, and for those of the modules that they
 /// execute, each once.
@@ -31,4 +31,4 @@ void each_node_of_block(const pan::Network& network, pan::ModuleId module, const
   each_node(network, module, fork.out[block].index(), end, entered, visit);
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -5,12 +5,12 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
-void report_no_arm(const pan::Node& node, const std::vector<RunStep>& run, const pan::Network& network,
-                   Diagnostics& diagnostics) {
+void report_no_arm(const pan::Node& node, const std::vector<conditions::RunStep>& run,
+                   const pan::Network& network, Diagnostics& diagnostics) {
   auto& finding =
       diagnostics.report(Code::PAL0405, node.where,
                          "no arm of this CASE may hold, and the skill would end with its error completion",
@@ -55,7 +55,7 @@ void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     const auto& module = network.modules[i];
     if (module.body.empty() || module.executed_by.valid()) continue;
-    const auto runs = explore_conditions(network, flow, pan::ModuleId(i));
+    const auto runs = conditions::explore_conditions(network, flow, pan::ModuleId(i));
     for (const auto& [place, outcome] : runs.cases) {
       const auto& node = network.modules[place.first.index()].body[place.second];
       if (outcome.no_arm_holds) report_no_arm(node, *outcome.no_arm_holds, network, diagnostics);
@@ -70,4 +70,4 @@ void check_cases(const pan::Network& network, const pan::Flow& flow, Diagnostics
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -109,4 +109,4 @@ void check_channels(const pan::Network& network, Diagnostics& diagnostics) {
   check_idle_modules(network, diagnostics);
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

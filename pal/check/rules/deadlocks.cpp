@@ -7,7 +7,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -105,4 +105,4 @@ void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnos
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -7,7 +7,7 @@
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Which modules may communicate (thesis, figure 3.3).
 void check_layers(const pan::Network& network, Diagnostics& diagnostics);
@@ -35,4 +35,4 @@ void check_starts(const pan::Network& network, Diagnostics& diagnostics);
 void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnostics& diagnostics,
                      const std::function<bool()>& stop);
 
-}  // namespace pal::checker
+}  // namespace pal::check

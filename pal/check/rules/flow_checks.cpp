@@ -7,7 +7,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -125,4 +125,4 @@ void check_flow(const pan::Network& network, const pan::Flow& flow, Diagnostics&
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

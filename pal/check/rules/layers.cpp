@@ -7,7 +7,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -95,4 +95,4 @@ void check_layers(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -7,7 +7,7 @@
 #include "pal/pan/dump.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -158,4 +158,4 @@ void check_protocol(const pan::Network& network, const pan::Flow& flow, Diagnost
   check_contingencies(network, diagnostics);
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

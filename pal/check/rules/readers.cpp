@@ -9,7 +9,7 @@
 #include "pal/check/rules/steady_conditions.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -197,4 +197,4 @@ void check_readers(const pan::Network& network, const pan::Flow& flow, Diagnosti
   for (const auto& condition : network.conditions) check_condition(network, flow, condition, diagnostics);
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -8,7 +8,7 @@
 #include "pal/check/rules/families.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -32,10 +32,10 @@ std::vector<pan::ConditionId> read_at(const pan::Content& content) {
   std::vector<pan::ConditionId> result;
   if (const auto* read = std::get_if<pan::Read>(&content)) result.push_back(read->condition);
   if (const auto* choose = std::get_if<pan::Choose>(&content)) {
-    for (const auto& guard : choose->guards) conditions_of(guard, result);
+    for (const auto& guard : choose->guards) conditions::conditions_of(guard, result);
   }
   if (const auto* until = std::get_if<pan::Until>(&content)) {
-    if (until->guard) conditions_of(*until->guard, result);
+    if (until->guard) conditions::conditions_of(*until->guard, result);
   }
   return result;
 }
@@ -244,4 +244,4 @@ void check_reads(const pan::Network& network, const pan::Flow& flow, Diagnostics
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -7,7 +7,7 @@
 #include "pal/check/report.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -83,4 +83,4 @@ void check_sensors(const Names& names, const pan::Network& network, Diagnostics&
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -3,10 +3,10 @@
 
 #include "pal/check/network/names.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Drivers that are named and not asked, or asked and not named; the same for information; slots of logical
 /// sensors in other modules. A slot that is left out is not checked.
 void check_sensors(const Names& names, const pan::Network& network, Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/pan/flow.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// A module starts on a message that asks it to (thesis, section 3.3).
 void check_starts(const pan::Network& network, Diagnostics& diagnostics) {
@@ -35,4 +35,4 @@ void check_starts(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/check/conditions/guards.hpp"
 #include "pal/check/rules/blocks.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -34,10 +34,10 @@ SteadyConditions::SteadyConditions(const pan::Network& network, pan::ModuleId ou
       if (!own) continue;
       if (const auto* read = std::get_if<pan::Read>(&node.content)) unsteady.insert(read->condition);
       if (const auto* choose = std::get_if<pan::Choose>(&node.content)) {
-        for (const pan::Guard& guard : choose->guards) conditions_of(guard, tested);
+        for (const pan::Guard& guard : choose->guards) conditions::conditions_of(guard, tested);
       }
       const auto* until = std::get_if<pan::Until>(&node.content);
-      if (until != nullptr && until->guard) conditions_of(*until->guard, tested);
+      if (until != nullptr && until->guard) conditions::conditions_of(*until->guard, tested);
       const auto* fork = std::get_if<pan::Fork>(&node.content);
       for (std::size_t block = 0; fork != nullptr && block < node.out.size(); ++block) {
         each_node_of_block(network, module, node, block, [&](const pan::Node& inside) {
@@ -104,4 +104,4 @@ std::vector<SteadyConditions::Values> SteadyConditions::after(const pan::Node& n
   return {values};
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

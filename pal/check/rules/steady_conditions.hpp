@@ -8,7 +8,7 @@
 
 #include "pal/pan/network.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 class SteadyConditions {
  public:
@@ -36,4 +36,4 @@ class SteadyConditions {
   std::vector<pan::ConditionId> known_;  // by bit
 };
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -8,7 +8,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 namespace {
 
 /// Names that the skills use, by sort.
@@ -95,4 +95,4 @@ void check_unused(const syntax::Tree& tree, const std::vector<const pan::Network
   for (const auto* environment : environments) check.check(*environment);
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -8,7 +8,7 @@
 #include "pal/support/diagnostic.hpp"
 #include "pal/syntax/tree.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// Warns of messages, conditions and devices of `tree` that none of `skills` uses. Also warns of times and
 /// devices that `environments`, of the same file, give for something that no skill has. `skills` are those of
@@ -16,4 +16,4 @@ namespace pal::checker {
 void check_unused(const syntax::Tree& tree, const std::vector<const pan::Network*>& skills,
                   const std::vector<const pan::Environment*>& environments, Diagnostics& diagnostics);
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -7,7 +7,7 @@
 #include "pal/check/rules/families.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 namespace {
 
@@ -68,4 +68,4 @@ void check_writers(const pan::Network& network, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace pal::checker {
+namespace pal::check {
 
 ZeroTimePaths::ZeroTimePaths(const pan::Network& network, const pan::Flow& flow)
     : network_(network), flow_(flow), modules_(network.modules.size(), false) {
@@ -58,4 +58,4 @@ bool ZeroTimePaths::fork_passes(pan::ModuleId module, pan::NodeId fork) const {
   return any;
 }
 
-}  // namespace pal::checker
+}  // namespace pal::check

@@ -6,7 +6,7 @@
 #include "pal/pan/flow.hpp"
 #include "pal/pan/network.hpp"
 
-namespace pal::checker {
+namespace pal::check {
 
 /// The statements of a network that take no time. Conditions may have any value, as in Flow.
 class ZeroTimePaths {
@@ -31,4 +31,4 @@ class ZeroTimePaths {
   std::vector<std::vector<bool>> forks_;  // by module and node
 };
 
-}  // namespace pal::checker
+}  // namespace pal::check

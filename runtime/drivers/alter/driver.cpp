@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 constexpr std::size_t tick_port = 0;
@@ -192,4 +192,4 @@ void AlterDriver::close() {
   if (asked_) answer(false);
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

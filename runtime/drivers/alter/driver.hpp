@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/drivers/alter/frame.hpp"
+#include "runtime/drivers/alter/codec.hpp"
 #include "runtime/drivers/alter/opener.hpp"
 #include "runtime/drivers/driver.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 struct AlterDriverOptions {
   std::string name = "alter";
@@ -90,4 +90,4 @@ class AlterDriver final : public Driver, private LinkUser {
   Timeline::Token silence_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace pal::runtime::alter {
+namespace pal::runtime::drivers::alter {
 
 /// How corrections are meant.
 struct Mode {
@@ -25,4 +25,4 @@ class Opener {
   virtual void close(Done done) = 0;
 };
 
-}  // namespace pal::runtime::alter
+}  // namespace pal::runtime::drivers::alter

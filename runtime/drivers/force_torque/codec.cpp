@@ -5,7 +5,7 @@
 
 #include "runtime/drivers/linked_driver.hpp"
 
-namespace pal::runtime::force_torque {
+namespace pal::runtime::drivers::force_torque {
 namespace {
 
 constexpr std::array<std::uint8_t, 1> boot_bytes{warm_boot};
@@ -131,4 +131,4 @@ std::string Codec::missing() const {
   return {};
 }
 
-}  // namespace pal::runtime::force_torque
+}  // namespace pal::runtime::drivers::force_torque

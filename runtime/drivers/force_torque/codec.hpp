@@ -9,7 +9,7 @@
 
 #include "runtime/drivers/link.hpp"
 
-namespace pal::runtime::force_torque {
+namespace pal::runtime::drivers::force_torque {
 
 inline constexpr std::uint8_t one_record = 0x14;  // control T
 inline constexpr std::uint8_t warm_boot = 0x17;   // control W
@@ -77,4 +77,4 @@ class Codec {
   std::string problem_;
 };
 
-}  // namespace pal::runtime::force_torque
+}  // namespace pal::runtime::drivers::force_torque

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 using force_torque::Codec;
@@ -198,4 +198,4 @@ void ForceTorqueDriver::close() {
   waiting_.clear();
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

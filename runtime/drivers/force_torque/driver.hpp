@@ -10,7 +10,7 @@
 #include "runtime/drivers/force_torque/zero.hpp"
 #include "runtime/drivers/linked_driver.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 struct ForceTorqueDriverOptions {
   std::string name = "force-torque";
@@ -72,4 +72,4 @@ class ForceTorqueDriver final : public LinkedDriver {
   bool serving_ = false;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pal::runtime::force_torque {
+namespace pal::runtime::drivers::force_torque {
 namespace {
 
 struct Bounds {
@@ -100,4 +100,4 @@ Load Zero::mean() const {
   return result;
 }
 
-}  // namespace pal::runtime::force_torque
+}  // namespace pal::runtime::drivers::force_torque

@@ -7,7 +7,7 @@
 
 #include "runtime/drivers/force_torque/codec.hpp"
 
-namespace pal::runtime::force_torque {
+namespace pal::runtime::drivers::force_torque {
 
 /// Forces in N and torques in N*m, in the order of the axes.
 using Load = std::array<double, axes>;
@@ -45,4 +45,4 @@ class Zero {
   int count_ = 0;
 };
 
-}  // namespace pal::runtime::force_torque
+}  // namespace pal::runtime::drivers::force_torque

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 constexpr std::size_t state_request = 0;
@@ -104,4 +104,4 @@ void GripperDriver::close() {
   waiting_ = 0;
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -7,7 +7,7 @@
 #include "runtime/drivers/linked_driver.hpp"
 #include "runtime/drivers/wire.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 namespace gripper {
 inline constexpr LineSpeed line{38400, 10};
@@ -52,4 +52,4 @@ class GripperDriver final : public LinkedDriver {
   bool preparing_ = false;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -6,7 +6,7 @@
 
 #include "runtime/drivers/linked_driver.hpp"
 
-namespace pal::runtime::range_finder {
+namespace pal::runtime::drivers::range_finder {
 namespace {
 
 constexpr std::size_t longest_line = 40;
@@ -114,4 +114,4 @@ Codec::Event Codec::garble(std::string problem) {
   return Event::garbled;
 }
 
-}  // namespace pal::runtime::range_finder
+}  // namespace pal::runtime::drivers::range_finder

@@ -8,7 +8,7 @@
 
 #include "runtime/drivers/range_finder/protocol.hpp"
 
-namespace pal::runtime::range_finder {
+namespace pal::runtime::drivers::range_finder {
 
 struct Profile {
   std::array<double, points> x{};  // mm along the tool's y axis
@@ -59,4 +59,4 @@ class Codec {
   std::string problem_;
 };
 
-}  // namespace pal::runtime::range_finder
+}  // namespace pal::runtime::drivers::range_finder

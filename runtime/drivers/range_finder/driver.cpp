@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 using range_finder::Codec;
@@ -113,4 +113,4 @@ void RangeFinderDriver::give_up() {
   asked_ = 0;
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -7,7 +7,7 @@
 #include "runtime/drivers/linked_driver.hpp"
 #include "runtime/drivers/range_finder/codec.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 struct RangeFinderDriverOptions {
   std::string name = "range-finder";
@@ -51,4 +51,4 @@ class RangeFinderDriver final : public LinkedDriver {
   std::vector<double> fields_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

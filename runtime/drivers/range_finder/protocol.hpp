@@ -8,7 +8,7 @@
 
 #include "runtime/drivers/wire.hpp"
 
-namespace pal::runtime::range_finder {
+namespace pal::runtime::drivers::range_finder {
 
 inline constexpr std::size_t points = 255;
 /// x and z are in tenths of a millimetre; this much is added to x.
@@ -40,4 +40,4 @@ class Checksum {
   unsigned high_ = 0;
 };
 
-}  // namespace pal::runtime::range_finder
+}  // namespace pal::runtime::drivers::range_finder

@@ -1,6 +1,6 @@
 #include "runtime/drivers/streams/bridge.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 Bridge::Bridge(Link& first, Link& second)
     : first_(first), second_(second), from_first_(second), from_second_(first) {
@@ -13,4 +13,4 @@ Bridge::~Bridge() {
   second_.connect(nullptr);
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

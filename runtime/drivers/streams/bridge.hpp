@@ -3,7 +3,7 @@
 
 #include "runtime/drivers/link.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// A break of one side is not passed on: it is as if a cable were unplugged at the far end of a converter.
 class Bridge {
@@ -30,4 +30,4 @@ class Bridge {
   Side from_second_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

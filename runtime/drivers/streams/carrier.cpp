@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "runtime/drivers/streams/private/pseudo_terminal.hpp"
+#include "runtime/drivers/streams/pseudo_terminal.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 namespace asio = boost::asio;
@@ -89,4 +89,4 @@ std::unique_ptr<Carrier> tcp_carrier() {
   return std::make_unique<TcpCarrier>();
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

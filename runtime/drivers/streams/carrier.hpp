@@ -5,7 +5,7 @@
 
 #include "runtime/drivers/wire.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// Each parcel of a wire goes in at one side of a pseudo-terminal. It must come out at the other side before
 /// the wire goes on. So there are real descriptors, and still the same run each time. Both functions throw
@@ -15,4 +15,4 @@ std::unique_ptr<Carrier> pseudo_terminal_carrier();
 /// The same over a TCP connection on this machine.
 std::unique_ptr<Carrier> tcp_carrier();
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

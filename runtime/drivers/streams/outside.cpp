@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/drivers/streams/private/pseudo_terminal.hpp"
+#include "runtime/drivers/streams/pseudo_terminal.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 namespace asio = boost::asio;
@@ -223,7 +223,7 @@ void Outside::wake() {
 }
 
 std::unique_ptr<OutsideLink> Outside::open_pseudo_terminal(Timeline& timeline) {
-  auto link = std::make_unique<TerminalLink>(*parts_, timeline, runtime::open_pseudo_terminal());
+  auto link = std::make_unique<TerminalLink>(*parts_, timeline, runtime::drivers::open_pseudo_terminal());
   link->begin();
   return link;
 }
@@ -282,4 +282,4 @@ std::unique_ptr<OutsideLink> Outside::open_serial(Timeline& timeline, const std:
   return link;
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -8,9 +8,9 @@
 
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/station.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 /// A link that leaves the process. Bytes that come in are stamped with the station time at which they came,
 /// and the timeline hands them to the user at that instant. If the far end does not read and the system's
@@ -54,4 +54,4 @@ class Outside final : public Pace {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

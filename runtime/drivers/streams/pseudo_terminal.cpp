@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <system_error>
 
-#include "runtime/drivers/streams/private/pseudo_terminal.hpp"
+#include "runtime/drivers/streams/pseudo_terminal.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 
 PseudoTerminal open_pseudo_terminal() {
   PseudoTerminal result;
@@ -34,4 +34,4 @@ PseudoTerminal open_pseudo_terminal() {
   return result;
 }
 
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -44,16 +44,16 @@ bool measure(const Case& one, int runs) {
   files.add("skill.pal", pal::test::LargeSkill(one.shape, one.flaw).text());
   pal::SourceManager sources;
   pal::Diagnostics diagnostics;
-  const auto trees = pal::read_sources(files, sources, {"skill.pal"}, diagnostics);
+  const auto trees = pal::check::read_sources(files, sources, {"skill.pal"}, diagnostics);
   pal::Diagnostics findings;
-  const auto specification = pal::check(trees, findings);
+  const auto specification = pal::check::check(trees, findings);
   const auto& network = specification.skills.front();
   const pal::pan::Flow flow(network);
   std::vector<double> seconds;
-  pal::checker::deadlock::Findings found;
+  pal::check::deadlock::Findings found;
   for (int i = 0; i < runs; ++i) {
     const auto start = std::clock();
-    found = pal::checker::deadlock::explore(pal::checker::deadlock::automata(network, flow));
+    found = pal::check::deadlock::explore(pal::check::deadlock::automata(network, flow));
     seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   std::sort(seconds.begin(), seconds.end());

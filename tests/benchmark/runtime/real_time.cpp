@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "pal/runtime/dispatcher.hpp"
 #include "pal/runtime/still_world.hpp"
-#include "runtime/dispatcher.hpp"
-#include "runtime/real_time/clock.hpp"
-#include "runtime/real_time/os_thread.hpp"
+#include "runtime/executives/real_time/clock.hpp"
+#include "runtime/executives/real_time/os_thread.hpp"
 #include "tests/run/support/bench.hpp"
 
 namespace {

@@ -19,9 +19,9 @@ std::vector<Row> alter_rows() {
   cell.station().idle(cycles * sim::alter_period);
   bool open = false;
   cell.val_driver().submit(
-      {.verb = runtime::val::Verb::open_alter, .location = {}, .second = {}, .figures = {1}},
-      [&](const runtime::val::Answer& answer) {
-        open = !answer.ok && answer.error == runtime::val::Error::busy;
+      {.verb = runtime::drivers::val::Verb::open_alter, .location = {}, .second = {}, .figures = {1}},
+      [&](const runtime::drivers::val::Answer& answer) {
+        open = !answer.ok && answer.error == runtime::drivers::val::Error::busy;
       });
   cell.station().idle(std::chrono::seconds(2));
   return {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "sim/controller/motion_controller.hpp"
-#include "sim/model/private/mujoco_physics.hpp"
+#include "sim/model/mujoco_physics.hpp"
 #include "sim/workcell.hpp"
 #include "tests/benchmark/workcell/row.hpp"
 

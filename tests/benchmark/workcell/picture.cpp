@@ -1,7 +1,7 @@
 // Processor time of pictures, drawn without a graphics card.
 #include <fmt/format.h>
 
-#include "sim/picture/private/sheet.hpp"
+#include "sim/picture/sheet.hpp"
 #include "sim/workcell.hpp"
 #include "tests/benchmark/workcell/clock.hpp"
 #include "tests/benchmark/workcell/row.hpp"

@@ -28,7 +28,7 @@ class Viewing final : private runtime::DeviceHost {
   explicit Viewing(const sim::Scene& scene)
       : workcell_(scene, {.keep_log = false}),
         station_(workcell_),
-        wire_(station_.timeline(), runtime::range_finder::line),
+        wire_(station_.timeline(), runtime::drivers::range_finder::line),
         finder_(station_.timeline(), wire_.b(), sim::range_view(workcell_)),
         driver_(station_.timeline(), wire_.a()) {
     driver_.attach(*this);
@@ -46,7 +46,7 @@ class Viewing final : private runtime::DeviceHost {
   }
 
   /// Valid until the next one.
-  sensing::Profile profile() {
+  skills::sensing::Profile profile() {
     came_ = false;
     driver_.receive(0, {});
     while (!came_) station_.idle(10ms);
@@ -68,10 +68,10 @@ class Viewing final : private runtime::DeviceHost {
   void fault(std::string reason) override { throw std::runtime_error(reason); }
 
   sim::Workcell workcell_;
-  runtime::Station station_;
-  runtime::Wire wire_;
+  runtime::drivers::Station station_;
+  runtime::drivers::Wire wire_;
   sim::RangeFinderEmulator finder_;
-  runtime::RangeFinderDriver driver_;
+  runtime::drivers::RangeFinderDriver driver_;
   bool came_ = false;
   std::array<double, 510> fields_{};
   std::array<bool, 255> valid_{};
@@ -90,7 +90,7 @@ double standoff() {
   for (double distance = 150; distance <= 450; distance += 50) {
     view.go(480, -200, top + distance);
     for (int i = 0; i < 20; ++i) {
-      const auto nearest = sensing::find_nearest_point(view.profile());
+      const auto nearest = skills::sensing::find_nearest_point(view.profile());
       if (!nearest) throw std::runtime_error("no nearest point");
       // What its ray meets, by the pose at which the arm truly is.
       const sim::Pose pose = view.workcell().tool();
@@ -113,8 +113,8 @@ double edge_rms() {
   for (int place = 0; place < places; ++place) {
     view.go(480, edge_at + 30.0 * (place + 0.5) / places - 15, top + distance);
     for (int i = 0; i < each; ++i) {
-      const sensing::Profile profile = view.profile();
-      const auto edge = sensing::find_edge(profile);
+      const skills::sensing::Profile profile = view.profile();
+      const auto edge = skills::sensing::find_edge(profile);
       if (!edge) throw std::runtime_error("an edge is not found");
       const Eigen::Vector3d found =
           1e3 * (view.workcell().tool() * Eigen::Vector3d(0, edge->y * 1e-3, edge->z * 1e-3));

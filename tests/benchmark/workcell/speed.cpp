@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "sim/model/private/mujoco_physics.hpp"
-#include "sim/program/session.hpp"
+#include "programs/workcell/session/session.hpp"
+#include "sim/model/mujoco_physics.hpp"
 #include "skills_pal/registry.hpp"
 #include "tests/benchmark/workcell/clock.hpp"
 #include "tests/benchmark/workcell/row.hpp"

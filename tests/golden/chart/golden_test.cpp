@@ -9,7 +9,7 @@
 #include "tests/unit/chart/example.hpp"
 #include "tests/unit/chart/signs_trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 void expect_golden(const std::string& name, const std::string& text) {
@@ -53,4 +53,4 @@ TEST_CASE("the touch skill that reads first, as a picture") {
 }
 
 }  // namespace
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

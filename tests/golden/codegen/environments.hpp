@@ -1,7 +1,7 @@
 // The wirings of one skill for two environments, in one program.
 #pragma once
 
-#include "runtime/wiring.hpp"
+#include "pal/runtime/wiring.hpp"
 
 namespace pal::test {
 

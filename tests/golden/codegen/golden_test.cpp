@@ -40,8 +40,9 @@ class InSourceTree final : public FileSystem {
 
 struct Input {
   Input(const std::string& skill, const std::string& environment, const std::string& working_folder = "") {
-    specification = check(
-        read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics), diagnostics);
+    specification = check::check(
+        check::read_sources(InSourceTree(working_folder), sources, {skill, environment}, diagnostics),
+        diagnostics);
     std::ostringstream findings;
     render_text(diagnostics.sorted(), sources, findings);
     INFO(findings.str());
@@ -55,7 +56,7 @@ struct Input {
   }
   SourceManager sources;
   Diagnostics diagnostics;
-  Specification specification;
+  check::Specification specification;
 };
 
 void expect_golden(const std::string& file, const std::string& found) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/payload.hpp"
+#include "pal/runtime/payload.hpp"
 #include "survey_devices.hpp"
 #include "survey_skill.hpp"
 #include "tests/run/support/allocation_count.hpp"

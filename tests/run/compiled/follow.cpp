@@ -6,7 +6,7 @@
 
 #include "analyzer/machine/machine.hpp"
 #include "analyzer/runs/concrete_run.hpp"
-#include "runtime/trace/kind.hpp"
+#include "pal/trace/kind.hpp"
 
 namespace pal::test {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "analyzer/problem/problem.hpp"
-#include "runtime/cost_policy.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/runtime/cost_policy.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::test {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "operations/load.hpp"
-#include "sim/program/cell_runner.hpp"
-#include "sim/program/command_line.hpp"
+#include "programs/workcell/options/command_line.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
 
 using namespace pal::workcell;
 

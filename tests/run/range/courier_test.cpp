@@ -33,7 +33,7 @@ class EdgeSensor final : public Interface {
   explicit EdgeSensor(Seen& seen) : seen_(seen) {}
   Edge interpret(const Profile& profile) override {
     seen_.taken.push_back(profile.taken);
-    const auto found = sensing::find_edge({profile.x, profile.z, profile.valid});
+    const auto found = skills::sensing::find_edge({profile.x, profile.z, profile.valid});
     Edge edge;
     edge.found = found.has_value();
     if (found) {
@@ -77,13 +77,13 @@ std::optional<double> roof(const Eigen::Vector3d&, const Eigen::Vector3d& ray) {
 
 Seen watch(runtime::Skill& skill, Seen& seen, runtime::CostPolicy costs, std::uint64_t seed) {
   StillWorld world;
-  runtime::Station station(world);
-  runtime::Wire wire(station.timeline(), runtime::range_finder::line);
+  runtime::drivers::Station station(world);
+  runtime::drivers::Wire wire(station.timeline(), runtime::drivers::range_finder::line);
   sim::RangeFinderEmulator finder(station.timeline(), wire.b(), {[] { return sim::Pose::Identity(); }, roof},
                                   {.seed = seed});
-  runtime::RangeFinderDriver driver(station.timeline(), wire.a());
+  runtime::drivers::RangeFinderDriver driver(station.timeline(), wire.a());
   station.add(driver);
-  runtime::SessionOptions options;
+  runtime::drivers::SessionOptions options;
   options.run = {.costs = costs, .seed = seed};
   const runtime::Outcome outcome = station.run(skill, {}, options);
   INFO(outcome.reason);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/run/skills/support/physical_run.hpp"
+#include "tests/run/skills/support/seam.hpp"
 
 using namespace pal;
 using namespace pal::test;
@@ -129,6 +130,26 @@ TEST_CASE("follow-edge makes up for motions that came too late, and goes the dis
   const Eigen::Vector3d slow = end_with("at 0 ms SM1:72 takes 3.6 ms", slowly);
   CHECK(slowly >= usually + 5);  // 3 mm of the way
   CHECK((slow - usual).norm() < 0.5);
+}
+
+TEST_CASE("follow-edge keeps to its edge at 30 mm/s with its usual limits, and nearer than the thesis's law") {
+  const Seam seam;
+  const auto off_edge = [&](double literal) {
+    const auto result = run({.skill = "follow-edge",
+                             .scene = "seam-wide",
+                             .parameters = {{"track", 0.84}, {"distance", 12}, {"literal", literal}}});
+    CHECK(result.outcome.code == 0);
+    double squares = 0, count = 0;
+    for (const sim::Sample& sample : result.log) {
+      if (sample.time > result.outcome.duration || (at_edge(sample) - at_edge(result.log.front())).x() < 40) continue;
+      squares += std::pow(off(seam, sample, 200).length, 2);
+      ++count;
+    }
+    return std::sqrt(squares / count);
+  };
+  const double ours = off_edge(0);
+  CHECK(ours < 0.5);  // 8 to 20 mm when it turned about the range finder
+  CHECK(ours < off_edge(1));
 }
 
 TEST_CASE("follow-edge refuses a history in which it would see too little of the edge") {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 #include "skills_pal/modules/approach.hpp"
 #include "skills_pal/modules/looking.hpp"
 #include "skills_pal/modules/overload.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 #include "tests/run/support/written_skill.hpp"
 
 namespace pal::test {

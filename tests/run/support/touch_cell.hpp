@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/device.hpp"
+#include "pal/runtime/device.hpp"
 
 namespace pal::test {
 

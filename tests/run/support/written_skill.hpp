@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/outcome.hpp"
-#include "runtime/skill.hpp"
-#include "runtime/thread.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/skill.hpp"
+#include "pal/runtime/thread.hpp"
 
 namespace pal::test {
 

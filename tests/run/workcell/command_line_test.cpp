@@ -1,13 +1,13 @@
-#include "sim/program/command_line.hpp"
+#include "programs/workcell/options/command_line.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "runtime/trace/trace.hpp"
-#include "sim/program/progress.hpp"
-#include "sim/program/statistics.hpp"
+#include "pal/trace/trace.hpp"
+#include "programs/workcell/reports/statistics.hpp"
+#include "programs/workcell/session/progress.hpp"
 #include "sim/scene.hpp"
 #include "tests/run/workcell/written_touch.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "sim/program/comparison.hpp"
+#include "programs/workcell/reports/comparison.hpp"
 #include "skills_pal/touch/touch.hpp"
 #include "tests/run/workcell/written_touch.hpp"
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "programs/workcell/session/session.hpp"
 #include "runtime/drivers/streams/carrier.hpp"
 #include "sim/cell/cell.hpp"
-#include "sim/program/session.hpp"
 #include "skills_pal/registry.hpp"
 #include "skills_pal/touch/touch.hpp"
 
@@ -31,7 +31,7 @@ TEST_CASE("a run is the same whatever carries the bytes") {
   Session one = station_session();
   const SessionResult in_process = run(one);
   CHECK(in_process.outcome.code == 0);
-  for (auto* const carrier : {&runtime::pseudo_terminal_carrier, &runtime::tcp_carrier}) {
+  for (auto* const carrier : {&runtime::drivers::pseudo_terminal_carrier, &runtime::drivers::tcp_carrier}) {
     one.carrier = carrier;
     const SessionResult outside = run(one);
     CHECK(outside.outcome.trace.events == in_process.outcome.trace.events);

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/skill.hpp"
-#include "runtime/thread.hpp"
+#include "pal/runtime/skill.hpp"
+#include "pal/runtime/thread.hpp"
 
 namespace pal::test {
 

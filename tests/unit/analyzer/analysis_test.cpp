@@ -37,7 +37,7 @@ Analysis gives_up(const Problem& problem, const Options&) {
 
 /// Says that of the response.
 Analysis claims(const Problem& problem, const Options& options, Nanoseconds bound) {
-  Analysis analysis = analyze_compositionally(problem, options);
+  Analysis analysis = compositional::analyze(problem, options);
   analysis.verdicts[0].state = VerdictState::holds;
   analysis.verdicts[0].bound = Duration(bound);
   return analysis;

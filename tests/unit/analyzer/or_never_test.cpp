@@ -79,7 +79,7 @@ TEST_CASE("a wait without a limit for an answer that may never come is named") {
 
 TEST_CASE("the compositional analysis names the device that keeps it from a bound") {
   const auto skill = test::sound_skill(weighing(limited, " OR NEVER"));
-  const Verdict verdict = analyze_compositionally(*skill->problem, {}).verdicts.front();
+  const Verdict verdict = compositional::analyze(*skill->problem, {}).verdicts.front();
   CHECK_FALSE(verdict.bound);
   CHECK(verdict.explanation.find("Scale may not answer a request (OR NEVER)") != std::string::npos);
 }

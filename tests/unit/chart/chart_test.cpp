@@ -8,7 +8,7 @@
 #include "tests/unit/chart/example.hpp"
 #include "tests/unit/chart/svg_reader.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 /// For a person to look at: build/<preset>/tests/unit/chart/*.svg.
@@ -167,4 +167,4 @@ TEST_CASE("no locale changes a byte") {
 }
 
 }  // namespace
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -8,7 +8,7 @@
 #include "tests/unit/chart/example.hpp"
 #include "tests/unit/chart/svg_reader.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 constexpr std::int64_t us = 1'000;
@@ -186,4 +186,4 @@ TEST_CASE("a message that was not taken is crossed out, and the key says so") {
 }
 
 }  // namespace
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

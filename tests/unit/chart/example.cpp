@@ -2,7 +2,7 @@
 
 #include "analyzer/chart/chart.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 Example example_of(const trace::Trace& trace) {
   const Oldest oldest = oldest_force(trace);
@@ -43,4 +43,4 @@ Example worst_touch(TouchRun run) {
   return example_of(touch_trace(run));
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

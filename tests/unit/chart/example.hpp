@@ -5,7 +5,7 @@
 #include "analyzer/chart/timeline.hpp"
 #include "tests/unit/chart/touch_trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 struct Example {
   Timeline timeline;
@@ -18,4 +18,4 @@ Example example_of(const trace::Trace& trace);
 /// The same for the phase of ALTER (of 560) in which the force is oldest.
 Example worst_touch(TouchRun run);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

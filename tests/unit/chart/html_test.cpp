@@ -8,7 +8,7 @@
 
 #include "tests/unit/chart/example.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 using Json = nlohmann::json;
@@ -117,4 +117,4 @@ TEST_CASE("the same book gives the same page") {
 }
 
 }  // namespace
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -7,7 +7,7 @@
 #include "tests/unit/chart/signs_trace.hpp"
 #include "tests/unit/chart/svg_reader.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 const char* const of_device = "tick from alter comes every 28 ms";
@@ -70,4 +70,4 @@ TEST_CASE("a timeline lists what is broken, and so does the page to move in") {
   CHECK(html(book).find("\"broken\",") != std::string::npos);
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -1,6 +1,6 @@
 #include "tests/unit/chart/signs_trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 trace::Trace signs_trace() {
   using trace::Kind;
@@ -57,4 +57,4 @@ trace::Trace signs_trace() {
   return trace;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -1,10 +1,10 @@
 // One short run with one of everything that a chart can show.
 #pragma once
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 trace::Trace signs_trace();
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

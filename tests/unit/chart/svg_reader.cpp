@@ -3,7 +3,7 @@
 #include <map>
 #include <regex>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -140,4 +140,4 @@ SvgContent read_svg(const std::string& svg) {
   return content;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

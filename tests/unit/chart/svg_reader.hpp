@@ -6,7 +6,7 @@
 
 #include "analyzer/chart/svg_writer.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 struct SvgText {
   std::string content;  // entities resolved
@@ -29,4 +29,4 @@ struct SvgContent {
 
 SvgContent read_svg(const std::string& svg);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

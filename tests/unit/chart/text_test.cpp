@@ -7,7 +7,7 @@
 #include "analyzer/chart/text_width.hpp"
 #include "pal/support/xml.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 TEST_CASE("durations are exact and have no trailing zeros") {
@@ -52,4 +52,4 @@ TEST_CASE("what XML does not allow is replaced") {
 }
 
 }  // namespace
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -4,7 +4,7 @@
 #include "analyzer/chart/detail.hpp"
 #include "analyzer/chart/time_scale.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 std::vector<std::string> labels(const Ticks& ticks) {
@@ -72,4 +72,4 @@ TEST_CASE("a scale of weeks is as even as one of milliseconds") {
   CHECK(scale.width(40 * week) == 8'000);
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

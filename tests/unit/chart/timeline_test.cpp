@@ -5,7 +5,7 @@
 #include "tests/unit/chart/signs_trace.hpp"
 #include "tests/unit/chart/touch_trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 namespace {
 
 const Lane& lane(const Timeline& timeline, const std::string& name) {
@@ -106,4 +106,4 @@ TEST_CASE("bars and gaps of a lane never overlap, whatever the run") {
 }
 
 }  // namespace
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

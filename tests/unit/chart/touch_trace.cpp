@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 namespace {
 
@@ -355,4 +355,4 @@ Oldest oldest_force(const trace::Trace& trace) {
   return oldest;
 }
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

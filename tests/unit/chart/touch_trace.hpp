@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
-namespace pal::chart {
+namespace pal::analyzer::chart {
 
 struct TouchRun {
   bool read_first = false;           // the order of the thesis: read the condition, then wait for the request
@@ -27,4 +27,4 @@ struct Oldest {
 };
 Oldest oldest_force(const trace::Trace& trace);
 
-}  // namespace pal::chart
+}  // namespace pal::analyzer::chart

@@ -14,14 +14,14 @@ struct Checked {
   SourceManager sources;
   Diagnostics diagnostics;
   std::vector<syntax::Tree> trees;
-  Specification specification;
+  check::Specification specification;
 };
 
 /// Loads and checks the files named first, from `files`.
 inline Checked check_files(const FileSystem& files, const std::vector<std::string>& paths) {
   Checked result;
-  result.trees = read_sources(files, result.sources, paths, result.diagnostics);
-  result.specification = pal::check(result.trees, result.diagnostics);
+  result.trees = check::read_sources(files, result.sources, paths, result.diagnostics);
+  result.specification = pal::check::check(result.trees, result.diagnostics);
   return result;
 }
 

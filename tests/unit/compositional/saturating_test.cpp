@@ -1,4 +1,4 @@
-#include "analyzer/compositional/saturating.hpp"
+#include "analyzer/compositional/causes/saturating.hpp"
 
 #include <catch2/catch.hpp>
 

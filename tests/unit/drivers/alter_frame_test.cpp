@@ -1,7 +1,7 @@
 // The frames of the ALTER line.
 #include <catch2/catch.hpp>
 
-#include "runtime/drivers/alter/frame.hpp"
+#include "runtime/drivers/alter/codec.hpp"
 
 namespace pal::runtime::alter {
 namespace {

@@ -42,11 +42,11 @@ struct Cell {
   }
   double contact() const { return workcell.log().back().contact_force; }
 
-  runtime::Timeline timeline;
-  runtime::Wire wire{timeline, {38400, 10}};
+  runtime::drivers::Timeline timeline;
+  runtime::drivers::Wire wire{timeline, {38400, 10}};
   Workcell workcell{find_scene("touch", {PAL_SCENE_DIR})};
   ForceTorqueEmulator sensor;
-  runtime::ForceTorqueDriver driver{timeline, wire.a()};
+  runtime::drivers::ForceTorqueDriver driver{timeline, wire.a()};
   runtime::test::Session session{timeline, driver};
 };
 

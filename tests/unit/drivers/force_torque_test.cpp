@@ -12,12 +12,12 @@ namespace pal::sim {
 namespace {
 
 using namespace std::chrono_literals;
-using runtime::ForceTorqueDriver;
-using runtime::LineSpeed;
 using runtime::Time;
-using runtime::Timeline;
-using runtime::Wire;
-using Direction = runtime::Carrier::Direction;
+using runtime::drivers::ForceTorqueDriver;
+using runtime::drivers::LineSpeed;
+using runtime::drivers::Timeline;
+using runtime::drivers::Wire;
+using Direction = runtime::drivers::Carrier::Direction;
 
 constexpr std::size_t request_wrench = 0;
 constexpr std::size_t wrench = 1;
@@ -38,7 +38,7 @@ struct Bench {
   ForceTorqueEmulator sensor;
 };
 
-struct Terminal final : runtime::LinkUser {
+struct Terminal final : runtime::drivers::LinkUser {
   explicit Terminal(Bench& used) : bench(used) {
     bench.wire.a().connect(this);
     bench.timeline.advance_to(100ms);
@@ -47,11 +47,11 @@ struct Terminal final : runtime::LinkUser {
   /// Types a text, and gives back all that comes within `wait`.
   std::string type(std::string_view text, Time wait = 100ms) {
     seen.clear();
-    bench.wire.a().write(runtime::as_bytes(text));
+    bench.wire.a().write(runtime::drivers::as_bytes(text));
     bench.timeline.advance_to(bench.timeline.now() + wait);
     return seen;
   }
-  void on_bytes(runtime::Bytes bytes) override { seen += runtime::as_text(bytes); }
+  void on_bytes(runtime::drivers::Bytes bytes) override { seen += runtime::drivers::as_text(bytes); }
   void on_break(std::string_view) override {}
   Bench& bench;
   std::string seen;
@@ -278,7 +278,7 @@ TEST_CASE("force-torque driver: what goes wrong on the line ends the skill, in w
     expected = "a record begins with the byte 55, which is no overload byte";
   }
   SECTION("bytes that were not asked for") {
-    cell.wire.b().write(runtime::as_bytes("oops"));
+    cell.wire.b().write(runtime::drivers::as_bytes("oops"));
     expected = "sends \"o\" without being asked";
   }
   cell.timeline.advance_to(cell.timeline.now() + 25ms);

@@ -12,7 +12,7 @@ namespace pal::sim {
 namespace {
 
 using namespace std::chrono_literals;
-using runtime::ForceTorqueDriver;
+using runtime::drivers::ForceTorqueDriver;
 
 /// A sensor whose gauges show something under no load, with a tool of 2 N.
 struct Bench {
@@ -37,11 +37,11 @@ struct Bench {
   }
 
   ForceTorqueEmulatorOptions options{.most_offset = 1.5, .most_torque_offset = 0.08};
-  runtime::ForceTorqueDriverOptions driver_options;
-  runtime::Timeline timeline;
-  runtime::Wire wire{timeline, {38400, 10}};
+  runtime::drivers::ForceTorqueDriverOptions driver_options;
+  runtime::drivers::Timeline timeline;
+  runtime::drivers::Wire wire{timeline, {38400, 10}};
   Wrench load{{0, 0, 2}, {0, 0, 0}};
-  runtime::force_torque::Load weight{0, 0, 2, 0, 0, 0};
+  runtime::drivers::force_torque::Load weight{0, 0, 2, 0, 0, 0};
   ForceTorqueEmulator sensor{timeline, wire.b(), [this] { return load; }, options};
   std::optional<ForceTorqueDriver> driver_;
 };
@@ -78,12 +78,12 @@ TEST_CASE("force-torque zero: without one, a tool that touches is refused until 
 TEST_CASE("force-torque zero: it is kept when the sensor was off meanwhile", "[force-torque]") {
   Bench bench(gauges);
   bench.read_along_z();
-  bench.wire.b().write(runtime::as_bytes("oops"));  // trouble: the next skill starts the sensor again
+  bench.wire.b().write(runtime::drivers::as_bytes("oops"));  // trouble: the next skill starts the sensor again
   bench.timeline.advance_to(bench.timeline.now() + 100ms);
   REQUIRE_FALSE(bench.driver().trouble().empty());
   bench.load.force.z() = 2 - 9;
   CHECK(bench.read_along_z() == Approx(-9).margin(0.11));
-  bench.wire.a().write(runtime::as_bytes("\x17"));  // the same, and nobody was told
+  bench.wire.a().write(runtime::drivers::as_bytes("\x17"));  // the same, and nobody was told
   bench.timeline.advance_to(bench.timeline.now() + 1ms);
   bench.driver().close();
   CHECK(bench.read_along_z() == Approx(-9).margin(0.11));

@@ -11,11 +11,11 @@ namespace pal::sim {
 namespace {
 
 using namespace std::chrono_literals;
-using runtime::GripperDriver;
-using runtime::LineSpeed;
 using runtime::Time;
-using runtime::Timeline;
-using runtime::Wire;
+using runtime::drivers::GripperDriver;
+using runtime::drivers::LineSpeed;
+using runtime::drivers::Timeline;
+using runtime::drivers::Wire;
 
 constexpr std::size_t request_state = 0;
 constexpr LineSpeed line{38400, 10};
@@ -94,14 +94,14 @@ TEST_CASE("gripper: what goes wrong on the line ends the skill, in words", "[gri
     expected = "the link is broken: unplugged";
   }
   SECTION("garbled") {
-    cell.wire.tamper([](runtime::Carrier::Direction direction, std::vector<std::uint8_t>& bytes) {
-      if (direction == runtime::Carrier::Direction::to_a) bytes[8] = 'x';
+    cell.wire.tamper([](runtime::drivers::Carrier::Direction direction, std::vector<std::uint8_t>& bytes) {
+      if (direction == runtime::drivers::Carrier::Direction::to_a) bytes[8] = 'x';
     });
     expected = "answers \"STATE 09x.00 000.0 0\" to STATE";
   }
   SECTION("short") {
-    cell.wire.tamper([](runtime::Carrier::Direction direction, std::vector<std::uint8_t>& bytes) {
-      if (direction == runtime::Carrier::Direction::to_a) bytes.resize(9);
+    cell.wire.tamper([](runtime::drivers::Carrier::Direction direction, std::vector<std::uint8_t>& bytes) {
+      if (direction == runtime::drivers::Carrier::Direction::to_a) bytes.resize(9);
     });
     expected =
         "only \"STATE 090\" came of an answer within 50 ms; is it switched on, and is its cable plugged in?";

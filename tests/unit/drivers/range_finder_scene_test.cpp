@@ -33,11 +33,11 @@ struct Cell {
     return session.deliveries[0].fields;
   }
 
-  runtime::Timeline timeline;
-  runtime::Wire wire{timeline, runtime::range_finder::line};
+  runtime::drivers::Timeline timeline;
+  runtime::drivers::Wire wire{timeline, runtime::drivers::range_finder::line};
   Workcell workcell;
   RangeFinderEmulator finder;
-  runtime::RangeFinderDriver driver{timeline, wire.a()};
+  runtime::drivers::RangeFinderDriver driver{timeline, wire.a()};
   runtime::test::Session session{timeline, driver};
 };
 

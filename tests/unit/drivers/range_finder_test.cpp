@@ -13,11 +13,11 @@ namespace pal::sim {
 namespace {
 
 using namespace std::chrono_literals;
-using runtime::RangeFinderDriver;
 using runtime::Time;
-using runtime::Timeline;
-using runtime::Wire;
-namespace protocol = runtime::range_finder;
+using runtime::drivers::RangeFinderDriver;
+using runtime::drivers::Timeline;
+using runtime::drivers::Wire;
+namespace protocol = runtime::drivers::range_finder;
 
 constexpr std::size_t request_profile = 0;
 constexpr double degree = std::numbers::pi / 180;
@@ -178,14 +178,14 @@ TEST_CASE("range finder: the arm moves while a scan lasts", "[range-finder]") {
 TEST_CASE("range finder: the first profile after INIT is not to be used", "[range-finder]") {
   Cell cell;
   const Time scan = cell.first_scan;
-  struct Listener final : runtime::LinkUser {
-    void on_bytes(runtime::Bytes bytes) override { seen += runtime::as_text(bytes); }
+  struct Listener final : runtime::drivers::LinkUser {
+    void on_bytes(runtime::drivers::Bytes bytes) override { seen += runtime::drivers::as_text(bytes); }
     void on_break(std::string_view) override {}
     std::string seen;
   } person;
   cell.surface.slope = 0.5;
   cell.wire.a().connect(&person);
-  const auto type = [&](std::string_view text) { cell.wire.a().write(runtime::as_bytes(text)); };
+  const auto type = [&](std::string_view text) { cell.wire.a().write(runtime::drivers::as_bytes(text)); };
   type("INIT\r");
   cell.run(100ms);
   type("PROFILE\r");  // the mirror does not swing yet
@@ -276,7 +276,7 @@ TEST_CASE("range finder: what goes wrong on the line ends the skill, in words", 
     expected = "the link is broken: unplugged";
   }
   SECTION("garbled") {
-    cell.wire.tamper([](runtime::Carrier::Direction, std::vector<std::uint8_t>& bytes) {
+    cell.wire.tamper([](runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) {
       if (bytes.size() == 39) bytes[8] ^= 1U;  // of three points the first one's z
     });
     cell.driver.receive(request_profile, {});
@@ -285,13 +285,15 @@ TEST_CASE("range finder: what goes wrong on the line ends the skill, in words", 
   SECTION("dropout") {
     cell.driver.receive(request_profile, {});
     cell.run(cell.next_scan() + 10500us - cell.timeline.now());
-    cell.wire.tamper([](runtime::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
+    cell.wire.tamper(
+        [](runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
     expected =
         "only 34 of the 255 points of a profile came within 200 ms; is it switched on, and is its cable "
         "plugged in?";
   }
   SECTION("a request that is lost") {
-    cell.wire.tamper([](runtime::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
+    cell.wire.tamper(
+        [](runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) { bytes.clear(); });
     cell.driver.receive(request_profile, {});
     expected = "no profile came within 200 ms; is it switched on, and is its cable plugged in?";
   }

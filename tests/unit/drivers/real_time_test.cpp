@@ -9,18 +9,18 @@
 
 using namespace pal;
 using namespace pal::test;
-using runtime::Bytes;
 using runtime::from;
 using runtime::Task;
 using runtime::Thread;
 using runtime::Time;
+using runtime::drivers::Bytes;
 
 namespace {
 
 /// Answers each request with a byte that comes back over a line.
-class EchoDriver final : public runtime::LinkedDriver {
+class EchoDriver final : public runtime::drivers::LinkedDriver {
  public:
-  EchoDriver(runtime::Timeline& timeline, runtime::Link& link)
+  EchoDriver(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link)
       : LinkedDriver(timeline, link, "echo", {{"request x", true, {}}, {"x", false, {{"n", ""}}}}) {}
   bool ready() const override { return true; }
   void open() override { ++opened; }
@@ -49,11 +49,11 @@ class EchoDriver final : public runtime::LinkedDriver {
 };
 
 /// The far end of the line.
-struct Mirror final : runtime::LinkUser {
-  Mirror(runtime::Link& line) : link(line) { link.connect(this); }
+struct Mirror final : runtime::drivers::LinkUser {
+  Mirror(runtime::drivers::Link& line) : link(line) { link.connect(this); }
   void on_bytes(Bytes bytes) override { link.write(bytes); }
   void on_break(std::string_view) override {}
-  runtime::Link& link;
+  runtime::drivers::Link& link;
 };
 
 struct Number {
@@ -107,13 +107,13 @@ struct Physics : runtime::World {
 
 struct Bench {
   Physics physics;
-  runtime::Station station{physics};
-  runtime::Wire wire{station.timeline(), {1e6, 10}};
+  runtime::drivers::Station station{physics};
+  runtime::drivers::Wire wire{station.timeline(), {1e6, 10}};
   Mirror mirror{wire.b()};
   EchoDriver driver{station.timeline(), wire.a()};
   Bench() { station.add(driver); }
   runtime::Outcome run(runtime::Skill& skill) {
-    runtime::SessionOptions options;
+    runtime::drivers::SessionOptions options;
     options.run.real_time.emplace();
     options.run.horizon = 8s;
     return station.run(skill, {}, options);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/drivers/driver.hpp"
-#include "runtime/timeline.hpp"
+#include "runtime/drivers/timeline.hpp"
 
 namespace pal::runtime::test {
 

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "runtime/drivers/val/lines.hpp"
+#include "runtime/drivers/val/codec.hpp"
 
 using namespace pal::runtime;
-using namespace pal::runtime::val;
+using namespace pal::runtime::drivers::val;
 
 namespace {
 

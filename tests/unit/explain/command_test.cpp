@@ -1,9 +1,9 @@
 // pal explain.
 #include <catch2/catch.hpp>
 
-#include "tests/unit/driver/program.hpp"
+#include "tests/unit/program/program.hpp"
 
-using pal::driver::ExitStatus;
+using pal::program::ExitStatus;
 
 TEST_CASE("pal explain prints the page of a code, written in any way") {
   const auto answer = pal::test::pal({"explain", "PAL0401"});

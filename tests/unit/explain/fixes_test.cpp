@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "pal/driver/proof.hpp"
-#include "pal/driver/selection.hpp"
 #include "pal/explain/codes.hpp"
 #include "pal/support/edit.hpp"
 #include "pal/support/render.hpp"
+#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/selection.hpp"
 
 using namespace pal;
+using namespace pal::explain;
 
 namespace {
 
@@ -34,12 +35,12 @@ class MendedFileSystem : public FileSystem {
 };
 
 /// The findings of the whole of `pal check`, as long as the search for a proof is short.
-driver::Session check(const std::string& path, const FileSystem& files) {
+program::Session check(const std::string& path, const FileSystem& files) {
   std::ostringstream none;
-  driver::Session session;
-  driver::read({{path}, {}, {}, {}}, {none, none, files}, session);
+  program::Session session;
+  program::read({{path}, {}, {}, {}}, {none, none, files}, session);
   if (!session.diagnostics.has_errors())
-    driver::report_unmet(driver::prove(session, {1000, 0}), false, session);
+    program::report_unmet(program::prove(session, {1000, 0}), false, session);
   return session;
 }
 

@@ -6,6 +6,7 @@
 #include "pal/explain/codes.hpp"
 
 using namespace pal;
+using namespace pal::explain;
 
 TEST_CASE("a page has a summary, an example and a cure of one file") {
   const auto page = read_page(

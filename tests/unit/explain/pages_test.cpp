@@ -9,9 +9,10 @@
 #include "pal/explain/codes.hpp"
 #include "pal/explain/page.hpp"
 #include "pal/explain/reference.hpp"
-#include "tests/unit/driver/program.hpp"
+#include "tests/unit/program/program.hpp"
 
 using namespace pal;
+using namespace pal::explain;
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "runtime/trace_ring.hpp"
+#include "pal/runtime/trace_ring.hpp"
 #include "tests/run/support/bench.hpp"
 
 using namespace pal;

@@ -1,5 +1,5 @@
 // What is measured of devices and of code written by hand, and how it is written down.
-#include "runtime/measurement.hpp"
+#include "pal/runtime/measurement.hpp"
 
 #include <catch2/catch.hpp>
 #include <thread>

@@ -2,7 +2,7 @@
 // then.
 #include <catch2/catch.hpp>
 
-#include "runtime/device_watch.hpp"
+#include "runtime/watch/device_watch.hpp"
 #include "tests/run/support/bench.hpp"
 #include "tests/unit/runtime/one_index.hpp"
 

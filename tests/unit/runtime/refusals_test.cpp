@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "runtime/dispatcher.hpp"
-#include "runtime/payload.hpp"
-#include "runtime/run_control.hpp"
+#include "pal/runtime/dispatcher.hpp"
+#include "pal/runtime/payload.hpp"
+#include "pal/runtime/run_control.hpp"
 #include "tests/run/support/bench.hpp"
 
 using namespace pal;

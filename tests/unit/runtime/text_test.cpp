@@ -1,11 +1,11 @@
 // Texts as values, and as numbers of a payload.
-#include "runtime/text.hpp"
+#include "pal/runtime/text.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 
-#include "runtime/payload.hpp"
+#include "pal/runtime/payload.hpp"
 
 using pal::runtime::Text;
 

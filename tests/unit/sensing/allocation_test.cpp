@@ -10,7 +10,7 @@
 #include "tests/run/support/allocation_count.hpp"
 #include "tests/unit/sensing/shapes.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 TEST_CASE("sensing: nothing is allocated") {
@@ -40,4 +40,4 @@ TEST_CASE("sensing: nothing is allocated") {
 }
 
 }  // namespace
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

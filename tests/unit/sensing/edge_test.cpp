@@ -7,7 +7,7 @@
 
 #include "tests/unit/sensing/shapes.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 using test::outline;
@@ -172,4 +172,4 @@ TEST_CASE("edge: spikes and gaps beside it do not move it", "[edge]") {
 }
 
 }  // namespace
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

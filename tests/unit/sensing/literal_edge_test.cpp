@@ -6,7 +6,7 @@
 
 #include "tests/unit/sensing/shapes.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 using test::outline;
@@ -44,4 +44,4 @@ TEST_CASE("literal edge: says that there is none", "[edge]") {
 }
 
 }  // namespace
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -7,7 +7,7 @@
 
 #include "tests/unit/sensing/shapes.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -85,4 +85,4 @@ TEST_CASE("motion compensation: without motion the points are where the profile 
 }
 
 }  // namespace
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

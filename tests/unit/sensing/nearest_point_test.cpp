@@ -6,7 +6,7 @@
 
 #include "tests/unit/sensing/shapes.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 using test::outline;
@@ -68,4 +68,4 @@ TEST_CASE("nearest point: nothing in range is nothing", "[nearest-point]") {
 }
 
 }  // namespace
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

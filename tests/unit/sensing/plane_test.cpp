@@ -10,7 +10,7 @@
 #include "skills_pal/sensing/motion.hpp"
 #include "tests/unit/sensing/shapes.hpp"
 
-namespace pal::sensing {
+namespace pal::skills::sensing {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -107,4 +107,4 @@ TEST_CASE("plane: says that there is none", "[plane]") {
 }
 
 }  // namespace
-}  // namespace pal::sensing
+}  // namespace pal::skills::sensing

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pal::sensing::test {
+namespace pal::skills::sensing::test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -80,4 +80,4 @@ Scan scan(const Shape& shape, std::mt19937& random, double errors) {
   return result;
 }
 
-}  // namespace pal::sensing::test
+}  // namespace pal::skills::sensing::test

@@ -9,7 +9,7 @@
 
 #include "skills_pal/sensing/profile.hpp"
 
-namespace pal::sensing::test {
+namespace pal::skills::sensing::test {
 
 /// A corner of an outline in the plane of the fan, mm.
 struct Corner {
@@ -42,4 +42,4 @@ Shape plane(const Eigen::Vector3d& normal, double distance, const Eigen::Isometr
 /// surface that is met more steeply than 75 degrees, except after a single jump to a nearer point.
 Scan scan(const Shape& shape, std::mt19937& random, double errors = 1);
 
-}  // namespace pal::sensing::test
+}  // namespace pal::skills::sensing::test

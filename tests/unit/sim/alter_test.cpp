@@ -9,7 +9,7 @@
 using namespace pal;
 using namespace pal::sim;
 using namespace pal::sim::test;
-namespace alter = pal::runtime::alter;
+namespace alter = pal::runtime::drivers::alter;
 
 namespace {
 
@@ -52,12 +52,12 @@ struct AlterCell {
 
   Workcell workcell{scene("touch")};
   Host host{workcell};
-  runtime::Timeline timeline;
+  runtime::drivers::Timeline timeline;
   CorrectedArm arm{workcell};
-  runtime::Wire wire{timeline, alter::line};
+  runtime::drivers::Wire wire{timeline, alter::line};
   AlterEmulator port{timeline, wire.b(), arm};
   Opener opener{port};
-  runtime::AlterDriver driver{timeline, wire.a(), opener};
+  runtime::drivers::AlterDriver driver{timeline, wire.a(), opener};
 };
 
 }  // namespace
@@ -65,8 +65,8 @@ struct AlterCell {
 TEST_CASE("alter: the dialogue in the documentation is what passes the line") {
   AlterCell cell;
   std::vector<std::string> frames;  // as the page writes them, without blanks
-  cell.wire.tamper([&](runtime::Carrier::Direction direction, std::vector<std::uint8_t>& bytes) {
-    std::string text = direction == runtime::Carrier::Direction::to_a ? "controller" : "driver";
+  cell.wire.tamper([&](runtime::drivers::Carrier::Direction direction, std::vector<std::uint8_t>& bytes) {
+    std::string text = direction == runtime::drivers::Carrier::Direction::to_a ? "controller" : "driver";
     for (const std::uint8_t byte : bytes) {
       constexpr const char* digits = "0123456789abcdef";
       text += {digits[byte >> 4U], digits[byte & 15U]};
@@ -219,7 +219,7 @@ TEST_CASE("alter: garbled, unplugged and silent lines are told apart") {
   cell.run_until(100ms);
   SECTION("requests are garbled") {
     cell.wire.tamper([](auto direction, auto& bytes) {
-      if (direction == runtime::Carrier::Direction::to_a) bytes[4] ^= 0x10U;
+      if (direction == runtime::drivers::Carrier::Direction::to_a) bytes[4] ^= 0x10U;
     });
     cell.run_until(300ms);
     REQUIRE(cell.host.faults.size() == 1);
@@ -227,7 +227,7 @@ TEST_CASE("alter: garbled, unplugged and silent lines are told apart") {
   }
   SECTION("answers are garbled") {
     cell.wire.tamper([](auto direction, auto& bytes) {
-      if (direction == runtime::Carrier::Direction::to_b) bytes[4] ^= 0x10U;
+      if (direction == runtime::drivers::Carrier::Direction::to_b) bytes[4] ^= 0x10U;
     });
     cell.run_until(300ms);
     REQUIRE(cell.host.faults.size() == 1);

@@ -1,11 +1,11 @@
 // Where cameras stand: everything in the picture, the tool in sight.
-#include "sim/picture/private/framing.hpp"
+#include "sim/picture/framing.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "sim/picture/private/camera.hpp"
+#include "sim/picture/camera.hpp"
 #include "tests/unit/sim/support.hpp"
 
 using namespace pal::sim;

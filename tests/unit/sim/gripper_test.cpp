@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/controller/motion_controller.hpp"
-#include "sim/model/private/mujoco_physics.hpp"
+#include "sim/model/mujoco_physics.hpp"
 #include "tests/unit/sim/scene_text.hpp"
 #include "tests/unit/sim/support.hpp"
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sim/model/private/mujoco_physics.hpp"
+#include "sim/model/mujoco_physics.hpp"
 #include "sim/random.hpp"
 #include "tests/unit/sim/support.hpp"
 

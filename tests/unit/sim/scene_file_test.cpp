@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "sim/model/private/scene_description.hpp"
+#include "sim/model/scene_description.hpp"
 #include "sim/random.hpp"
 #include "tests/unit/sim/scene_text.hpp"
 #include "tests/unit/sim/support.hpp"

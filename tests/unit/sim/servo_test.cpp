@@ -5,7 +5,7 @@
 
 #include "sim/arm/joint_sensing.hpp"
 #include "sim/controller/servo.hpp"
-#include "sim/model/private/mujoco_physics.hpp"
+#include "sim/model/mujoco_physics.hpp"
 #include "sim/random.hpp"
 #include "tests/unit/sim/support.hpp"
 

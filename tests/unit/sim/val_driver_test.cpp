@@ -1,20 +1,20 @@
 // The driver and the controller at the two ends of one wire.
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "runtime/payload.hpp"
+#include "pal/runtime/payload.hpp"
 #include "tests/unit/sim/val_support.hpp"
 
 using namespace pal::sim;
 using namespace pal::sim::val;
 using namespace pal::sim::val::test;
 using pal::runtime::Time;
-using pal::runtime::ValDriver;
-using pal::runtime::val::Answer;
-using pal::runtime::val::Command;
-using pal::runtime::val::Verb;
-using DriverError = pal::runtime::val::Error;
+using pal::runtime::drivers::ValDriver;
+using pal::runtime::drivers::val::Answer;
+using pal::runtime::drivers::val::Command;
+using pal::runtime::drivers::val::Verb;
+using DriverError = pal::runtime::drivers::val::Error;
 
 namespace {
 
@@ -153,8 +153,9 @@ TEST_CASE("VAL's driver: a garbled line is not carried out, and sent again") {
   Driven cell;
   REQUIRE(cell.ask(Verb::speed, {}, {10}).ok);
   int garble = 1;
-  cell.wire.tamper([&](pal::runtime::Carrier::Direction to, std::vector<std::uint8_t>& bytes) {
-    if (to == pal::runtime::Carrier::Direction::to_b && bytes.size() > 5 && garble-- > 0) bytes.back() = '9';
+  cell.wire.tamper([&](pal::runtime::drivers::Carrier::Direction to, std::vector<std::uint8_t>& bytes) {
+    if (to == pal::runtime::drivers::Carrier::Direction::to_b && bytes.size() > 5 && garble-- > 0)
+      bytes.back() = '9';
   });
   CHECK(cell.ask(Verb::speed, {}, {20}).ok);
   CHECK(cell.machine.monitor_speed == 20);
@@ -172,7 +173,7 @@ TEST_CASE("VAL's driver: what does not answer, and what is unplugged") {
   Driven cell;
   REQUIRE(cell.ask(Verb::speed, {}, {10}).ok);
   bool deaf = true;
-  cell.wire.tamper([&](pal::runtime::Carrier::Direction, std::vector<std::uint8_t>& bytes) {
+  cell.wire.tamper([&](pal::runtime::drivers::Carrier::Direction, std::vector<std::uint8_t>& bytes) {
     if (deaf) bytes.clear();
   });
   CHECK(cell.ask(Verb::where).text == "VAL does not answer");

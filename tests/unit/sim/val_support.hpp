@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 class PlainArm final : public Arm {
  public:
-  explicit PlainArm(const runtime::Timeline& timeline)
+  explicit PlainArm(const runtime::drivers::Timeline& timeline)
       : timeline_(timeline), motion(start(), 28ms, Pose::Identity()) {}
 
   static Joints start() {
@@ -51,7 +51,7 @@ class PlainArm final : public Arm {
 
  private:
   runtime::Time now() const { return timeline_.now(); }
-  const runtime::Timeline& timeline_;
+  const runtime::drivers::Timeline& timeline_;
 
  public:
   mutable MotionController motion;
@@ -60,7 +60,7 @@ class PlainArm final : public Arm {
 
 class PlainHand final : public Hand {
  public:
-  explicit PlainHand(const runtime::Timeline& timeline) : timeline_(timeline) {}
+  explicit PlainHand(const runtime::drivers::Timeline& timeline) : timeline_(timeline) {}
   void open() override { move(true); }
   void close() override { move(false); }
   bool at_rest() const override { return timeline_.now() >= until_; }
@@ -71,7 +71,7 @@ class PlainHand final : public Hand {
     is_open = to_open;
     until_ = timeline_.now() + 300ms;
   }
-  const runtime::Timeline& timeline_;
+  const runtime::drivers::Timeline& timeline_;
   runtime::Time until_{};
 };
 
@@ -93,15 +93,15 @@ class PlainAlter final : public AlterControl {
 };
 
 /// The controller at one end of a wire, a person at the other.
-struct Bench : runtime::LinkUser {
+struct Bench : runtime::drivers::LinkUser {
   Bench() { wire.a().connect(this); }
-  void on_bytes(runtime::Bytes bytes) override { seen += runtime::as_text(bytes); }
+  void on_bytes(runtime::drivers::Bytes bytes) override { seen += runtime::drivers::as_text(bytes); }
   void on_break(std::string_view) override {}
 
   /// What appears within `time` after `keys` were typed.
   std::string type(std::string_view keys, runtime::Time time = 10s) {
     seen.clear();
-    wire.a().write(runtime::as_bytes(keys));
+    wire.a().write(runtime::drivers::as_bytes(keys));
     timeline.advance_to(timeline.now() + time);
     return std::exchange(seen, {});
   }
@@ -113,12 +113,12 @@ struct Bench : runtime::LinkUser {
     return all.substr(echo.size(), all.size() - echo.size() - 1);
   }
 
-  runtime::Timeline timeline;
+  runtime::drivers::Timeline timeline;
   PlainArm arm{timeline};
   PlainHand hand{timeline};
   PlainAlter alter;
   Machine machine{.timeline = timeline, .arm = arm, .hand = &hand, .alter = &alter};
-  runtime::Wire wire{timeline, {.baud = 9600}};
+  runtime::drivers::Wire wire{timeline, {.baud = 9600}};
   Terminal terminal{wire.b(), machine};
   std::string seen;
 };

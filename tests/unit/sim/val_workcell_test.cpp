@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/drivers/alter/driver.hpp"
-#include "runtime/drivers/val/val_driver.hpp"
+#include "runtime/drivers/val/driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/cell.hpp"
 #include "sim/cell/corrected_arm.hpp"
@@ -19,9 +19,11 @@ using pal::runtime::Time;
 
 namespace {
 
-struct Bench final : pal::runtime::LinkUser {
+struct Bench final : pal::runtime::drivers::LinkUser {
   explicit Bench(const std::string& name) : workcell(scene(name)) { wire.a().connect(this); }
-  void on_bytes(pal::runtime::Bytes bytes) override { seen += pal::runtime::as_text(bytes); }
+  void on_bytes(pal::runtime::drivers::Bytes bytes) override {
+    seen += pal::runtime::drivers::as_text(bytes);
+  }
   void on_break(std::string_view) override {}
 
   void pass(Time time) {
@@ -34,7 +36,7 @@ struct Bench final : pal::runtime::LinkUser {
   // The answer to a line, as soon as its prompt is there.
   std::string ask(const std::string& line) {
     seen.clear();
-    wire.a().write(pal::runtime::as_bytes(line + "\r"));
+    wire.a().write(pal::runtime::drivers::as_bytes(line + "\r"));
     for (int i = 0; i < 10000 && !seen.ends_with("\n."); ++i) pass(1ms);
     const std::string echo = line + "\r\n";
     return seen.starts_with(echo) && seen.ends_with(".")
@@ -46,11 +48,11 @@ struct Bench final : pal::runtime::LinkUser {
   }
 
   Workcell workcell;
-  pal::runtime::Timeline timeline;
-  pal::runtime::Wire alter_wire{timeline, pal::runtime::alter::line};
+  pal::runtime::drivers::Timeline timeline;
+  pal::runtime::drivers::Wire alter_wire{timeline, pal::runtime::drivers::alter::line};
   pal::sim::CorrectedArm altered{workcell};
   AlterEmulator alter{timeline, alter_wire.b(), altered};
-  pal::runtime::Wire wire{timeline, {.baud = 9600}};
+  pal::runtime::drivers::Wire wire{timeline, {.baud = 9600}};
   Controller controller{timeline, wire.b(), workcell, &alter};
   std::string seen;
 };
@@ -97,7 +99,7 @@ TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
 
 TEST_CASE("VAL in the workcell: VAL opens ALTER, and TOOL sets the point that turns") {
   Bench cell("nothing");
-  pal::runtime::ValDriver val(cell.timeline, cell.wire.a());
+  pal::runtime::drivers::ValDriver val(cell.timeline, cell.wire.a());
   ValOpener opener(val);
   std::string problem = "no answer yet";
   const auto done = [&](const std::string& text) { problem = text; };
@@ -108,9 +110,10 @@ TEST_CASE("VAL in the workcell: VAL opens ALTER, and TOOL sets the point that tu
   opener.close(done);
   cell.pass(500ms);
   CHECK(problem.find("ALTER") == 0);
-  std::optional<pal::runtime::val::Answer> answer;
-  val.submit({pal::runtime::val::Verb::set_figures, "SEAM", {}, {49, 0, 397, 90, -90, 0}}, nullptr);
-  val.submit({pal::runtime::val::Verb::tool, "SEAM", {}, {}}, [&](const auto& given) { answer = given; });
+  std::optional<pal::runtime::drivers::val::Answer> answer;
+  val.submit({pal::runtime::drivers::val::Verb::set_figures, "SEAM", {}, {49, 0, 397, 90, -90, 0}}, nullptr);
+  val.submit({pal::runtime::drivers::val::Verb::tool, "SEAM", {}, {}},
+             [&](const auto& given) { answer = given; });
   cell.pass(500ms);
   REQUIRE(answer);
   CHECK(answer->ok);
@@ -125,8 +128,8 @@ TEST_CASE("VAL in the station: the driver is ready for a skill, and commands the
   cell.val_driver().prepare();
   for (int i = 0; i < 1000 && !cell.val_driver().ready(); ++i) cell.station().idle(1ms);
   CHECK(cell.val_driver().trouble().empty());
-  std::optional<pal::runtime::val::Answer> answer;
-  cell.val_driver().submit({pal::runtime::val::Verb::move_straight, "UP", {}, {}},
+  std::optional<pal::runtime::drivers::val::Answer> answer;
+  cell.val_driver().submit({pal::runtime::drivers::val::Verb::move_straight, "UP", {}, {}},
                            [&](const auto& given) { answer = given; });
   for (int i = 0; i < 2000 && !answer; ++i) cell.station().idle(1ms);
   REQUIRE(answer);

@@ -5,8 +5,8 @@
 #include <random>
 #include <sstream>
 
-#include "runtime/trace/kind.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/kind.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::trace {
 namespace {

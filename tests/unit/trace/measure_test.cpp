@@ -1,7 +1,7 @@
 // What a run attained, read off its trace.
 #include <catch2/catch.hpp>
 
-#include "runtime/trace/measure.hpp"
+#include "pal/trace/measure.hpp"
 
 namespace pal::trace {
 namespace {

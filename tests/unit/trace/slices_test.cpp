@@ -1,7 +1,7 @@
 // A trace regrouped by actor.
 #include <catch2/catch.hpp>
 
-#include "runtime/trace/slices.hpp"
+#include "pal/trace/slices.hpp"
 
 namespace pal::trace {
 namespace {

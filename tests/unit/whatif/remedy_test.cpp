@@ -7,6 +7,7 @@
 
 using namespace pal;
 using namespace pal::analyzer;
+using namespace pal::analyzer::whatif;
 using Is = Verdict::State;
 
 namespace {

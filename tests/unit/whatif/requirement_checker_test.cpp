@@ -8,6 +8,7 @@
 
 using namespace pal;
 using namespace pal::analyzer;
+using namespace pal::analyzer::whatif;
 using Is = Verdict::State;
 
 TEST_CASE("without exploration requirements are decided by bounds and single runs") {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
 
 namespace pal::test {
 

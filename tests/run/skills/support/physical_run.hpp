@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/program/session.hpp"
+#include "programs/workcell/session/session.hpp"
 #include "tests/run/skills/support/slower.hpp"
 
 namespace pal::test {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "pal/driver/proof_chart.hpp"
 #include "pal/support/file_system.hpp"
+#include "programs/pal/reports/proof_chart.hpp"
 #include "skills_pal/registry.hpp"
 
 namespace pal::test {
@@ -56,16 +56,17 @@ const skills::RegisteredSkill& registered(const std::string& name) {
   throw std::runtime_error("there is no skill " + name);
 }
 
-driver::Proof prove(const std::string& name, const FileSystem& files, std::size_t most_states) {
+program::Proof prove(const std::string& name, const FileSystem& files, std::size_t most_states) {
   const skills::RegisteredSkill& skill = registered(name);
   const std::string folder = PAL_SOURCE_DIR "/skills_pal/";
   std::ostringstream out, err;
-  driver::Session session;
-  driver::Selection selection;
+  program::Session session;
+  program::Selection selection;
   selection.files = {folder + std::string(skill.pal_file)};
   selection.environments = {folder + std::string(skill.environment_file)};
-  if (!driver::read(selection, {out, err, files}, session)) throw std::runtime_error(name + ": " + err.str());
-  auto proofs = driver::prove(session, {.max_states = most_states});
+  if (!program::read(selection, {out, err, files}, session))
+    throw std::runtime_error(name + ": " + err.str());
+  auto proofs = program::prove(session, {.max_states = most_states});
   if (proofs.size() != 1) throw std::runtime_error(name + " is not one skill in one workcell");
   return std::move(proofs.front());
 }
@@ -78,14 +79,14 @@ ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>
 
 ProvedBounds::ProvedBounds(const std::string& skill, const Rewritten& rewritten)
     : proof_(prove(skill, RewrittenDisk(std::string(registered(skill).pal_file), rewritten),
-                   driver::ProofLimits{}.max_states)) {}
+                   program::ProofLimits{}.max_states)) {}
 
 void ProvedBounds::observe(const trace::Trace& run) {
   alter_.count(run);
   for (std::size_t i = 0; i < proof_.analysis.verdicts.size(); ++i) {
     const analyzer::Verdict& verdict = proof_.analysis.verdicts[i];
-    if (!verdict.bound || !driver::shows_in_runs(proof_.problem.requirements[i])) continue;
-    const auto longest = driver::longest_in(run, proof_, i);
+    if (!verdict.bound || !program::shows_in_runs(proof_.problem.requirements[i])) continue;
+    const auto longest = program::longest_in(run, proof_, i);
     if (!longest) continue;
     Worst& worst = worst_[verdict.requirement];
     worst.bound = *verdict.bound;

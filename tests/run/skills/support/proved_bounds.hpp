@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "pal/driver/proof.hpp"
-#include "runtime/trace/trace.hpp"
+#include "pal/trace/trace.hpp"
+#include "programs/pal/session/proof.hpp"
 #include "tests/run/skills/support/alter_cycles.hpp"
 #include "tests/run/skills/support/slower.hpp"
 
@@ -23,7 +23,7 @@ class ProvedBounds {
   /// Proves the skill in its workcell, or in one that is slower. Throws std::runtime_error if its PAL is
   /// wrong. That a requirement fails is often found in the first of `most_states`, a bound is not.
   explicit ProvedBounds(const std::string& skill, const std::optional<Slower>& slower = std::nullopt,
-                        std::size_t most_states = driver::ProofLimits{}.max_states);
+                        std::size_t most_states = program::ProofLimits{}.max_states);
 
   /// Proves the skill with its PAL rewritten. Throws std::runtime_error if `from` is not in it.
   ProvedBounds(const std::string& skill, const Rewritten& rewritten);
@@ -47,7 +47,7 @@ class ProvedBounds {
   bool fails(const std::string& requirement) const;
 
  private:
-  driver::Proof proof_;
+  program::Proof proof_;
   std::map<std::string, Worst> worst_;
   AlterCycles alter_;
 };

@@ -14,7 +14,7 @@ namespace pal::test {
 /// The proof and the runs of a skill in a workcell: workcell.pal, or a slower one.
 class Cell {
  public:
-  explicit Cell(PhysicalRun wanted, std::size_t most_states = driver::ProofLimits{}.max_states)
+  explicit Cell(PhysicalRun wanted, std::size_t most_states = program::ProofLimits{}.max_states)
       : wanted_(std::move(wanted)), bounds_(wanted_.skill, wanted_.slower, most_states) {}
 
   workcell::SessionResult run(std::uint64_t seed = 1) {

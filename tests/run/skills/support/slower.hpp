@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "runtime/skill.hpp"
+#include "pal/runtime/skill.hpp"
 
 namespace pal::test {
 

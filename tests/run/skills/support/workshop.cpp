@@ -41,7 +41,9 @@ ChangedScene::~ChangedScene() {
   std::filesystem::remove_all(folder_);
 }
 
-Workshop::Workshop(const sim::Scene& scene, std::uint64_t seed) : cell_(scene, seeded(seed)) {
+Workshop::Workshop(const sim::Scene& scene, std::uint64_t seed) : Workshop(scene, seeded(seed)) {}
+
+Workshop::Workshop(const sim::Scene& scene, const sim::CellOptions& options) : cell_(scene, options) {
   const std::vector<std::string> names = sim::scene_geometry(cell_.workcell()).bodies;
   for (std::size_t i = 1; i < names.size(); ++i) bodies_[names[i]] = i - 1;
 }

@@ -29,6 +29,7 @@ class ChangedScene {
 class Workshop {
  public:
   explicit Workshop(const sim::Scene& scene, std::uint64_t seed = 1);
+  Workshop(const sim::Scene& scene, const sim::CellOptions& options);
 
   /// Runs the skill, then lets the arm rest for 0.3 s.
   runtime::Outcome run(const std::string& skill, const std::vector<runtime::ParameterValue>& parameters = {});

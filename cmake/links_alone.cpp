@@ -1,0 +1,2 @@
+// The main function of programs that are only linked (pal_links_alone).
+int main() {}

@@ -1,0 +1,97 @@
+#include <ostream>
+#include <sstream>
+
+#include "pal/check/read_sources.hpp"
+#include "pal/pan/dump.hpp"
+#include "pal/support/output.hpp"
+#include "pal/syntax/print.hpp"
+#include "programs/pal/commands/commands.hpp"
+#include "programs/pal/reports/check_report.hpp"
+#include "programs/pal/reports/junit.hpp"
+#include "programs/pal/reports/sarif.hpp"
+#include "programs/pal/reports/statistics.hpp"
+#include "programs/pal/reports/witness.hpp"
+#include "programs/pal/session/interruption.hpp"
+#include "programs/pal/session/write.hpp"
+
+namespace pal::program {
+namespace {
+
+ExitStatus emit_tree(const Selection& selection, const Console& console) {
+  Session session;
+  session.max_errors = selection.max_errors;
+  for (const syntax::Tree& tree :
+       check::read_sources(console.files, session.sources, selection.files, session.diagnostics)) {
+    syntax::dump(tree, session.sources, console.out);
+  }
+  show_findings(session, console);
+  return status_of_findings(session);
+}
+
+void emit_pan(const check::Specification& specification, std::ostream& out) {
+  for (const pan::Network& network : specification.skills) pan::dump(network, out);
+  for (const pan::Network& network : specification.sketches) pan::dump(network, out);
+  for (const pan::Environment& environment : specification.environments) pan::dump(environment, out);
+}
+
+void say_what_was_not_proved(const Session& session, std::ostream& err) {
+  if (session.specification.skills.empty() || !session.specification.environments.empty()) return;
+  err << "pal: no environment, so no times: what needs them was not checked (give one with --environment "
+         "FILE)\n";
+}
+
+/// What went wrong, or nothing.
+std::optional<std::string> write_witnesses(const std::string& path, const std::vector<Proof>& proofs,
+                                           const Session& session) {
+  std::ostringstream text;
+  analyzer::run_checker::write_witnesses(witnesses_of(proofs, session), text);
+  return write_files({{path, text.str()}});
+}
+
+}  // namespace
+
+ExitStatus check(const CheckOptions& options, const Console& console) {
+  if (options.emit == Stage::tree) return emit_tree(options.selection, console);
+  Session session;
+  const Interruption interruption;  // till all is written
+  limit_checks(options.limits, session);
+  if (!read(options.selection, console, session)) return ExitStatus::usage;
+  if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
+  if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
+
+  std::vector<Proof> proofs;
+  if (!session.diagnostics.has_errors()) {
+    ProofLimits limits = options.limits;
+    limits.peak_memory = options.statistics;
+    limits.addends = options.explain || options.format == Format::json;
+    proofs = prove(session, limits);
+  }
+  const ExitStatus found = status_of_findings(session);
+  const bool wrong = found != ExitStatus::all_hold;
+  report_unmet(proofs, options.explain || options.format != Format::text, session);
+
+  const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
+  if (options.format == Format::json) {
+    console.out << json(proofs, session, options.statistics);
+  } else if (options.format == Format::sarif) {
+    console.out << sarif(session, status);
+  } else if (options.format == Format::junit) {
+    console.out << junit(proofs, session);
+  } else if (options.quiet) {
+    show_findings(session, console);
+  } else {
+    show_findings(session, console);
+    if (!wrong) say_what_was_not_proved(session, console.err);
+    write_table(proofs, options.explain, console.out);
+  }
+  if (options.statistics && options.format == Format::text) write_statistics(proofs, console.err);
+  if (!options.witness.empty() && !wrong) {
+    if (const auto problem = write_witnesses(options.witness, proofs, session)) {
+      console.err << "pal: " << *problem << "\n";
+      return ExitStatus::usage;
+    }
+  }
+  return status;
+}
+
+}  // namespace pal::program

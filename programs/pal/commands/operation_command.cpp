@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "operations/load.hpp"
+#include "operations/ways.hpp"
+#include "pal/check/resources.hpp"
+#include "pal/support/duration_text.hpp"
+#include "programs/pal/commands/commands.hpp"
+#include "programs/pal/commands/operation_files.hpp"
+#include "programs/pal/reports/check_report.hpp"
+#include "programs/pal/reports/sarif.hpp"
+#include "programs/pal/session/interruption.hpp"
+
+namespace pal::program {
+namespace {
+
+using operations::Program;
+using operations::Ways;
+
+/// The bounds of DURATION requirements. Of several environments the greatest.
+operations::SkillTimes times_of(const Session& session, const std::vector<Proof>& proofs) {
+  operations::SkillTimes times;
+  for (const pan::Network& network : session.specification.skills) {
+    for (const pan::Requirement& requirement : network.requirements) {
+      const auto* completing = std::get_if<pan::Completing>(&requirement.measure);
+      if (completing == nullptr) continue;
+      for (const Proof& proof : proofs) {
+        if (proof.problem.skill != network.skill.name) continue;
+        for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
+          if (verdict.requirement != requirement.name || !verdict.bound) continue;
+          Duration& time = times[{network.skill.name, completing->code}];
+          time = std::max(time, *verdict.bound);
+        }
+      }
+    }
+  }
+  return times;
+}
+
+void write_ways(const Program& program, const Ways& ways, std::ostream& out) {
+  out << fmt::format("operation {}: {} way{}{}\n", program.operations.front().name, ways.ways.size(),
+                     ways.ways.size() == 1 ? "" : "s", ways.complete ? "" : ", and more");
+  for (const operations::WayThrough& way : ways.ways) {
+    out << fmt::format("  {}{}{}\n", fmt::join(way.icons, " -> "), way.icons.empty() ? "" : ", ", way.end);
+    out << fmt::format("    longest {}; shortest: at least {}\n",
+                       way.longest ? to_text(*way.longest) : std::string("not known"), to_text(way.shortest));
+    if (!way.unbounded.empty())
+      out << fmt::format("    no DURATION is proved of {}\n", fmt::join(way.unbounded, ", "));
+  }
+}
+
+nlohmann::ordered_json json(const Program& program, const Ways& ways) {
+  auto list = nlohmann::ordered_json::array();
+  for (const operations::WayThrough& way : ways.ways) {
+    nlohmann::ordered_json each;
+    each["icons"] = way.icons;
+    each["end"] = way.end;
+    each["shortest_ns"] = way.shortest.count();
+    each["longest_ns"] = nullptr;
+    if (way.longest) each["longest_ns"] = way.longest->count();
+    each["unbounded"] = way.unbounded;
+    list.push_back(std::move(each));
+  }
+  return {{"name", program.operations.front().name}, {"complete", ways.complete}, {"ways", list}};
+}
+
+std::optional<std::set<std::string>> taught(const OperationOptions& options) {
+  if (options.locations.empty()) return std::nullopt;
+  return std::set<std::string>(options.locations.begin(), options.locations.end());
+}
+
+void check_against_cell(const Session& session, Diagnostics& diagnostics) {
+  for (const pan::Network& skill : session.specification.skills)
+    for (const pan::Environment& environment : session.specification.environments)
+      check::check_listed(skill, environment, diagnostics);
+}
+
+std::vector<Program> read_programs(const OperationOptions& options, const Console& console,
+                                   Session& session) {
+  std::vector<Program> programs;
+  for (const std::string& file : options.files) {
+    auto program = operations::load(console.files, session.sources, file, session.diagnostics);
+    if (!program) continue;
+    if (!session.diagnostics.has_errors()) operations::check_shape(*program, session.diagnostics);
+    programs.push_back(std::move(*program));
+  }
+  return programs;
+}
+
+}  // namespace
+
+ExitStatus check_operation(const OperationOptions& options, const Console& console) {
+  Session session;
+  session.max_errors = options.max_errors;
+  const Interruption interruption;  // till all is written
+  limit_checks(options.limits, session);
+  const std::vector<Program> programs = read_programs(options, console, session);
+
+  if (!session.diagnostics.has_errors() && !options.sensors.empty()) {
+    operations::Sensors sensors;
+    for (const std::string& name : options.sensors) sensors[name];
+    for (const Program& program : programs) operations::check_sensors(program, sensors, session.diagnostics);
+  }
+
+  std::vector<Proof> proofs;
+  std::vector<Ways> ways;
+  if (!session.diagnostics.has_errors() && !options.skills.empty()) {
+    std::set<std::string> used;
+    for (const Program& program : programs) used.merge(operations::skills_of(program));
+    const operations::Skills skills = read_skills(options, used, console, session);
+    for (const Program& program : programs)
+      operations::check_skills(program, skills, taught(options), session.diagnostics);
+    if (!session.diagnostics.has_errors()) check_against_cell(session, session.diagnostics);
+    if (!session.diagnostics.has_errors()) proofs = prove(session, options.limits);
+    if (!session.diagnostics.has_errors())
+      for (const Program& program : programs)
+        ways.push_back(operations::ways_through(program, skills, times_of(session, proofs)));
+  }
+  const ExitStatus found = status_of_findings(session);
+  const bool wrong = found != ExitStatus::all_hold;
+  report_unmet(proofs, options.format != Format::text, session);
+  const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
+
+  if (options.format == Format::sarif) {
+    console.out << sarif(session, status);
+  } else if (options.format == Format::json) {
+    auto document = nlohmann::ordered_json::parse(json(proofs, session));
+    document["operations"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      document["operations"].push_back(json(programs[i], ways[i]));
+    console.out << document.dump(2) << "\n";
+  } else {
+    show_findings(session, console);
+    if (!wrong && options.skills.empty())
+      console.err
+          << "pal: no skills, so their parameters and codes were not checked (give --skills FOLDER)\n";
+    else if (!wrong && options.environments.empty())
+      console.err << "pal: no environment, so no times were proved (give --environment FILE)\n";
+    write_table(proofs, false, console.out);
+    for (std::size_t i = 0; i < ways.size(); ++i) write_ways(programs[i], ways[i], console.out);
+  }
+  return status;
+}
+
+}  // namespace pal::program

@@ -1,0 +1,18 @@
+// What the commands on operations read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "operations/check.hpp"
+#include "operations/model.hpp"
+#include "programs/pal/commands/commands.hpp"
+
+namespace pal::program {
+
+/// Reads and checks the PAL of --skills (all files of its folders) and of --environment. Only the skills that
+/// `used` names stay in the session.
+operations::Skills read_skills(const OperationOptions& options, const std::set<std::string>& used,
+                               const Console& console, Session& session);
+
+}  // namespace pal::program

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <ostream>
+#include <stdexcept>
+
+#include "pal/check/to_unit.hpp"
+#include "pal/pan/dot.hpp"
+#include "pal/syntax/print.hpp"
+#include "programs/pal/commands/commands.hpp"
+#include "programs/pal/session/write.hpp"
+
+namespace pal::program {
+namespace {
+
+/// The pictures of one network's modules. Modules that stand in several skills are drawn once: their bodies
+/// are the same.
+void add_pictures(const pan::Network& network, const PanOptions& options, std::vector<OutputFile>& files) {
+  pan::DotOptions dot_options;
+  dot_options.letters = options.letters;
+  if (options.letters) dot_options.direction = pan::DotOptions::Direction::left_to_right;
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    const pan::Module& module = network.modules[i];
+    if (module.body.empty() || (!options.module.empty() && module.name != options.module)) continue;
+    const std::string dot = pan::to_dot(network, pan::ModuleId(i), dot_options);
+    const std::string skill = network.skill.name.empty() ? "" : network.skill.name + ".";
+    const std::string stem = options.output + "/" + skill + module.name + ".pan";
+    files.push_back(options.dot ? OutputFile{stem + ".dot", dot} : OutputFile{stem + ".svg", pan::svg(dot)});
+  }
+}
+
+/// The modules of one network as PAL.
+void add_units(const pan::Network& network, const PanOptions& options, syntax::Tree& tree) {
+  for (std::size_t i = 0; i < network.modules.size(); ++i) {
+    const pan::Module& module = network.modules[i];
+    if (module.body.empty() || (!options.module.empty() && module.name != options.module)) continue;
+    tree.units.emplace_back(check::to_unit(network, pan::ModuleId(i)));
+  }
+}
+
+ExitStatus no_module(const PanOptions& options, const Console& console) {
+  console.err << (options.module.empty()
+                      ? "pal: there is no module with a body to draw\n"
+                      : fmt::format("pal: no module with a body is called '{}'\n", options.module));
+  return ExitStatus::usage;
+}
+
+ExitStatus print_pal(const check::Specification& specification, const PanOptions& options,
+                     const Console& console) {
+  syntax::Tree tree;
+  for (const pan::Network& network : specification.skills) add_units(network, options, tree);
+  for (const pan::Network& network : specification.sketches) add_units(network, options, tree);
+  if (tree.units.empty()) return no_module(options, console);
+  syntax::print(tree, console.out);
+  return ExitStatus::all_hold;
+}
+
+}  // namespace
+
+ExitStatus draw_pan(const PanOptions& options, const Console& console) {
+  Session session;
+  const bool chosen = read(options.selection, console, session);
+  show_findings(session, console);
+  if (!chosen) return ExitStatus::usage;
+  if (session.diagnostics.has_errors()) return status_of_findings(session);
+
+  if (options.pal) return print_pal(session.specification, options, console);
+
+  std::vector<OutputFile> files;
+  for (const pan::Network& network : session.specification.skills) add_pictures(network, options, files);
+  for (const pan::Network& network : session.specification.sketches) add_pictures(network, options, files);
+  if (files.empty()) return no_module(options, console);
+  return write_and_list(files, inputs_of(session), console);
+}
+
+}  // namespace pal::program

@@ -1,0 +1,88 @@
+#include "programs/pal/reports/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "pal/support/render.hpp"
+#include "programs/pal/reports/arithmetic.hpp"
+#include "programs/pal/reports/statistics.hpp"
+
+namespace pal::program {
+namespace {
+
+using State = analyzer::VerdictState;
+
+std::string margin_text(const analyzer::Verdict& verdict) {
+  if (!verdict.bound) return "";
+  const Duration margin = verdict.at_least ? *verdict.bound - verdict.limit : verdict.limit - *verdict.bound;
+  const bool over = margin < Duration::zero();
+  const bool load = verdict.measure == analyzer::Requirement::Measure::load;
+  // What is to spare of a load is rounded down, as its bound is rounded up.
+  const Duration rounding(load && !over ? margin.count() % 100'000 : 0);
+  return figure_text(verdict.measure, over ? -margin : margin - rounding) + (!over ? " to spare"
+                                                                             : verdict.at_least
+                                                                                 ? " too little"
+                                                                                 : " too much");
+}
+
+/// Nothing for the exact analysis, which is the usual one.
+std::string method_text(const analyzer::Verdict& verdict) {
+  return verdict.method == analyzer::Method::exact ? "" : "  (compositional)";
+}
+
+}  // namespace
+
+void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out) {
+  for (const Proof& proof : proofs) {
+    std::size_t name_width = 0, measure_width = 0;
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
+      name_width = std::max(name_width, proof.analysis.verdicts[i].requirement.size());
+      measure_width = std::max(measure_width, measure_text(proof.problem, i).size());
+    }
+    out << proof.problem.skill << " in " << proof.problem.environment << "\n";
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
+      const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
+      out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}\n", analyzer::name(verdict.state),
+                         verdict.requirement, name_width, measure_text(proof.problem, i), measure_width,
+                         bound_text(verdict), whole_text(verdict.measure, verdict.limit),
+                         margin_text(verdict), method_text(verdict));
+      if (explain) write_arithmetic(verdict, out);
+    }
+  }
+}
+
+std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics) {
+  nlohmann::ordered_json document;
+  document["format_version"] = 1;
+  document["diagnostics"] =
+      nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
+  document["not_kept"] = session.diagnostics.not_kept().sum();
+  document["requirements"] = nlohmann::ordered_json::array();
+  for (const Proof& proof : proofs) {
+    for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {
+      nlohmann::ordered_json row;
+      row["name"] = verdict.requirement;
+      row["skill"] = proof.problem.skill;
+      row["environment"] = proof.problem.environment;
+      row["measure"] = verdict.at_least ? "least_interval" : analyzer::name(verdict.measure);
+      row["limit_ns"] = verdict.limit.count();
+      row["bound_ns"] =
+          verdict.bound ? nlohmann::ordered_json(verdict.bound->count()) : nlohmann::ordered_json();
+      const auto least = attained(verdict);
+      row["attained_ns"] = least ? nlohmann::ordered_json(least->count()) : nlohmann::ordered_json();
+      row["exact"] = verdict.exact;
+      row["analysis"] = analyzer::name(verdict.method);
+      row["verdict"] = analyzer::name(verdict.state);
+      row["addends"] = nlohmann::ordered_json::parse(arithmetic_json(verdict));
+      if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
+      document["requirements"].push_back(std::move(row));
+    }
+  }
+  if (statistics) document["statistics"] = nlohmann::ordered_json::parse(json(sum_of(proofs)));
+  return document.dump(2) + "\n";
+}
+
+}  // namespace pal::program

@@ -1,0 +1,22 @@
+// What `pal check` prints of the proofs.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "programs/pal/session/proof.hpp"
+
+namespace pal::program {
+
+/// A table with a line for each requirement: its verdict, bound, limit and margin. With `explain`, the parts
+/// of the bound stand below it.
+void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out);
+
+/// {"diagnostics": [...], "not_kept", "requirements": [{name, skill, environment, measure, limit_ns,
+/// bound_ns, attained_ns, exact, analysis, verdict, addends}]} (docs/reference/command-line.md), with what
+/// they took if `statistics`. A figure that is not known is null. Of a load, both figures are nanoseconds of
+/// work a second.
+std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics = false);
+
+}  // namespace pal::program

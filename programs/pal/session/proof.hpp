@@ -1,0 +1,70 @@
+// A skill's requirements proved in an environment: the stages from network to verdict, one after the other.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyzer/analysis.hpp"
+#include "analyzer/problem/problem.hpp"
+#include "programs/pal/session/measure_text.hpp"
+#include "programs/pal/session/selection.hpp"
+
+namespace pal::program {
+
+/// What one skill can promise in one environment.
+struct Proof {
+  analyzer::Problem problem;
+  analyzer::Analysis analysis;  // verdicts[i] is on problem.requirements[i]
+  bool explored = true;         // by the exact analysis, which more time and states may help
+  bool ended = false;           // by --timeout or Ctrl-C, as far as it had come
+};
+
+struct ProofLimits {
+  std::size_t max_states = 1'000'000;  // a requirement
+  double seconds = 0;                  // of everything together; 0: as long as it takes
+  std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  // when they began
+  analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // a drawing needs the worst run
+  unsigned threads = 0;                                                    // at work; 0: one a core
+  bool peak_memory = false;                                                // count it
+  bool addends = false;                                                    // find what adds up to bounds
+};
+
+/// The model of `skill` in `environment`. If the environment lacks something that the skill needs: nothing,
+/// and findings in the session.
+std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
+                                            Session& session);
+
+/// The limits in the form that an analysis takes. Ctrl-C ends it, too, as long as an Interruption lives.
+analyzer::Options options_of(const ProofLimits& limits);
+
+/// Whether it is time to end: after Ctrl-C (as long as an Interruption lives), or `seconds` after `begin` (0:
+/// never).
+std::function<bool()> end_after(
+    double seconds, std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now());
+
+/// Checks before the proofs end when half of the time is over, or after Ctrl-C.
+void limit_checks(const ProofLimits& limits, Session& session);
+
+/// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided.
+/// Reasons why a model cannot be built are added to the session's findings.
+std::vector<Proof> prove(Session& session, const ProofLimits& limits);
+
+/// Whether every verdict is `holds`.
+bool all_hold(const std::vector<Proof>& proofs);
+
+/// Adds the finding that time stands still in some run (PAL0821).
+void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session);
+
+/// Searches a few classes for such a run, adds the finding, and returns whether there is one.
+bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
+
+/// Adds a finding for every requirement that fails or is undecided. It says where the requirement stands, and
+/// which statement uses a value of which age or answers how late. It also says what the time was spent on:
+/// the longest parts, or the `whole_story`.
+void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
+
+}  // namespace pal::program

@@ -1,0 +1,86 @@
+#include "programs/pal/session/selection.hpp"
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+#include "pal/check/measured.hpp"
+#include "pal/check/read_sources.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/render.hpp"
+
+namespace pal::program {
+namespace {
+
+const std::string& name_of(const pan::Network& network) {
+  return network.skill.name;
+}
+const std::string& name_of(const pan::Environment& environment) {
+  return environment.name;
+}
+
+/// Keeps what is called `name`; false, with a message, if nothing is.
+template <class Thing>
+bool choose(std::vector<Thing>& things, const std::string& name, const char* kind, std::ostream& err) {
+  if (name.empty()) return true;
+  std::vector<std::string> names;
+  for (const Thing& thing : things) names.push_back(name_of(thing));
+  std::erase_if(things, [&](const Thing& thing) { return name_of(thing) != name; });
+  if (!things.empty()) return true;
+  err << "pal: no " << kind << " is called '" << name << "' in the files given";
+  if (names.empty()) {
+    err << "; there is none at all\n";
+    return false;
+  }
+  err << "; there is";
+  for (const std::string& each : names) err << (&each == &names.front() ? " '" : ", '") << each << "'";
+  err << "\n";
+  return false;
+}
+
+/// Measured times are no part of the specification. False, with a message, if the files have none.
+bool compare_measured(const std::vector<std::string>& paths, const Console& console, Session& session) {
+  if (paths.empty()) return true;
+  const check::Specification measured = check::check(
+      check::read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
+  check::check_measured(session.specification.environments, measured.environments, session.diagnostics);
+  if (!measured.environments.empty() || session.diagnostics.has_errors()) return true;
+  console.err << "pal: the files of --measured have no ENVIRONMENT; workcell run --measure writes one\n";
+  return false;
+}
+
+}  // namespace
+
+bool read(const Selection& selection, const Console& console, Session& session) {
+  session.max_errors = selection.max_errors;
+  std::vector<std::string> paths = selection.files;
+  paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
+  const std::vector<syntax::Tree> trees =
+      check::read_sources(console.files, session.sources, paths, session.diagnostics);
+  session.specification = check::check(trees, session.diagnostics, session.stop);
+
+  if (session.diagnostics.has_errors()) return true;
+  return choose(session.specification.skills, selection.skill, "skill", console.err) &&
+         choose(session.specification.environments, selection.environment, "environment", console.err) &&
+         compare_measured(selection.measured, console, session);
+}
+
+ExitStatus status_of_findings(const Session& session) {
+  if (!session.diagnostics.has_errors()) return ExitStatus::all_hold;
+  // A file that another one uses is named at that place; one without a place was named on the command line.
+  const auto& all = session.diagnostics.all();
+  const bool unreadable = std::any_of(all.begin(), all.end(), [](const Diagnostic& finding) {
+    return finding.code == Code::PAL0111 && !finding.where.valid();
+  });
+  return unreadable ? ExitStatus::usage : ExitStatus::wrong_specification;
+}
+
+void show_findings(const Session& session, const Console& console) {
+  // The stream may be one that writes each piece at once.
+  std::ostringstream text;
+  render_text(session.diagnostics.sorted(), session.sources, text,
+              {session.max_errors, session.diagnostics.not_kept()});
+  console.err << text.str();
+}
+
+}  // namespace pal::program

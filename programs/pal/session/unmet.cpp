@@ -1,0 +1,240 @@
+// Requirements that fail or are undecided, as findings.
+#include <algorithm>
+#include <string>
+
+#include "analyzer/exact/zeno_run.hpp"
+#include "analyzer/verdict/explain.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/duration_text.hpp"
+#include "programs/pal/session/measure_text.hpp"
+#include "programs/pal/session/proof.hpp"
+
+namespace pal::program {
+namespace {
+
+using Measure = analyzer::Requirement::Measure;
+using State = analyzer::VerdictState;
+
+SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& reason) {
+  const auto found = std::find_if(
+      problem.statements.begin(), problem.statements.end(),
+      [&](const auto& statement) { return statement.line == reason.line && statement.file == reason.file; });
+  return found == problem.statements.end() || reason.line == 0 ? SourceSpan{} : found->where;
+}
+
+/// "is 35 ms".
+std::string figure_of(const analyzer::Verdict& verdict) {
+  if (!verdict.bound) {
+    const auto shown = worth_telling(verdict);
+    if (shown)
+      return (verdict.at_least ? "is at most " : "is at least ") + figure_text(verdict.measure, *shown);
+    return verdict.state == State::undecided ? "has no bound that was found" : "is without bound";
+  }
+  const auto shown = attained(verdict);
+  if (verdict.state == State::fails && shown && *shown != *verdict.bound) {
+    return "is between " + figure_text(verdict.measure, std::min(*shown, *verdict.bound)) + " and " +
+           figure_text(verdict.measure, std::max(*shown, *verdict.bound));
+  }
+  const std::string sound = verdict.at_least ? "at least " : "at most ";
+  return "is " + (verdict.state == State::undecided ? sound : "") +
+         figure_text(verdict.measure, *verdict.bound);
+}
+
+/// The longest piece of the time in which the thread that decided, the last of the story, did nothing but
+/// wait after it had read.
+const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict) {
+  const analyzer::Reason* longest = nullptr;
+  for (std::size_t i = 1; i < verdict.reasons.size(); ++i) {
+    const analyzer::Reason& reason = verdict.reasons[i];
+    if (reason.actor != verdict.reasons.back().actor || reason.what.find("waits at ") != 0) continue;
+    if (longest == nullptr || reason.to - reason.from > longest->to - longest->from) longest = &reason;
+  }
+  return longest;
+}
+
+/// The wait that most of the time goes to between a set and a read by one thread; null: it is something else.
+const analyzer::Reason* wait_between_set_and_read(const analyzer::Verdict& verdict) {
+  if (verdict.reasons.empty()) return nullptr;
+  const analyzer::Reason& set = verdict.reasons.front();
+  const auto longest =
+      std::max_element(set.inside.begin(), set.inside.end(),
+                       [](const auto& a, const auto& b) { return a.to - a.from < b.to - b.from; });
+  const bool waits = longest != set.inside.end() && longest->actor == set.actor &&
+                     set.actor == verdict.reasons.back().actor && longest->what.starts_with("waits at WTM");
+  return waits ? &*longest : nullptr;
+}
+
+/// What may decide a requirement that is undecided.
+std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
+  if (proof.analysis.zeno_run) return "give something in the loop a time";
+  if (proof.explored)
+    return "allow more with --max-states or --timeout, or make the skill or its times simpler";
+  if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
+  if (!verdict.bound) return "change what the note names: without it there may be a bound";
+  return verdict.at_least ? "keep the passes further apart, so that the bound reaches what is required"
+                          : "shorten what is done on the way, or give it a processor of its own, until the "
+                            "bound is as required";
+}
+
+std::string hint_of(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  if (verdict.state == State::undecided) return hint_of_undecided(proof, verdict);
+  switch (verdict.measure) {
+    case Measure::load:
+    case Measure::busy:
+      return "move modules to another processor, or shorten their activities";
+    case Measure::response:
+      if (verdict.witness && verdict.witness->failed)
+        return "answer each event, on every way, before the next can come";
+      return "shorten what the time is spent on, give it a processor of its own, or answer without waiting";
+    case Measure::reaction:
+      return "ask for the next value earlier, or shorten what lies between a value and its use";
+    case Measure::interval:
+      return verdict.at_least ? "wait for something that comes no sooner"
+                              : "shorten what lies between two passes";
+    case Measure::loss:
+      return "ask for the next one before working on the last";
+    case Measure::duration:
+      return "shorten what lies between the start and the completion";
+    case Measure::age:
+      break;
+  }
+  if (!proof.problem.requirements[index].samples.empty())
+    return "ask for the sample later, or more often, or shorten what lies between it and its use";
+  const auto place = [](const analyzer::Reason& wait) {
+    return wait.what.substr(std::string("waits at ").size());
+  };
+  if (const analyzer::Reason* wait = longest_wait_after_read(verdict))
+    return "read the condition after " + place(*wait) + ", not before it";
+  if (const analyzer::Reason* wait = wait_between_set_and_read(verdict))
+    return "set the condition after " + place(*wait) + ", not before it";
+  return "shorten what lies between the set and its use";
+}
+
+/// What is required says nothing about any run.
+void report_never(const Proof& proof, std::size_t index, Session& session) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  session.diagnostics.report(
+      Code::PAL0816, verdict.where,
+      "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
+          proof.problem.environment,
+      verdict.measure == Measure::load
+          ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
+            "DURATION"
+          : "name a statement, an event or a completion that comes about in some run");
+}
+
+// Lines of a story that fit on a screen with what else is said, and parts of one whole.
+constexpr std::size_t most_lines = 14;
+constexpr std::size_t most_parts = 4;
+
+std::int64_t length(const analyzer::Reason& reason) {
+  return reason.to - reason.from;
+}
+
+std::string indent(int depth) {
+  return std::string(static_cast<std::size_t>(2 * depth), ' ');
+}
+
+Note note_of(const analyzer::Reason& reason, const analyzer::Problem& problem, int depth) {
+  const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
+  return {place_of(problem, reason),
+          indent(depth) + to_text(Duration(length(reason))) + ": " + who + reason.what};
+}
+
+/// All of them, in the order in which they happened, each with what is inside it.
+void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Problem& problem, int depth,
+               Diagnostic& finding) {
+  for (const analyzer::Reason& reason : analyzer::abridged(reasons)) {
+    finding.notes.push_back(note_of(reason, problem, depth));
+    add_story(reason.inside, problem, depth + 1, finding);
+  }
+}
+
+/// The longest first, with what is inside it; of the rest how much it is. Whether there is more to tell.
+bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem, int depth,
+                 Diagnostic& finding) {
+  std::stable_sort(reasons.begin(), reasons.end(), [](const analyzer::Reason& a, const analyzer::Reason& b) {
+    return length(a) > length(b);
+  });
+  const std::size_t most = reasons.size() <= most_parts + 1 ? reasons.size() : most_parts;
+  std::int64_t together = 0;
+  bool more = false;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    if (i >= most) {
+      together += length(reasons[i]);
+      continue;
+    }
+    finding.notes.push_back(note_of(reasons[i], problem, depth));
+    if (i > 0 || finding.notes.size() >= most_lines) {
+      more = more || !reasons[i].inside.empty();
+    } else {
+      more = add_longest(reasons[i].inside, problem, depth + 1, finding);
+    }
+  }
+  if (most == reasons.size()) return more;
+  finding.notes.push_back({{},
+                           indent(depth) + to_text(Duration(together)) + ": " +
+                               std::to_string(reasons.size() - most) + " shorter parts"});
+  return true;
+}
+
+void report(const Proof& proof, std::size_t index, bool whole_story, Session& session) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  const bool fails = verdict.state == State::fails;
+  const std::string what = fails ? " fails: " : " is undecided: ";
+  Diagnostic& finding = session.diagnostics.report(
+      fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
+      "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
+          " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
+          whole_text(verdict.measure, verdict.limit) + " is required",
+      hint_of(proof, index));
+  if (!fails || verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
+  const auto shown = attained(verdict);
+  if (!fails && shown && !verdict.reasons.empty())
+    finding.notes.push_back(
+        {verdict.where, "the worst run that was found has " + figure_text(verdict.measure, *shown)});
+  if (verdict.reasons.empty()) return;
+  if (whole_story) {
+    add_story(verdict.reasons, proof.problem, 0, finding);
+  } else if (add_longest(verdict.reasons, proof.problem, 0, finding)) {
+    finding.notes.push_back({{}, "--explain shows all parts in the order in which they happen"});
+  }
+}
+
+}  // namespace
+
+void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session) {
+  const std::vector<analyzer::StatementId>& statements = zeno_run.statements;
+  const auto where = [&problem](analyzer::StatementId statement) {
+    return problem.statements[statement].where;
+  };
+  Diagnostic& finding = session.diagnostics.report(
+      Code::PAL0821, statements.empty() ? SourceSpan{} : where(statements.front()),
+      "time stands still in some run in " + problem.environment +
+          ": a loop goes round for ever at one instant",
+      "give something in the loop a time, in the environment, or let it wait for something that takes time");
+  for (std::size_t i = 1; i < statements.size(); ++i)
+    finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
+}
+
+bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {
+  constexpr std::size_t classes = 5'000;
+  if (!analyzer::fits_exploration(problem)) return false;
+  const auto found = analyzer::find_zeno_run(problem, {classes, {}}).found;
+  if (found) report_zeno_run(problem, *found, session);
+  return found.has_value();
+}
+
+void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session) {
+  for (const Proof& proof : proofs) {
+    if (proof.analysis.zeno_run) report_zeno_run(proof.problem, *proof.analysis.zeno_run, session);
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
+      const State state = proof.analysis.verdicts[i].state;
+      if (state == State::never) report_never(proof, i, session);
+      if (state == State::fails || state == State::undecided) report(proof, i, whole_story, session);
+    }
+  }
+}
+
+}  // namespace pal::program

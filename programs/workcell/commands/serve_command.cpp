@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <ostream>
+
+#include "operations/step_log.hpp"
+#include "programs/workcell/options/command_line.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
+#include "programs/workcell/session/fault_file.hpp"
+#include "programs/workcell/session/instruments.hpp"
+#include "runtime/drivers/streams/outside.hpp"
+#include "server/announcement.hpp"
+#include "server/server.hpp"
+#include "sim/cell/cell.hpp"
+
+namespace pal::workcell {
+namespace {
+
+using namespace std::chrono_literals;
+
+server::ServerOptions server_options(const ServeCommand& command) {
+  server::ServerOptions options;
+  options.address = command.address;
+  options.port = static_cast<std::uint16_t>(command.port);
+  if (command.line_port >= 0) options.line_port = static_cast<std::uint16_t>(command.line_port);
+  options.line_terminal = command.line_terminal;
+  options.line_serial = command.line_serial;
+  options.baud = command.baud;
+  options.access.hosts.insert(options.access.hosts.end(), command.hosts.begin(), command.hosts.end());
+  options.access.origins = command.origins;
+  options.token = server::make_token();
+  return options;
+}
+
+std::unique_ptr<server::Server> open_server(const server::ServerOptions& options) {
+  try {
+    return std::make_unique<server::Server>(options);
+  } catch (const std::exception& problem) {
+    throw Failure(ExitStatus::usage, "serve", problem.what(),
+                  "choose another --port, or --port 0 for any that is free");
+  }
+}
+
+/// The file by which programs find the server, for as long as it serves.
+class Announced {
+ public:
+  Announced(std::string path, const server::Announcement& announcement) : path_(std::move(path)) {
+    try {
+      server::announce(path_, announcement);
+    } catch (const std::exception& problem) {
+      throw Failure(ExitStatus::usage, "serve", problem.what(), "name another file: --announce FILE");
+    }
+  }
+  ~Announced() { ::unlink(path_.c_str()); }
+  Announced(const Announced&) = delete;
+  Announced& operator=(const Announced&) = delete;
+
+ private:
+  std::string path_;
+};
+
+void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const server::Server& server,
+                    const std::string& announcement, std::ostream& out) {
+  out << fmt::format("serving scene {}; Ctrl-C ends it\n", scene.name)
+      << fmt::format("  JSON-RPC at ws://{}:{}\n", command.address, server.port());
+  if (const auto port = server.line_port()) out << fmt::format("  lines at {}:{}\n", command.address, *port);
+  if (!server.terminal().empty()) out << fmt::format("  lines at {}\n", server.terminal());
+  if (!command.line_serial.empty()) out << fmt::format("  lines at {}\n", command.line_serial);
+  out << fmt::format("  the token is in {}\n", announcement);
+  if (!server::is_loopback(command.address))
+    out << "  warning: others can reach this address, and nothing is encrypted, not even the token\n";
+  out << std::flush;
+}
+
+}  // namespace
+
+ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& known, std::ostream& out) {
+  const sim::Scene scene =
+      sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
+  std::ofstream log_file;
+  if (!command.log.empty()) {
+    log_file.open(command.log, std::ios::binary);
+    if (!log_file) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
+  }
+  operations::StepLog log(log_file);
+  const server::ServerOptions offered = server_options(command);
+  const auto server = open_server(offered);
+
+  std::optional<runtime::drivers::Outside> wall;
+  sim::CellOptions options;
+  options.seed = command.seed;
+  options.times = times_named(command.times);
+  options.keep_log = false;
+  options.faults = faults_of_lines(command.faults);
+  if (command.paced > 0) options.pace = &wall.emplace(command.paced);
+  options.watch = [&](sim::Workcell& workcell) {
+    return std::make_unique<WatchedWorld>(workcell, std::vector{instrument_watcher(workcell, *server)});
+  };
+  std::optional<sim::Cell> opened;
+  try {
+    opened.emplace(scene, options);
+  } catch (const sim::NoSuchDevice& problem) {
+    throw no_such_device(command.faults, problem);
+  }
+  sim::Cell& cell = *opened;
+  ProfileWatcher profiles(*server, [&cell] { return cell.station().now(); });
+  CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
+  runner.on_broken_promise(policy_named(command.on_broken_promise));
+  server::Desk desk(runner, templates_of(known), *server,
+                    {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log, sensors_of(cell),
+                     locations_of(cell)});
+  server->start(desk, true);
+  const std::string path =
+      command.announcement.empty() ? server::default_announcement() : command.announcement;
+  const Announced announced(path, {command.address, server->port(), offered.token});
+  tell_addresses(command, scene, *server, path, out);
+  while (!desk.ended()) {
+    if (desk.work()) continue;
+    if (command.paced > 0) {
+      cell.station().idle(10ms);
+    } else {
+      desk.wait(100ms);
+    }
+  }
+  server->stop();
+  out << fmt::format("served for {:.1f} s of the cell\n",
+                     std::chrono::duration<double>(cell.station().now()).count());
+  return ExitStatus::done;
+}
+
+}  // namespace pal::workcell

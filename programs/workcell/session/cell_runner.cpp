@@ -1,0 +1,184 @@
+#include "programs/workcell/session/cell_runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pal::workcell {
+namespace {
+
+using operations::SkillResult;
+
+pan::ScalarType type_of(runtime::ParameterType type) {
+  switch (type) {
+    case runtime::ParameterType::integer:
+      return pan::ScalarType::integer;
+    case runtime::ParameterType::boolean:
+      return pan::ScalarType::boolean;
+    case runtime::ParameterType::text:
+      return pan::ScalarType::text;
+    case runtime::ParameterType::real:
+      break;
+  }
+  return pan::ScalarType::real;
+}
+
+pan::Completion::Kind kind_of(runtime::CompletionSpec::Kind kind) {
+  switch (kind) {
+    case runtime::CompletionSpec::Kind::contingency:
+      return pan::Completion::Kind::contingency;
+    case runtime::CompletionSpec::Kind::error:
+      return pan::Completion::Kind::error;
+    case runtime::CompletionSpec::Kind::normal:
+      break;
+  }
+  return pan::Completion::Kind::normal;
+}
+
+pan::Template template_of(const runtime::SkillDescription& description) {
+  pan::Template result;
+  result.name = description.name;
+  for (const std::string_view text : description.descriptions) result.descriptions.emplace_back(text);
+  for (const runtime::ParameterSpec& spec : description.parameters) {
+    pan::Parameter parameter;
+    parameter.name = spec.name;
+    parameter.type = type_of(spec.type);
+    parameter.unit = spec.unit;
+    parameter.low = spec.low;
+    parameter.high = spec.high;
+    parameter.default_value = spec.default_value;
+    parameter.default_text = spec.default_text;
+    parameter.description = spec.description;
+    result.parameters.push_back(std::move(parameter));
+  }
+  for (const runtime::CompletionSpec& spec : description.completions) {
+    pan::Completion completion;
+    completion.code = spec.code;
+    completion.kind = kind_of(spec.kind);
+    completion.description = spec.description;
+    result.completions.push_back(std::move(completion));
+  }
+  return result;
+}
+
+runtime::ParameterValue value_of(const operations::Parameter& parameter) {
+  if (const auto* text = std::get_if<std::string>(&parameter.value))
+    return {.name = parameter.name, .text = *text};
+  if (const auto* truth = std::get_if<bool>(&parameter.value)) return {parameter.name, *truth ? 1.0 : 0.0};
+  return {parameter.name, std::get<double>(parameter.value)};
+}
+
+/// With the first promise that was broken, unless the skill has ended because of it.
+std::string reason_of(const runtime::Outcome& outcome) {
+  if (outcome.broken_promises.empty()) return outcome.reason;
+  const runtime::BrokenPromise& broken = outcome.broken_promises.front();
+  if (outcome.reason.find(broken.promise) != std::string::npos) return outcome.reason;
+  const std::size_t others = outcome.broken_promises.size() - 1;
+  return fmt::format("{}{} broken promise: {}{}", outcome.reason, outcome.reason.ends_with('.') ? "" : ";",
+                     runtime::in_words(broken), others == 0 ? "" : fmt::format("; and {} more", others));
+}
+
+SkillResult::Kind kind_of(const runtime::Skill& skill, const runtime::Outcome& outcome) {
+  if (outcome.fault) return SkillResult::Kind::error;
+  for (const runtime::CompletionSpec& completion : skill.description().completions) {
+    if (completion.code != outcome.code) continue;
+    if (completion.kind == runtime::CompletionSpec::Kind::normal) return SkillResult::Kind::normal;
+    if (completion.kind == runtime::CompletionSpec::Kind::contingency) return SkillResult::Kind::contingency;
+  }
+  return SkillResult::Kind::error;
+}
+
+}  // namespace
+
+operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
+  operations::Skills result;
+  for (const KnownSkill& known : skills) result.emplace(known.name, template_of(known.make()->description()));
+  return result;
+}
+
+operations::Sensors sensors_of(const sim::Cell& cell) {
+  operations::Sensors result;
+  for (const sim::SensorSpec& sensor : cell.sensors())
+    result[sensor.name] = {sensor.unit, sensor.description};
+  return result;
+}
+
+std::set<std::string> locations_of(sim::Cell& cell) {
+  std::set<std::string> result;
+  for (const auto& [name, place] : cell.val_store().locations) result.insert(name);
+  return result;
+}
+
+CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
+                       std::uint64_t seed, OnInterrupt on_interrupt, runtime::MessageObserver* messages)
+    : cell_(cell),
+      known_(skills),
+      times_(times),
+      seed_(seed),
+      on_interrupt_(on_interrupt),
+      messages_(messages) {
+  take_new_control();
+}
+
+void CellRunner::take_new_control() {
+  controls_.push_back(std::make_unique<runtime::RunControl>());
+  control_ = controls_.back().get();
+  if (on_interrupt_ != OnInterrupt::stop) return;
+  interrupt_.reset();
+  interrupt_.emplace(*controls_.back());
+}
+
+SkillResult CellRunner::run(const std::string& name, const std::vector<operations::Parameter>& parameters) {
+  runtime::Skill* skill = find(name);
+  if (skill == nullptr) return {SkillResult::Kind::error, -1, "the cell has no skill '" + name + "'"};
+  std::vector<runtime::ParameterValue> values;
+  for (const operations::Parameter& parameter : parameters) values.push_back(value_of(parameter));
+  runtime::RunOptions options;
+  options.costs = times_;
+  options.seed = seed_++;
+  options.control = control_;
+  options.observer = messages_;
+  options.trace_capacity = 1U << 14U;
+  options.on_broken_promise = on_broken_promise_;
+  const runtime::Outcome outcome = cell_.run(*skill, values, options);
+  SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
+  if (outcome.fault && control_.load()->stopping()) result.kind = SkillResult::Kind::stopped;
+  // What cut a skill off may have left motions that the arm has accepted: no skill begins before it is at
+  // rest.
+  if (outcome.fault) cell_.rest(runtime::Time::zero());
+  return result;
+}
+
+bool CellRunner::delay(Duration time) {
+  constexpr Duration grain = std::chrono::milliseconds(20);
+  const runtime::RunControl& control = *control_.load();
+  const Duration end = now() + time;
+  while (now() < end && !control.stopping()) cell_.station().idle(std::min(grain, end - now()));
+  return !control.stopping();
+}
+
+operations::Reading CellRunner::sense(const std::string& sensor) {
+  sim::Cell::Sensed sensed = cell_.sense(sensor, control_.load());
+  return {sensed.value, std::move(sensed.problem), sensed.stopped};
+}
+
+Duration CellRunner::now() const {
+  return cell_.station().now();
+}
+
+void CellRunner::stop() noexcept {
+  control_.load()->stop();
+}
+
+void CellRunner::allow() {
+  if (control_.load()->stopping()) take_new_control();
+}
+
+runtime::Skill* CellRunner::find(const std::string& name) {
+  if (const auto made = made_.find(name); made != made_.end()) return made->second.get();
+  for (const KnownSkill& known : known_)
+    if (known.name == name) return made_.emplace(name, known.make()).first->second.get();
+  return nullptr;
+}
+
+}  // namespace pal::workcell

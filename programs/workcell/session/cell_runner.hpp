@@ -1,0 +1,69 @@
+// Runs the skills of an operation in the workcell.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "operations/check.hpp"
+#include "operations/executor.hpp"
+#include "pal/runtime/observer.hpp"
+#include "programs/workcell/session/interrupt.hpp"
+#include "programs/workcell/session/skills.hpp"
+#include "sim/cell/cell.hpp"
+
+namespace pal::workcell {
+
+/// The descriptions of the program's skills.
+operations::Skills templates_of(const std::vector<KnownSkill>& skills);
+
+/// The sensors that tests and waits can read, and the locations that are taught.
+operations::Sensors sensors_of(const sim::Cell& cell);
+std::set<std::string> locations_of(sim::Cell& cell);
+
+/// Whether Ctrl-C stops the skill that runs.
+enum class OnInterrupt { stop, leave };
+
+/// Arm, parts and devices go on from skill to skill.
+class CellRunner final : public operations::SkillRunner {
+ public:
+  /// All outlive the runner. `messages`: observes the messages of each skill.
+  CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, runtime::CostPolicy times,
+             std::uint64_t seed, OnInterrupt on_interrupt = OnInterrupt::stop,
+             runtime::MessageObserver* messages = nullptr);
+  /// What is done when a promise of the environment, or a requirement, is broken; `report` unless it is set.
+  /// The first one stands in the reason of the skill's result.
+  void on_broken_promise(runtime::OnBrokenPromise policy) { on_broken_promise_ = policy; }
+
+  operations::SkillResult run(const std::string& skill,
+                              const std::vector<operations::Parameter>& parameters) override;
+  bool delay(Duration time) override;
+  operations::Reading sense(const std::string& sensor) override;
+  Duration now() const override;
+  void stop() noexcept override;
+  void allow() override;
+
+ private:
+  runtime::Skill* find(const std::string& name);
+  void take_new_control();
+
+  sim::Cell& cell_;
+  const std::vector<KnownSkill>& known_;
+  runtime::CostPolicy times_;
+  std::uint64_t seed_;  // of the next skill
+  std::map<std::string, std::unique_ptr<runtime::Skill>> made_;
+  OnInterrupt on_interrupt_;
+  runtime::MessageObserver* messages_;
+  runtime::OnBrokenPromise on_broken_promise_ = runtime::OnBrokenPromise::report;
+  // A control that has been stopped stays so; resuming takes a new one. The old ones stay for another thread
+  // that is about to stop.
+  std::vector<std::unique_ptr<runtime::RunControl>> controls_;
+  std::atomic<runtime::RunControl*> control_ = nullptr;
+  std::optional<Interrupt> interrupt_;
+};
+
+}  // namespace pal::workcell

@@ -1,0 +1,47 @@
+#include "programs/workcell/session/fault_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace pal::workcell {
+
+std::vector<sim::PlannedFault> faults_in(const std::string& file) {
+  if (file.empty()) return {};
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw Failure(ExitStatus::usage, file, "the file cannot be read", "name a file of faults");
+  auto read = sim::read_faults(text.str());
+  if (const auto* wrong = std::get_if<sim::FaultTextError>(&read))
+    throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, wrong->line), wrong->cause,
+                  "for example: at 500 ms force-torque dropout");
+  if (std::get<0>(read).empty())
+    throw Failure(ExitStatus::wrong_specification, file, "the file names no fault",
+                  "write a line, for example: at 500 ms force-torque dropout");
+  return std::get<0>(std::move(read));
+}
+
+std::vector<sim::PlannedFault> faults_of_lines(const std::string& file) {
+  std::vector<sim::PlannedFault> faults = faults_in(file);
+  for (const sim::PlannedFault& fault : faults)
+    if (fault.kind == sim::PlannedFault::Kind::takes)
+      throw Failure(
+          ExitStatus::wrong_specification, fmt::format("{}:{}", file, fault.line),
+          "a statement can be made slow in 'workcell run' only",
+          "name a device and what goes wrong with its line, for example: at 500 ms force-torque late 3 ms");
+  return faults;
+}
+
+Failure no_such_device(const std::string& file, const sim::NoSuchDevice& problem) {
+  return {ExitStatus::wrong_specification, fmt::format("{}:{}", file, problem.line()), problem.what(),
+          "name one of these, or choose a scene whose tool is the device"};
+}
+
+runtime::OnBrokenPromise policy_named(const std::string& name) {
+  if (name == "contingency") return runtime::OnBrokenPromise::contingency;
+  return name == "stop" ? runtime::OnBrokenPromise::stop : runtime::OnBrokenPromise::report;
+}
+
+}  // namespace pal::workcell

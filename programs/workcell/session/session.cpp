@@ -1,0 +1,138 @@
+#include "programs/workcell/session/session.hpp"
+
+#include <algorithm>
+
+#include "programs/workcell/session/run_observers.hpp"
+#include "sim/cell/cell.hpp"
+
+namespace pal::workcell {
+namespace {
+
+constexpr runtime::Time rest = std::chrono::milliseconds(400);
+// Events of a run in real time, 16 MB: a trace that had to grow would hold the kernel for milliseconds.
+constexpr std::size_t real_time_trace = 1U << 19U;
+
+void run_before(sim::Cell& cell, const Session& session) {
+  if (!session.before) return;
+  const auto skill = session.before->make();
+  runtime::RunOptions options;
+  options.costs = session.times;
+  options.seed = session.seed;
+  options.control = session.control;
+  const runtime::Outcome outcome = cell.run(*skill, {}, options);
+  if (outcome.code != 0)
+    throw sim::SceneError(
+        std::string(skill->description().name) + " in scene " + session.scene.name,
+        "the skill before ended with completion " + std::to_string(outcome.code) + ": " + outcome.reason,
+        "choose a scene in which it ends with completion 0");
+}
+
+/// The workcell, and what looks at it, which goes before it.
+struct ObservedWorld final : runtime::World {
+  ObservedWorld(sim::Workcell& cell, const runtime::Skill& skill, const Session& session)
+      : workcell(cell), observers(cell, skill, session), watched(cell, observers.watchers()) {}
+  void advance_to(runtime::Time when) override { watched.advance_to(when); }
+
+  sim::Workcell& workcell;
+  RunObservers observers;
+  WatchedWorld watched;
+};
+
+/// The observers of messages: the log, and the measurement, if there is one.
+class MessageObservers final : public runtime::MessageObserver {
+ public:
+  MessageObservers(sim::MessageLog& log, runtime::Measurement* measurement)
+      : log_(log), measurement_(measurement) {}
+  void passed(runtime::Time when, const runtime::Device& device, std::size_t port,
+              std::span<const double> fields) override {
+    log_.passed(when, device, port, fields);
+    if (measurement_ != nullptr) measurement_->passed(when, device, port, fields);
+  }
+  void forgotten(const runtime::Device& device, std::size_t port) override {
+    if (measurement_ != nullptr) measurement_->forgotten(device, port);
+  }
+
+ private:
+  sim::MessageLog& log_;
+  runtime::Measurement* measurement_;
+};
+
+}  // namespace
+
+std::string title(const runtime::Skill& skill, const Session& session) {
+  return std::string(skill.description().name) + " in scene " + session.scene.name;
+}
+
+SessionResult run_session(runtime::Skill& skill, const Session& session) {
+  SessionResult result;
+  ObservedWorld* world = nullptr;
+  sim::CellOptions cell_options;
+  cell_options.raise = session.raise;
+  cell_options.seed = session.seed;
+  cell_options.machine_seed = session.machine_seed;
+  cell_options.times = session.times;
+  cell_options.phase = session.phase;
+  cell_options.pace = session.pace;
+  cell_options.carrier = session.carrier;
+  cell_options.faults = session.faults;
+  cell_options.watch = [&](sim::Workcell& workcell) {
+    auto made = std::make_unique<ObservedWorld>(workcell, skill, session);
+    world = made.get();
+    return made;
+  };
+  bool before = true;
+  cell_options.at_begin = [&](runtime::Time begin) {
+    if (before) return;
+    world->workcell.begin_log(begin);
+    world->watched.begin(begin);
+  };
+  sim::Cell cell(session.scene, cell_options);
+  run_before(cell, session);
+  before = false;
+
+  runtime::RunOptions options;
+  options.costs = session.times;
+  options.seed = session.seed;
+  options.control = session.control;
+  MessageObservers observers(result.messages, session.measurement);
+  options.observer = &observers;
+  options.work = session.measurement;
+  if (session.measurement != nullptr) session.measurement->begin_run();
+  options.on_broken_promise = session.on_broken_promise;
+  options.slow = session.slow;
+  options.live = session.live;
+  options.horizon = session.limit;
+  options.real_time = session.real_time;
+  if (session.real_time) options.trace_capacity = real_time_trace;
+  result.outcome = cell.run(skill, session.parameters, options);
+  result.phase = cell.phase();
+  result.controller = cell.val_driver().last_error();
+
+  cell.rest(rest);
+  // Before the picture: OpenGL is drawn with by one thread at a time.
+  result.video_problem = world->observers.end();
+  result.log = cell.workcell().log();
+  for (const sim::Sample& sample : result.log)
+    result.peak_force = std::max(result.peak_force, sample.contact_force);
+  if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
+  if (session.picture) result.picture = sim::take_picture(cell.workcell(), captioned({}, skill, session));
+  return result;
+}
+
+std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,
+                                      std::string_view name) {
+  for (const runtime::ParameterValue& parameter : session.parameters)
+    if (parameter.name == name) return parameter.value;
+  for (const runtime::ParameterSpec& parameter : skill.description().parameters)
+    if (parameter.name == name) return parameter.default_value;
+  return std::nullopt;
+}
+
+std::string text_parameter(const runtime::ParameterSpec& parameter, const Session& session) {
+  std::string text(parameter.default_text);
+  for (const runtime::ParameterValue& value : session.parameters)
+    if (value.name == parameter.name) text = value.text.value_or(text);
+  return text;
+}
+
+}  // namespace pal::workcell

@@ -1,0 +1,157 @@
+#include "runtime/executives/scheduler.hpp"
+
+#include <algorithm>
+
+namespace pal::runtime {
+
+using State = ThreadControl::State;
+
+Scheduler::Scheduler(const Clock& clock, Journal& journal, EventQueue& queue, const Wiring& wiring)
+    : clock_(clock), journal_(journal), queue_(queue) {
+  for (const ProcessorSpec& spec : wiring.processors) {
+    processors_.emplace_back();
+    Processor& processor = processors_.back();
+    processor.spec = &spec;
+    processor.index = static_cast<int>(processors_.size()) - 1;
+    processor.ready.reserve(wiring.threads.size());
+    processor.arrived.reserve(2 * wiring.threads.size());
+  }
+  changed_.reserve(processors_.size());
+}
+
+void Scheduler::note_change(Processor& processor) {
+  if (processor.changed) return;
+  processor.changed = true;
+  changed_.push_back(&processor);
+}
+
+void Scheduler::enqueue(Processor& processor, Thread& thread) {
+  ThreadControl& control = thread.control;
+  control.state = State::ready;
+  const auto goes_before = [&control](const Thread* other) {
+    const ThreadControl& of = other->control;
+    return control.spec->priority != of.spec->priority ? control.spec->priority > of.spec->priority
+                                                       : control.queue_key < of.queue_key;
+  };
+  if (!control.announced) processor.arrived.push_back(&thread);
+  if (processor.ready.empty() || goes_before(processor.ready.back())) {
+    processor.ready.push_back(&thread);
+    return;
+  }
+  auto at = processor.ready.end();
+  while (at != processor.ready.begin() && !goes_before(*(at - 1))) --at;
+  processor.ready.insert(at, &thread);
+}
+
+void Scheduler::need_processor(Thread& thread, Time time) {
+  ThreadControl& control = thread.control;
+  Processor& processor = processor_of(thread);
+  control.left = time;
+  control.begun = false;
+  note_change(processor);
+  if (processor.running == &thread) return;  // keeps it from the statement before
+  control.announced = false;
+  control.queue_key = ++back_;
+  enqueue(processor, thread);
+}
+
+void Scheduler::leave(Thread& thread) {
+  Processor& processor = processor_of(thread);
+  if (processor.running != &thread) {
+    if (!processor.ready.empty()) std::erase(processor.ready, &thread);
+    return;
+  }
+  if (processor.working) queue_.cancel(processor.end);
+  processor.running = nullptr;
+  processor.working = false;
+  note_change(processor);
+}
+
+Thread& Scheduler::finish_work(int processor) {
+  Processor& p = processors_[static_cast<std::size_t>(processor)];
+  p.working = false;
+  p.running->control.left = Time::zero();
+  return *p.running;
+}
+
+void Scheduler::start(Processor& processor, Thread& thread) {
+  ThreadControl& control = thread.control;
+  control.state = State::running;
+  control.begun = true;
+  processor.running = &thread;
+  processor.working = true;
+  processor.since = clock_.now;
+  journal_.record(trace::Kind::start, thread);
+  processor.end = queue_.push(processor.since + control.left, Event::Kind::work_done, processor.index);
+}
+
+void Scheduler::start_first(Processor& processor) {
+  Thread& first = *processor.ready.back();
+  processor.ready.pop_back();
+  start(processor, first);
+}
+
+void Scheduler::interrupt(Processor& processor) {
+  Thread& thread = *processor.running;
+  ThreadControl& control = thread.control;
+  if (processor.working) {
+    control.left -= clock_.now - processor.since;
+    journal_.record(trace::Kind::stop, thread);
+    control.announced = true;
+    queue_.cancel(processor.end);
+  } else {
+    control.announced = false;  // between two statements
+  }
+  control.queue_key = --front_;
+  processor.running = nullptr;
+  processor.working = false;
+  enqueue(processor, thread);
+}
+
+void Scheduler::dispatch(Processor& processor) {
+  if (processor.running == nullptr) {
+    if (!processor.ready.empty()) start_first(processor);
+  } else if (processor.spec->preemptive && !processor.ready.empty() &&
+             processor.ready.back()->control.spec->priority > processor.running->control.spec->priority) {
+    interrupt(processor);
+    start_first(processor);
+  } else if (!processor.working) {
+    start(processor, *processor.running);
+  }
+  if (!processor.arrived.empty()) announce(processor);
+}
+
+/// The trace learns which threads are ready without a processor, in the order of the threads.
+void Scheduler::announce(Processor& processor) {
+  std::vector<Thread*>& arrived = processor.arrived;
+  if (arrived.size() > 1)
+    std::sort(arrived.begin(), arrived.end(),
+              [](const Thread* a, const Thread* b) { return a->control.index < b->control.index; });
+  for (Thread* thread : arrived) {
+    ThreadControl& control = thread->control;
+    if (control.state != State::ready || control.announced) continue;
+    control.announced = true;
+    journal_.record(trace::Kind::ready, *thread);
+  }
+  arrived.clear();
+}
+
+void Scheduler::dispatch() {
+  if (changed_.size() == 1) {
+    Processor& only = *changed_.front();
+    changed_.clear();
+    only.changed = false;
+    dispatch(only);
+    return;
+  }
+  if (changed_.size() > 1)
+    std::sort(changed_.begin(), changed_.end(),
+              [](const Processor* a, const Processor* b) { return a->index < b->index; });
+  for (Processor* processor : changed_) {
+    processor->changed = false;
+    dispatch(*processor);
+  }
+  changed_.clear();
+}
+
+}  // namespace pal::runtime

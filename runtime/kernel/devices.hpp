@@ -1,0 +1,54 @@
+// The devices of a run.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "runtime/kernel/device_link.hpp"
+#include "runtime/kernel/promises.hpp"
+
+namespace pal::runtime {
+
+/// A device of the run, and which of the wiring's channels each of its ports is an end of (-1: none).
+struct Connection {
+  Device* device = nullptr;
+  std::vector<int> channels;
+};
+
+/// Devices are named by their index. What one throws ends the skill.
+class Devices {
+ public:
+  /// All outlive the devices; `observer` may be null.
+  Devices(Executive& executive, Journal& journal, Mail& mail, Promises& promises, MessageObserver* observer,
+          const std::vector<Connection>& connections);
+
+  /// False: one has thrown.
+  bool attach();
+  void open(int device);
+  void hand_to(int device, std::size_t port, std::span<const double> fields);
+  /// Whether the device forgets the request.
+  bool withdraw_from(int device, std::size_t port);
+  bool marks_itself(int device) const { return link(device).marks_itself(); }
+  /// An action that the device has asked for.
+  void act(int device, const std::function<void()>& action);
+  /// Each, whatever comes of the others.
+  void close();
+  /// The device whose code is being called, as another thread sees it; empty: none.
+  std::string at_work() const;
+
+ private:
+  class AtWork;
+
+  DeviceLink& link(int device) { return links_[static_cast<std::size_t>(device)]; }
+  const DeviceLink& link(int device) const { return links_[static_cast<std::size_t>(device)]; }
+  void fail(int device);
+
+  Journal& journal_;
+  Promises& promises_;
+  std::deque<DeviceLink> links_;
+  std::atomic<int> at_work_ = -1;
+};
+
+}  // namespace pal::runtime

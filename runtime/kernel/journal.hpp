@@ -1,0 +1,113 @@
+// The trace of a run, and its end.
+#pragma once
+
+#include <string>
+
+#include "pal/runtime/executive.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/skill.hpp"
+#include "pal/runtime/thread.hpp"
+#include "pal/runtime/trace_ring.hpp"
+#include "runtime/watch/recorder.hpp"
+
+namespace pal::runtime {
+
+/// Is shown the events of a run, as the trace has them.
+class EventWatcher {
+ public:
+  virtual void see(const trace::Event& event) = 0;
+
+ protected:
+  ~EventWatcher() = default;
+};
+
+class Journal {
+ public:
+  /// All outlive the journal.
+  Journal(const Clock& clock, const Skill& skill, const RunOptions& options);
+
+  /// Whether the skill has ended. After that nothing happens, and nothing is written.
+  bool over() const { return over_; }
+
+  // The trace. A thread's event names the statement that it has come to.
+  void record(trace::Kind kind, const Thread& thread, int subject = -1, std::int32_t value = 0) {
+    if (!shown_) return;
+    const Operation* operation = thread.control.operation;
+    add(kind, thread.control.index, operation == nullptr ? -1 : operation->statement(), subject, value);
+  }
+  void record_device(trace::Kind kind, int device, int subject = -1, std::int32_t value = 0) {
+    if (shown_) add(kind, actor_of_device(device), -1, subject, value);
+  }
+  void record_drop(int channel, std::int32_t serial) {
+    if (shown_) add(trace::Kind::drop, -1, -1, channel, serial);
+  }
+  void overrun(int device, int channel);
+
+  /// The tables of the trace.
+  const trace::Trace& tables() const { return recorder_.tables(); }
+  /// Shows all events from now on to `watcher`, which outlives the run.
+  void watch(EventWatcher* watcher) {
+    watcher_ = watcher;
+    shown_ = !over_;
+  }
+  /// A promise that was broken, in words; they are numbered from 0.
+  void name_promise(const std::string& promise) { recorder_.add_promise(promise); }
+  /// Actor, statement and channel may be -1.
+  void broken(int actor, int statement, int channel, int promise) {
+    if (!over_) write(trace::Kind::broken, actor, statement, channel, promise);
+  }
+  int actor_of_device(int device) const { return static_cast<int>(skill_.wiring().threads.size()) + device; }
+
+  // The end of the run. The first reason counts.
+  void complete(const Thread& thread, int code);
+  void fail(const std::string& reason) { fail_at(-1, -1, reason); }
+  void fail(const Thread& thread, const std::string& reason);
+  void fail_device(int device, const std::string& reason);
+  /// With the exception that is being handled.
+  void fail_by_exception(const Thread& thread);
+  /// Actor and statement of the trace may be -1.
+  void fail_at(int actor, int statement, const std::string& reason);
+  /// Also after the end: closing the device went wrong.
+  void fail_to_close(const std::string& device, const std::string& reason);
+
+  /// "SM1 at TXM( x to y ) (file.pal:7)"
+  std::string place_of(const Thread& thread) const;
+
+  /// What came of the run. Once.
+  Outcome take();
+
+ private:
+  const trace::Event& write(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+    trace::Event& event = recorder_.next();
+    event.time_ns = clock_.now.count();
+    event.kind = kind;
+    event.actor = actor;
+    event.statement = statement;
+    event.subject = subject;
+    event.value = value;
+    if (live_ != nullptr) live_->put(event);
+    return event;
+  }
+  void add(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+    const trace::Event& event = write(kind, actor, statement, subject, value);
+    if (watcher_ != nullptr) show(event);
+  }
+  /// A copy: what is noted of it may move the events.
+  void show(trace::Event event) { watcher_->see(event); }
+  void end() {
+    over_ = true;
+    shown_ = false;
+  }
+  int error_code() const;
+
+  const Clock& clock_;
+  const Skill& skill_;
+  Recorder recorder_;
+  TraceRing* live_;
+  EventWatcher* watcher_ = nullptr;
+  Outcome outcome_;
+  bool over_ = false;
+  bool shown_ = false;  // events are wanted, and the skill is not over
+};
+
+}  // namespace pal::runtime

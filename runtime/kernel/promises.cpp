@@ -1,0 +1,214 @@
+#include "runtime/kernel/promises.hpp"
+
+#include <algorithm>
+
+#include "runtime/kernel/thrown.hpp"
+
+namespace pal::runtime {
+
+Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy)
+    : clock_(clock),
+      journal_(journal),
+      skill_(skill),
+      wiring_(skill.wiring()),
+      policy_(policy),
+      requirements_(wiring_, journal.tables()) {
+  for (const DeviceTimes& times : wiring_.times) devices_.emplace_back(times);
+  rows_.resize(row_of_requirement(wiring_.requirements.size()));
+  if (requirements_.any()) journal.watch(this);
+}
+
+std::size_t Promises::row_of_device(int device, bool sooner) const {
+  return 2 * static_cast<std::size_t>(device) + (sooner ? 1 : 0);
+}
+
+std::size_t Promises::row_of_statement(int statement) const {
+  return row_of_device(static_cast<int>(wiring_.devices.size()), false) + static_cast<std::size_t>(statement);
+}
+
+std::size_t Promises::row_of_requirement(std::size_t requirement) const {
+  return row_of_statement(static_cast<int>(wiring_.statements.size())) + requirement;
+}
+
+// What is seen.
+
+void Promises::sent(int device, int channel) {
+  if (devices_.empty()) return;
+  if (wiring_.channels[static_cast<std::size_t>(channel)].message != watch(device).times().message) return;
+  note(device, channel, watch(device).event(clock_.now));
+  look_at(device);
+}
+
+void Promises::answered(int device, int channel, Time asked) {
+  if (devices_.empty()) return;
+  note(device, channel, watch(device).answered(clock_.now, asked));
+  look_at(device);
+}
+
+void Promises::took(const Thread& thread, Time used) {
+  const int statement = thread.control.operation->statement();
+  const Interval& declared = wiring_.statements[static_cast<std::size_t>(statement)].cost;
+  if (used > declared.worst)
+    note({row_of_statement(statement), used, thread.control.index, statement, -1, false, false});
+}
+
+void Promises::see(const trace::Event& event) {
+  note(requirements_.see(event));
+  if (event.kind == trace::Kind::put) next_ = std::min(next_, requirements_.due());
+}
+
+Time Promises::due() {
+  next_ = requirements_.due();
+  for (const DeviceWatch& device : devices_) next_ = std::min(next_, device.due());
+  return next_;
+}
+
+void Promises::overdue() {
+  const Time now = clock_.now;
+  for (std::size_t d = 0; d < devices_.size(); ++d) {
+    if (devices_[d].due() <= now) note(static_cast<int>(d), -1, devices_[d].overdue(now));
+  }
+  if (requirements_.due() <= now) note(requirements_.overdue(now));
+  due();
+}
+
+// What is noted.
+
+void Promises::note(int device, int channel, const Seen& seen) {
+  if (seen.what == Seen::What::kept) return;
+  const bool sooner = seen.what == Seen::What::sooner;
+  note({row_of_device(device, sooner), seen.measured, journal_.actor_of_device(device), -1, channel, sooner,
+        seen.noted});
+}
+
+void Promises::note(const std::vector<Exceeded>& exceeded) {
+  for (const Exceeded& each : exceeded) {
+    const RequirementSpec& requirement = wiring_.requirements[each.requirement];
+    note({row_of_requirement(each.requirement), each.measured, each.actor, each.statement, -1,
+          each.measured < requirement.least, each.noted});
+  }
+}
+
+void Promises::note(const Breach& breach) {
+  if (journal_.over()) return;
+  Row& row = rows_[breach.row];
+  const bool first = row.broken < 0;
+  row.measured = first          ? breach.measured
+                 : breach.least ? std::min(row.measured, breach.measured)
+                                : std::max(row.measured, breach.measured);
+  if (breach.noted) return;
+  if (first) {
+    row.broken = static_cast<std::int32_t>(broken_.size());
+    broken_.push_back(describe(breach));
+    journal_.name_promise(broken_.back().promise);
+  } else {
+    ++broken_[static_cast<std::size_t>(row.broken)].times;
+  }
+  journal_.broken(breach.actor, breach.statement, breach.channel, row.broken);
+  BrokenPromise broken = broken_[static_cast<std::size_t>(row.broken)];
+  broken.measured = breach.measured;
+  if (policy_ == OnBrokenPromise::stop || (policy_ == OnBrokenPromise::contingency && first))
+    apply_policy(breach, broken);
+}
+
+void Promises::apply_policy(const Breach& breach, const BrokenPromise& broken) {
+  std::string reason = in_words(broken);
+  if (policy_ == OnBrokenPromise::contingency) {
+    try {
+      if (skill_.promise_broken(broken)) return;
+      reason += "; the skill has no answer to it";
+    } catch (...) {
+      reason += "; the skill's answer: " + what_was_thrown();
+    }
+  }
+  journal_.fail_at(breach.actor, breach.statement, reason);
+}
+
+std::vector<BrokenPromise> Promises::take() {
+  for (const Row& row : rows_) {
+    if (row.broken >= 0) broken_[static_cast<std::size_t>(row.broken)].measured = row.measured;
+  }
+  return std::move(broken_);
+}
+
+// In words.
+
+std::string Promises::name_of(std::int32_t actor) const {
+  if (actor < 0) return {};
+  const auto index = static_cast<std::size_t>(actor);
+  const std::size_t threads = wiring_.threads.size();
+  return std::string(index < threads ? wiring_.threads[index].name : wiring_.devices[index - threads]);
+}
+
+std::string Promises::promise_of_device(std::size_t device, bool sooner) const {
+  using Behaviour = DeviceTimes::Behaviour;
+  const DeviceTimes& times = devices_[device].times();
+  const std::string name(wiring_.devices[device]);
+  const std::string jitter = times.jitter > Time::zero() ? ", up to " + in_words(times.jitter) + " late" : "";
+  const std::string message(times.message);
+  switch (times.behaviour) {
+    case Behaviour::events:
+      return name + " sends " + message + " every " + in_words(times.period) + jitter +
+             (sooner ? ", not sooner" : ", not later");
+    case Behaviour::sporadic:
+      return name + " sends " + message + " " + in_words(times.period) + " apart" + jitter + ", not sooner";
+    case Behaviour::frames:
+      return name + " gives a frame " +
+             in_words(sooner ? times.answer.best : times.answer.worst + times.period) +
+             " after a request at the " + (sooner ? "soonest" : "latest");
+    case Behaviour::on_request:
+    case Behaviour::unknown:
+      break;
+  }
+  return name + " answers " + in_words(sooner ? times.answer.best : times.answer.worst) +
+         " after a request at the " + (sooner ? "soonest" : "latest");
+}
+
+std::string Promises::promise_of_requirement(const RequirementSpec& requirement) const {
+  static constexpr const char* measures[] = {"a response",  "an age",     "an age",
+                                             "an interval", "a duration", ""};
+  std::string text = "requirement " + std::string(requirement.name) + ", " +
+                     measures[static_cast<std::size_t>(requirement.measure)];
+  if (requirement.least > Time::zero()) text += " of at least " + in_words(requirement.least);
+  if (requirement.most != Time::max())
+    text += (requirement.least > Time::zero() ? " and" : " of") + (" at most " + in_words(requirement.most));
+  return text;
+}
+
+BrokenPromise Promises::describe(const Breach& breach) const {
+  BrokenPromise broken;
+  broken.by = name_of(breach.actor);
+  broken.measured = breach.measured;
+  broken.first = clock_.now;
+  const std::size_t statements = row_of_statement(0), requirements = row_of_requirement(0);
+  const auto has = [](std::span<const int> list, std::size_t index) {
+    return std::find(list.begin(), list.end(), static_cast<int>(index)) != list.end();
+  };
+  if (breach.row >= requirements) {
+    const RequirementSpec& requirement = wiring_.requirements[breach.row - requirements];
+    broken.promise = promise_of_requirement(requirement);
+    broken.endangers = {std::string(requirement.name)};
+    return broken;
+  }
+  if (breach.row < statements) {
+    broken.promise = promise_of_device(breach.row / 2, breach.least);
+    for (const RequirementSpec& requirement : wiring_.requirements) {
+      if (has(requirement.devices, breach.row / 2)) broken.endangers.emplace_back(requirement.name);
+    }
+    return broken;
+  }
+  const StatementSpec& statement = wiring_.statements[breach.row - statements];
+  broken.promise = std::string(statement.text) + " of " + std::string(statement.module) + " (" +
+                   std::string(statement.file) + ":" + std::to_string(statement.line) + ") takes at most " +
+                   in_words(statement.cost.worst);
+  int root = breach.actor;  // a block belongs to the thread whose CONCURRENT begins it
+  while (wiring_.threads[static_cast<std::size_t>(root)].parent >= 0)
+    root = wiring_.threads[static_cast<std::size_t>(root)].parent;
+  for (const RequirementSpec& requirement : wiring_.requirements) {
+    if (has(requirement.threads, static_cast<std::size_t>(root)))
+      broken.endangers.emplace_back(requirement.name);
+  }
+  return broken;
+}
+
+}  // namespace pal::runtime

@@ -1,0 +1,99 @@
+// Promises of the environment and requirements, while a skill runs: notes those that are broken, and applies
+// the run's policy.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pal/runtime/broken_promise.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/skill.hpp"
+#include "runtime/kernel/journal.hpp"
+#include "runtime/watch/device_watch.hpp"
+#include "runtime/watch/requirement_watch.hpp"
+
+namespace pal::runtime {
+
+/// Devices, threads and statements are named by their index. Nothing is allocated, and no text made, before a
+/// promise is broken.
+class Promises final : public EventWatcher {
+ public:
+  /// All outlive the promises. `connections`: as many as the run has devices.
+  Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy);
+
+  // What devices do.
+  void opened(int device) {
+    if (!devices_.empty()) watch(device).opened(clock_.now), look_at(device);
+  }
+  void asked(int device) {
+    if (!devices_.empty()) watch(device).asked(clock_.now), look_at(device);
+  }
+  void forgotten(int device, bool busy) {
+    if (!devices_.empty()) watch(device).forgotten(clock_.now, busy), look_at(device);
+  }
+  /// The device has sent a message that answers nothing.
+  void sent(int device, int channel);
+  /// It has answered the request that came at `asked`.
+  void answered(int device, int channel, Time asked);
+
+  /// The current statement of the thread has taken `used` of its processor.
+  void took(const Thread& thread, Time used);
+
+  /// An event of the run.
+  void see(const trace::Event& event) override;
+
+  /// A lower bound of due(). To be called before each event.
+  Time next() const { return next_; }
+  /// The next instant at which something becomes late that was not reported yet.
+  Time due();
+  /// Time has reached due(): notes what is late. Returns nothing otherwise.
+  void overdue();
+
+  /// What was broken. Once.
+  std::vector<BrokenPromise> take();
+
+ private:
+  /// What was seen of one promise.
+  struct Row {
+    std::int32_t broken = -1;  // in broken_
+    Time measured{};
+  };
+  /// The party that has broken it, and where.
+  struct Breach {
+    std::size_t row = 0;
+    Time measured{};
+    std::int32_t actor = -1;
+    std::int32_t statement = -1;
+    std::int32_t channel = -1;
+    bool least = false;  // the promise is a least time
+    bool noted = false;  // another measure of a breach that was noted
+  };
+
+  DeviceWatch& watch(int device) { return devices_[static_cast<std::size_t>(device)]; }
+  void look_at(int device) { next_ = std::min(next_, watch(device).due()); }
+  std::size_t row_of_device(int device, bool sooner) const;
+  std::size_t row_of_statement(int statement) const;
+  std::size_t row_of_requirement(std::size_t requirement) const;
+
+  void note(int device, int channel, const Seen& seen);
+  void note(const std::vector<Exceeded>& exceeded);
+  void note(const Breach& breach);
+  void apply_policy(const Breach& breach, const BrokenPromise& broken);
+  BrokenPromise describe(const Breach& breach) const;
+  std::string promise_of_device(std::size_t device, bool sooner) const;
+  std::string promise_of_requirement(const RequirementSpec& requirement) const;
+  std::string name_of(std::int32_t actor) const;
+
+  const Clock& clock_;
+  Journal& journal_;
+  Skill& skill_;
+  const Wiring& wiring_;
+  OnBrokenPromise policy_;
+  std::vector<DeviceWatch> devices_;  // none: nothing is promised of any
+  RequirementWatch requirements_;
+  std::vector<Row> rows_;  // of each device two, of each statement and each requirement one
+  std::vector<BrokenPromise> broken_;
+  Time next_ = Time::max();
+};
+
+}  // namespace pal::runtime

@@ -1,0 +1,21 @@
+#include "runtime/watch/recorder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "pal/runtime/trace_ring.hpp"
+
+namespace pal::runtime {
+
+Recorder::Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity)
+    : mode_(mode), capacity_(std::max<std::size_t>(capacity, 1)), trace_(trace_tables(wiring)) {
+  if (mode != TraceMode::none) trace_.events.reserve(capacity_);
+}
+
+trace::Trace Recorder::take() {
+  std::rotate(trace_.events.begin(), trace_.events.begin() + static_cast<std::ptrdiff_t>(oldest_),
+              trace_.events.end());
+  return std::move(trace_);
+}
+
+}  // namespace pal::runtime

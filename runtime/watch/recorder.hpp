@@ -1,0 +1,59 @@
+// Writes down what happens in a run, without allocating.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "pal/runtime/device.hpp"
+#include "pal/runtime/outcome.hpp"
+#include "pal/runtime/wiring.hpp"
+#include "pal/trace/trace.hpp"
+
+namespace pal::runtime {
+
+/// Actors of the trace are the wiring's threads, then its devices; statements, channels and conditions are
+/// the wiring's.
+class Recorder {
+ public:
+  /// Makes room for `capacity` events, at least one; a whole trace with more of them takes memory while the
+  /// run goes on.
+  Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity);
+
+  /// The place of the next event, valid until the next call. Fill in all its members, one by one. (Copying an
+  /// event that was just made takes longer, because the copy waits for its parts.)
+  trace::Event& next() {
+    if (mode_ == TraceMode::all) return trace_.events.emplace_back();
+    return mode_ == TraceMode::none ? unkept_ : next_of_last();
+  }
+  /// Indices of the text, for the events that name it.
+  std::int32_t add_promise(const std::string& promise) {
+    trace_.promises.push_back(promise);
+    return static_cast<std::int32_t>(trace_.promises.size()) - 1;
+  }
+  std::int32_t add_fault(const std::string& reason) {
+    trace_.faults.push_back(reason);
+    return static_cast<std::int32_t>(trace_.faults.size()) - 1;
+  }
+
+  /// Actors, statements, channels and conditions.
+  const trace::Trace& tables() const { return trace_; }
+
+  trace::Trace take();
+
+ private:
+  trace::Event& next_of_last() {
+    if (trace_.events.size() < capacity_) return trace_.events.emplace_back();
+    trace::Event& event = trace_.events[oldest_];
+    oldest_ = oldest_ + 1 == capacity_ ? 0 : oldest_ + 1;
+    return event;
+  }
+
+  TraceMode mode_;
+  std::size_t capacity_;
+  std::size_t oldest_ = 0;  // of the last ones, once there are as many as are kept
+  trace::Event unkept_;
+  trace::Trace trace_;
+};
+
+}  // namespace pal::runtime

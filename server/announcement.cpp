@@ -1,0 +1,98 @@
+#include "server/announcement.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+namespace pal::server {
+namespace {
+
+[[noreturn]] void fail_at(const std::string& path, const std::string& why) {
+  throw std::runtime_error(path + ": " + why);
+}
+
+std::string last_error() {
+  return std::generic_category().message(errno);
+}
+
+/// The files of a folder that another user owns could be exchanged.
+void make_folder(const std::string& folder) {
+  if (folder.empty()) return;
+  if (::mkdir(folder.c_str(), 0700) == 0) return;
+  struct stat found {};
+  if (errno != EEXIST || ::lstat(folder.c_str(), &found) != 0) fail_at(folder, last_error());
+  const bool shared = (found.st_mode & (S_IWGRP | S_IWOTH)) != 0 && (found.st_mode & S_ISVTX) == 0;
+  if (!S_ISDIR(found.st_mode) || (found.st_uid != ::geteuid() && found.st_uid != 0) || shared)
+    fail_at(folder, "others can change what is in this folder");
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+}  // namespace
+
+std::string default_announcement() {
+  if (const char* folder = std::getenv("XDG_RUNTIME_DIR"); folder != nullptr && *folder != '\0')
+    return std::string(folder) + "/workcell.json";
+  return fmt::format("/tmp/workcell-{}/workcell.json", ::geteuid());
+}
+
+void announce(const std::string& path, const Announcement& announcement) {
+  make_folder(std::filesystem::path(path).parent_path().string());
+  const std::string fresh = fmt::format("{}.{}", path, ::getpid());
+  const Descriptor file(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+  if (file.number() < 0) fail_at(fresh, last_error());
+  const nlohmann::ordered_json json{{"workcell-server", 1},
+                                    {"address", announcement.address},
+                                    {"port", announcement.port},
+                                    {"token", announcement.token}};
+  const std::string text = json.dump() + "\n";
+  if (::write(file.number(), text.data(), text.size()) != static_cast<ssize_t>(text.size()) ||
+      ::rename(fresh.c_str(), path.c_str()) != 0) {
+    const std::string why = last_error();
+    ::unlink(fresh.c_str());
+    fail_at(path, why);
+  }
+}
+
+Announcement read_announcement(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) fail_at(path, last_error());
+  struct stat found {};
+  if (::fstat(file.number(), &found) != 0) fail_at(path, last_error());
+  if (!S_ISREG(found.st_mode) || (found.st_uid != ::geteuid() && found.st_uid != 0) ||
+      (found.st_mode & 077) != 0)
+    fail_at(path, "others can read or own this file; chmod 600 it, or start the server again");
+  std::array<char, 4096> text{};
+  const ssize_t size = ::read(file.number(), text.data(), text.size());
+  if (size < 0) fail_at(path, last_error());
+  const auto json = nlohmann::json::parse(text.begin(), text.begin() + size, nullptr, false);
+  if (!json.is_object() || json.value("workcell-server", 0) != 1) fail_at(path, "this announces no server");
+  try {
+    return {json.at("address"), json.at("port"), json.at("token")};
+  } catch (const nlohmann::json::exception&) {
+    fail_at(path, "this announces no server");
+  }
+}
+
+}  // namespace pal::server

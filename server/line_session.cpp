@@ -1,0 +1,330 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "server/access.hpp"
+#include "server/session.hpp"
+
+namespace pal::server {
+namespace {
+
+constexpr std::size_t longest_line = 1000;
+constexpr std::size_t largest_operation = std::size_t{1} << 20;
+// How many characters a workstation reads after a '!'.
+constexpr std::size_t message_size = 50;
+
+using Words = std::vector<std::string>;
+
+Words words_of(const std::string& line) {
+  std::istringstream in(line);
+  Words words;
+  for (std::string word; in >> word;) words.push_back(std::move(word));
+  return words;
+}
+
+std::optional<double> number(const std::string& text) {
+  double value = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// As the parameter's type has it. Nothing: it is no such value.
+std::optional<operations::Value> value_of(const std::string& text, pan::ScalarType type) {
+  if (type == pan::ScalarType::text) return text;
+  if (type == pan::ScalarType::boolean) {
+    if (text == "1" || text == "true") return true;
+    if (text == "0" || text == "false") return false;
+    return std::nullopt;
+  }
+  if (const auto value = number(text)) return *value;
+  return std::nullopt;
+}
+
+/// The skill or the sensor; of a delay "-".
+std::string subject(const operations::Step& step) {
+  const std::string& what = step.skill.empty() ? step.sensor : step.skill;
+  return what.empty() ? "-" : what;
+}
+
+class LineSession final : public Session {
+ public:
+  LineSession(SessionContext& context, SessionOutput output)
+      : context_(context), output_(std::move(output)), alive_(std::make_shared<bool>(true)) {}
+  ~LineSession() override {
+    *alive_ = false;
+    go();
+  }
+
+  void take(std::string_view bytes) override {
+    for (const char byte : bytes) {
+      if (byte == '\r' || byte == '\n') {
+        const bool second = byte == '\n' && last_was_return_;
+        last_was_return_ = byte == '\r';
+        if (!second) end_line();
+      } else {
+        last_was_return_ = false;
+        if (line_.size() <= (uploading() ? largest_operation : longest_line)) line_ += byte;
+      }
+    }
+  }
+
+  void happened(const Event& event) override {
+    if (watching_) report(event);
+    const auto* state = std::get_if<StateChanged>(&event.what);
+    if (!waiting_ || state == nullptr || state->state == operations::ExecutionState::running) return;
+    waiting_ = false;
+    if (state->state == operations::ExecutionState::ended) {
+      acknowledge(state->last_code);
+    } else {
+      complain(state->reason);
+    }
+  }
+  void show(const std::shared_ptr<const Telemetry>& telemetry) override {
+    if (!looks()) return;
+    output_.send_sample([telemetry](std::uint64_t) {
+      std::string text = ">";
+      for (const double figure : telemetry->force) text += fmt::format("{:8.2f}", figure).substr(0, 8);
+      return text + "\r\n";
+    });
+  }
+  void show(Duration, const std::shared_ptr<const Profile>&) override {}
+  bool admitted() const override { return client_.has_value(); }
+  bool looks() const override { return client_ && (showing_ || show_this_); }
+
+ private:
+  bool uploading() const { return upload_.has_value(); }
+  void go() {
+    if (client_) context_.desk.leave(*client_);
+    client_.reset();
+    waiting_ = showing_ = show_this_ = watching_ = false;
+  }
+
+  void end_line() {
+    const std::string line = std::exchange(line_, {});
+    if (uploading()) return upload(line);
+    if (line.size() > longest_line)
+      return complain(fmt::format("a line has at most {} characters", longest_line));
+    const Words words = words_of(line);
+    if (!words.empty()) obey(words);
+  }
+
+  void obey(const Words& words) {
+    const std::string& verb = words.front();
+    if (verb == "token") return token(words);
+    if (!client_) {
+      complain("say 'token' and the token first");
+      return output_.close();
+    }
+    if (verb == "bye") {
+      go();
+      acknowledge(0);
+      return output_.close();
+    }
+    if (verb == "why") return tell(why_);
+    if (verb == "state") return tell_state();
+    if (verb == "skills") return tell_skills();
+    if (verb == "sensors") return tell_sensors();
+    if (verb == "data") return set(words, showing_);
+    if (verb == "watch") return set(words, watching_);
+    if (verb == "take") return ask(TakeControls{});
+    if (verb == "release") return ask(ReleaseControls{});
+    if (verb == "stop") return ask(Stop{});
+    if (verb == "pause") return ask(Pause{});
+    if (verb == "run") return run(RunOperation::How::run);
+    if (verb == "step") return run(RunOperation::How::step);
+    if (verb == "resume") return run(RunOperation::How::resume);
+    if (verb == "clear") return ask(ClearBreakpoints{});
+    if (verb == "load" && words.size() == 2) {
+      upload_.emplace();
+      upload_name_ = words[1];
+      return;
+    }
+    if (verb == "from" && words.size() == 2) return ask(PutToken{words[1]});
+    if (verb == "break" && (words.size() == 2 || words.size() == 3)) return set_breakpoint(words);
+    if (verb == "set" && words.size() == 4) return set_parameter(words);
+    const auto skill = context_.desk.skills().find(verb);
+    if (skill == context_.desk.skills().end()) return complain(fmt::format("no skill or command '{}'", verb));
+    run_skill(skill->second, words);
+  }
+
+  void token(const Words& words) {
+    if (client_) return complain("the token has been shown");
+    if (words.size() < 2 || !same_token(words[1], context_.token)) {
+      complain("this is not the token");
+      return output_.close();
+    }
+    client_ = context_.desk.enter(words.size() > 2 ? words[2].substr(0, 60) : "a line");
+    acknowledge(0);
+  }
+
+  void run_skill(const pan::Template& skill, const Words& words) {
+    RunSkill command{words.front(), {}};
+    std::size_t end = words.size();
+    const bool show = words.back() == "show";
+    if (show) --end;
+    for (std::size_t i = 1; i < end; ++i) {
+      // name=value, or a value at the place of its parameter.
+      const std::size_t equals = words[i].find('=');
+      const std::string name = equals == std::string::npos ? "" : words[i].substr(0, equals);
+      const auto parameter =
+          equals == std::string::npos
+              ? skill.parameters.begin() +
+                    static_cast<std::ptrdiff_t>(std::min(i - 1, skill.parameters.size()))
+              : std::find_if(skill.parameters.begin(), skill.parameters.end(),
+                             [&](const pan::Parameter& each) { return each.name == name; });
+      if (parameter == skill.parameters.end())
+        return complain(name.empty()
+                            ? fmt::format("{} has {} parameters", skill.name, skill.parameters.size())
+                            : fmt::format("{} has no parameter '{}'", skill.name, name));
+      const auto value =
+          value_of(equals == std::string::npos ? words[i] : words[i].substr(equals + 1), parameter->type);
+      if (!value) return complain(fmt::format("'{}' is no value of {}", words[i], parameter->name));
+      command.parameters.push_back({parameter->name, *value, {}, {}});
+    }
+    ask(std::move(command), show);
+  }
+
+  void set_parameter(const Words& words) {
+    if (words[3] == "true" || words[3] == "false")
+      return ask(SetParameter{words[1], words[2], words[3] == "true"});
+    if (const auto value = number(words[3])) return ask(SetParameter{words[1], words[2], *value});
+    ask(SetParameter{words[1], words[2], words[3]});
+  }
+  void set_breakpoint(const Words& words) {
+    operations::Breakpoint breakpoint{words[1], {}};
+    if (words.size() == 3) {
+      const auto code = number(words[2]);
+      if (!code || !(std::abs(*code) <= 1e6)) return complain("a completion code is a whole number");
+      breakpoint.code = static_cast<int>(*code);
+    }
+    ask(SetBreakpoint{std::move(breakpoint)});
+  }
+
+  void upload(const std::string& line) {
+    if (line == ".") {
+      const std::string text = *std::exchange(upload_, std::nullopt);
+      if (text.size() > largest_operation) return complain("an operation has at most 1 MiB");
+      return ask(LoadOperation{{{upload_name_, text}}, upload_name_});
+    }
+    if (upload_->size() <= largest_operation) *upload_ += line + "\n";
+  }
+
+  /// Answered when it halts.
+  void run(RunOperation::How how) {
+    if (waiting_) return complain("an operation runs; pause or stop it first");
+    waiting_ = true;
+    context_.desk.ask(*client_, RunOperation{how}, in_turn([this](const Reply& reply) {
+      const auto* refusal = std::get_if<Refusal>(&reply);
+      if (refusal == nullptr) return;
+      waiting_ = false;
+      complain(refusal->message);
+    }));
+  }
+  void ask(Command command, bool show = false) {
+    if (show) show_this_ = true;
+    const bool skill = std::holds_alternative<RunSkill>(command);
+    context_.desk.ask(*client_, std::move(command), in_turn([this, skill](const Reply& reply) {
+      if (skill) show_this_ = false;
+      if (const auto* refusal = std::get_if<Refusal>(&reply)) return complain(refusal->message);
+      const auto& result = std::get<Done>(reply).result;
+      if (result.kind == operations::SkillResult::Kind::stopped) return complain(result.reason);
+      why_ = result.reason;
+      acknowledge(result.code);
+    }));
+  }
+  Answerer in_turn(std::function<void(const Reply&)> use) {
+    return
+        [alive = std::weak_ptr(alive_), turn = context_.in_turn, use = std::move(use)](const Reply& reply) {
+          turn([alive, use, reply] {
+            const auto still = alive.lock();
+            if (still && *still) use(reply);
+          });
+        };
+  }
+
+  void set(const Words& words, bool& what) {
+    if (words.size() != 2 || (words[1] != "on" && words[1] != "off"))
+      return complain(fmt::format("write {} on, or {} off", words[0], words[0]));
+    what = words[1] == "on";
+    acknowledge(0);
+  }
+  void tell_state() {
+    const Status status = context_.desk.status(*client_);
+    tell(fmt::format("{} {} {} at {} code {} steps {} controls {}", name(status.activity),
+                     status.operation.empty() ? "-" : status.operation, operations::name(status.state),
+                     status.token.empty() ? "-" : status.token, status.last_code, status.steps,
+                     status.holder.empty() ? "-" : status.holder));
+  }
+  void tell_skills() {
+    for (const auto& [name, skill] : context_.desk.skills()) {
+      std::string text = name;
+      for (const pan::Parameter& parameter : skill.parameters) text += " " + parameter.name;
+      tell(text);
+    }
+    acknowledge(0);
+  }
+  void tell_sensors() {
+    for (const auto& [name, sensor] : context_.desk.sensors())
+      tell(sensor.unit.empty() ? name : name + " " + sensor.unit);
+    acknowledge(0);
+  }
+  void report(const Event& event) {
+    struct Visitor {
+      std::string operator()(const ControlsChanged& what) const {
+        return "controls " + (what.holder.empty() ? "-" : what.holder);
+      }
+      std::string operator()(const OperationLoaded& what) const { return "loaded " + what.name; }
+      std::string operator()(const StateChanged& what) const {
+        return fmt::format("state {} {} {}", operations::name(what.state), what.token, what.reason);
+      }
+      std::string operator()(const IconReached& what) const { return "icon " + what.icon; }
+      std::string operator()(const StepBegins& what) const {
+        return fmt::format("begins {} {} {}", what.step.number, what.step.icon.empty() ? "-" : what.step.icon,
+                           subject(what.step));
+      }
+      std::string operator()(const StepEnds& what) const {
+        return fmt::format("ends {} {} {} {}", what.step.number,
+                           what.step.icon.empty() ? "-" : what.step.icon, subject(what.step),
+                           what.step.result.code);
+      }
+    };
+    say(fmt::format("*{} {}", event.number, std::visit(Visitor{}, event.what)));
+  }
+
+  void acknowledge(int code) { say(fmt::format("#{}", code)); }
+  void complain(const std::string& message) {
+    why_ = message;
+    say(fmt::format("!{:<{}}", message.substr(0, message_size), message_size));
+  }
+  void tell(const std::string& text) { say("=" + text); }
+  void say(std::string text) {
+    for (char& each : text)
+      if (static_cast<unsigned char>(each) < ' ') each = ' ';
+    output_.send(std::move(text) + "\r\n");
+  }
+
+  SessionContext& context_;
+  SessionOutput output_;
+  std::shared_ptr<bool> alive_;
+  std::optional<ClientId> client_;
+  std::string line_, why_, upload_name_;
+  std::optional<std::string> upload_;
+  bool last_was_return_ = false;
+  bool waiting_ = false;    // for the operation to halt
+  bool showing_ = false;    // forces are wanted
+  bool show_this_ = false;  // … until the skill ends
+  bool watching_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Session> line_session(SessionContext& context, SessionOutput output) {
+  return std::make_unique<LineSession>(context, std::move(output));
+}
+
+}  // namespace pal::server

@@ -1,0 +1,71 @@
+// The server: it listens at a WebSocket, and for lines over TCP, a pseudo-terminal or a serial port. One
+// thread of its own.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "server/access.hpp"
+#include "server/desk.hpp"
+#include "server/event.hpp"
+#include "server/outbox.hpp"
+#include "server/telemetry.hpp"
+
+namespace pal::server {
+
+struct ServerOptions {
+  std::string address = "127.0.0.1";       // of the WebSocket and of lines over TCP
+  std::uint16_t port = 0;                  // of the WebSocket; 0: any that is free
+  std::optional<std::uint16_t> line_port;  // lines over TCP; 0: any that is free
+  bool line_terminal = false;              // lines over a pseudo-terminal
+  std::string line_serial;                 // lines over this serial port; empty: none
+  unsigned baud = 9600;                    // of the serial port
+  std::string token;
+  AccessRules access;  // its port is filled in
+  std::size_t most_clients = 16;
+  std::chrono::milliseconds admit_within = std::chrono::seconds(10);  // from coming to showing the token
+  std::chrono::milliseconds idle =
+      std::chrono::seconds(30);  // a WebSocket that does not answer a ping is closed
+  OutboxLimits outbox;
+};
+
+/// Keeps slow clients from the cell: it is only ever given a copy, and the rest is done in the server's
+/// thread.
+class Server final : public EventSink, public TelemetrySink {
+ public:
+  /// Opens all ports; no client is answered before start(). Throws std::runtime_error with the system's
+  /// reason.
+  explicit Server(ServerOptions options);
+  /// As stop().
+  ~Server() override;
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// Serves from now on, until stop(); the desk, which has this as its sink, lives as long. With `signals`
+  /// SIGINT and SIGTERM end the desk.
+  void start(Desk& desk, bool signals = false);
+  /// Ends the service and the thread.
+  void stop();
+
+  std::uint16_t port() const;
+  /// Of lines over TCP; nothing without them.
+  std::optional<std::uint16_t> line_port() const;
+  /// The far end of the pseudo-terminal; empty without one.
+  const std::string& terminal() const;
+
+  void happened(const Event& event) override;
+  void make_room() override;
+  bool wanted() const noexcept override;
+  void show(const Telemetry& telemetry) override;
+  void show(Duration time, const Profile& profile) override;
+
+  struct Parts;
+
+ private:
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pal::server

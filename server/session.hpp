@@ -1,0 +1,57 @@
+// The dialogue with one client by one of the two protocols, without its socket: text in, text out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "server/desk.hpp"
+#include "server/history.hpp"
+#include "server/telemetry.hpp"
+
+namespace pal::server {
+
+/// What all sessions share.
+struct SessionContext {
+  Desk& desk;
+  const History& history;
+  std::string token;
+  /// Runs the function in the thread of the sessions: answers of the desk come from other threads. It may run
+  /// it at once, or later; or never, when the server ends.
+  std::function<void(std::function<void()>)> in_turn;
+};
+
+/// Where a session's texts go. These functions must not throw, nor call the session.
+struct SessionOutput {
+  /// Answers and events: never left out.
+  std::function<void(std::string)> send;
+  /// Telemetry; the text is made when it is sent.
+  std::function<void(std::function<std::string(std::uint64_t dropped)>)> send_sample;
+  /// No more is read from this client; what was sent before still reaches it.
+  std::function<void()> close;
+};
+
+/// One thread only. Its end is the client's going.
+class Session {
+ public:
+  virtual ~Session() = default;
+  /// Whatever the client sent: a message of the WebSocket, some bytes of a line. Never throws for what is in
+  /// it.
+  virtual void take(std::string_view text) = 0;
+  virtual void happened(const Event& event) = 0;
+  virtual void show(const std::shared_ptr<const Telemetry>& telemetry) = 0;
+  virtual void show(Duration time, const std::shared_ptr<const Profile>& profile) = 0;
+  /// It has shown the token.
+  virtual bool admitted() const = 0;
+  /// It wants telemetry.
+  virtual bool looks() const = 0;
+};
+
+/// JSON-RPC 2.0 (docs/reference/protocols.md). The context and what the output calls outlive it.
+std::unique_ptr<Session> json_session(SessionContext& context, SessionOutput output);
+/// The lines of the thesis (appendix A). Likewise.
+std::unique_ptr<Session> line_session(SessionContext& context, SessionOutput output);
+
+}  // namespace pal::server

@@ -1,0 +1,34 @@
+// The readings of the cell's instruments while it works.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pal/support/time.hpp"
+
+namespace pal::server {
+
+/// The range finder's last profile: points in the tool's YZ plane, mm; only those that have a range.
+struct Profile {
+  std::vector<double> y, z;
+};
+
+struct Telemetry {
+  Duration time{};  // of the cell
+  std::array<double, 6>
+      force{};                   // N and N*m in the frame of the force-torque sensor, as the world acts on it
+  std::array<double, 6> pose{};  // of the tool's tip: x, y, z in mm, then O, A, T in degrees
+  std::array<double, 6> joints{};  // degrees
+};
+
+/// Gets what the instruments show. The simulation calls it: it must be quick and must not throw.
+class TelemetrySink {
+ public:
+  virtual ~TelemetrySink() = default;
+  /// Whether a client observes; otherwise the instruments need not be read.
+  virtual bool wanted() const noexcept = 0;
+  virtual void show(const Telemetry& telemetry) = 0;
+  virtual void show(Duration time, const Profile& profile) = 0;
+};
+
+}  // namespace pal::server

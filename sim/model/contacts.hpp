@@ -1,0 +1,44 @@
+// The contacts of the last step. Private to pal_sim.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/model/mujoco_physics.hpp"
+
+namespace pal::sim {
+
+/// Sum of the normal forces on the touching parts of the tool (Role::touch), N.
+double contact_force(const Physics& physics);
+
+/// How hard the two finger pads press on what is between them, N, and whether that is one loose part.
+struct Grip {
+  double left = 0;
+  double right = 0;
+  bool part = false;
+};
+Grip grip(const Physics& physics);
+
+/// A pair of shapes of which one is of the arm and was not made to touch the other.
+using Collision = std::pair<int, int>;
+
+/// The contact of the arm with something else that presses hardest, if it presses with more than 20 N.
+std::optional<Collision> hardest_contact(const Physics& physics);
+
+/// Finds collisions. Collisions that exist at a call of forgive() do not count until the parts have
+/// separated. So an arm can be moved away from what it hit.
+class CollisionWatch {
+ public:
+  std::optional<Collision> look(const Physics& physics);
+  void forgive(const Physics& physics);
+
+ private:
+  std::vector<Collision> forgiven_;
+};
+
+/// Any contact of the arm at all, the tool included; a start must not have any.
+std::optional<Collision> any_contact_of_arm(const Physics& physics);
+
+}  // namespace pal::sim

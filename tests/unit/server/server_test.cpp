@@ -1,0 +1,278 @@
+// The server with real sockets on this machine, and clients that mean ill.
+#include "server/server.hpp"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "server/client.hpp"
+#include "tests/unit/server/support.hpp"
+
+using namespace pal;
+using namespace pal::server;
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+
+namespace {
+
+ServerOptions options() {
+  ServerOptions result;
+  result.token = "secret";
+  result.line_port = 0;
+  result.line_terminal = true;
+  result.admit_within = 300ms;
+  return result;
+}
+
+struct Served {
+  explicit Served(ServerOptions given = options(), DeskOptions desk_options = {})
+      : server(std::move(given)), desk(cell, test::clockwork_skills(), server, std::move(desk_options)) {
+    server.start(desk);
+    worker.emplace(desk);
+  }
+  ~Served() {
+    desk.end();
+    worker.reset();
+    server.stop();
+  }
+  std::unique_ptr<Client> enter(const std::string& name) {
+    auto client = std::make_unique<Client>("127.0.0.1", server.port());
+    client->call("hello", Json{{"token", "secret"}, {"name", name}}.dump());
+    return client;
+  }
+  void load(Client& client, const char* text) {
+    client.call("operation.load", Json{{"main", "o"}, {"files", {{"o", text}}}}.dump());
+  }
+  /// Until the desk's state is this.
+  void wait_for(operations::ExecutionState state) {
+    for (int i = 0; i < 500 && desk.status(0).state != state; ++i) std::this_thread::sleep_for(10ms);
+    REQUIRE(desk.status(0).state == state);
+  }
+
+  test::Clockwork cell;
+  Server server;
+  Desk desk;
+  std::optional<test::Worker> worker;
+};
+
+/// Bytes in and out, without anything that would mend them.
+class Raw {
+ public:
+  explicit Raw(std::uint16_t port) : descriptor_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in where{};
+    where.sin_family = AF_INET;
+    where.sin_port = htons(port);
+    where.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    REQUIRE(::connect(descriptor_, reinterpret_cast<sockaddr*>(&where), sizeof where) == 0);
+  }
+  explicit Raw(const std::string& terminal)
+      : descriptor_(::open(terminal.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    REQUIRE(descriptor_ >= 0);
+  }
+  ~Raw() { ::close(descriptor_); }
+  Raw(const Raw&) = delete;
+  Raw& operator=(const Raw&) = delete;
+  void write(const std::string& bytes) {
+    // A client that hangs up in between is no mistake here.
+    if (::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0 && errno == ENOTSOCK)
+      REQUIRE(::write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
+  }
+  /// Until this is read, the far side hangs up, or five seconds are over.
+  std::string read_until(const std::string& end) {
+    std::string text;
+    pollfd what{descriptor_, POLLIN, 0};
+    while (text.find(end) == std::string::npos && ::poll(&what, 1, 5000) > 0) {
+      std::array<char, 4096> bytes{};
+      const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+      if (count <= 0) return text + "<end>";
+      text.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+    return text;
+  }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+TEST_CASE("clients of both protocols run the same skills") {
+  Served served;
+  const auto web = served.enter("web");
+  CHECK(Json::parse(web->call("skill.run", R"({"skill": "quick", "parameters": {"code": 3}})"))["code"] == 3);
+  web->call("controls.release");
+  Raw line(*served.server.line_port());
+  line.write("token secret\r");
+  CHECK(line.read_until("\n") == "#0\r\n");
+  line.write("quick 3\r");
+  CHECK(line.read_until("\n") == "#3\r\n");
+  line.write("release\r");
+  CHECK(line.read_until("\n") == "#0\r\n");
+  {
+    Raw terminal(served.server.terminal());
+    terminal.write("token secret\r");
+    CHECK(terminal.read_until("\n") == "#0\r\n");
+    terminal.write("quick 4\r");
+    CHECK(terminal.read_until("\n") == "#4\r\n");
+  }
+  // The next user of the terminal shows the token again.
+  std::this_thread::sleep_for(200ms);
+  Raw next(served.server.terminal());
+  next.write("quick 4\r");
+  CHECK(next.read_until("\n").rfind("!say 'token'", 0) == 0);
+  CHECK(served.cell.runs == 3);
+}
+
+TEST_CASE("a client without token or rights moves nothing and is disconnected") {
+  Served served;
+  SECTION("a wrong token") {
+    Client client("127.0.0.1", served.server.port());
+    CHECK_THROWS_AS(client.call("hello", R"({"token": "Secret"})"), RemoteError);
+    CHECK_THROWS(client.receive(2s));
+  }
+  SECTION("none at all, in time") {
+    Client client("127.0.0.1", served.server.port());
+    CHECK_THROWS(client.receive(2s));
+    Raw line(*served.server.line_port());
+    CHECK(line.read_until("x") == "<end>");
+  }
+  SECTION("a page of another site") {
+    CHECK_THROWS(Client("127.0.0.1", served.server.port(), "http://evil.example"));
+    CHECK_NOTHROW(Client("127.0.0.1", served.server.port(),
+                         "http://127.0.0.1:" + std::to_string(served.server.port())));
+  }
+  SECTION("another site's name for this machine") {
+    Raw raw(served.server.port());
+    raw.write(
+        "GET / HTTP/1.1\r\nHost: evil.example\r\nUpgrade: websocket\r\nConnection: upgrade\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
+    CHECK(raw.read_until("<").rfind("HTTP/1.1 403", 0) == 0);
+  }
+  SECTION("no WebSocket") {
+    Raw raw(served.server.port());
+    raw.write("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    CHECK(raw.read_until("<").rfind("HTTP/1.1 426", 0) == 0);
+  }
+  SECTION("a header without end") {
+    Raw raw(served.server.port());
+    raw.write("GET / HTTP/1.1\r\nA: " + std::string(100'000, 'a'));
+    CHECK(raw.read_until("<end>").find("<end>") != std::string::npos);
+  }
+  SECTION("a hello as long as an operation") {
+    Client client("127.0.0.1", served.server.port());
+    CHECK_THROWS([&] {
+      client.send(std::string(100'000, ' '));
+      client.receive(2s);
+    }());
+  }
+  SECTION("a frame that is announced too large") {
+    const auto client = served.enter("ann");
+    CHECK_THROWS([&] {
+      client->send(std::string(std::size_t{2} << 20, ' '));
+      for (int i = 0; i < 10; ++i) client->receive(1s);
+    }());
+  }
+  CHECK(served.cell.runs == 0);
+  CHECK_NOTHROW(served.enter("another"));  // and the server lives
+}
+
+TEST_CASE("a full server tells the next client so, by both protocols") {
+  ServerOptions few = options();
+  few.line_terminal = false;
+  few.most_clients = 1;
+  Served served(few);
+  const auto only = served.enter("only");
+  Raw web(served.server.port());
+  web.write(
+      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n");
+  const std::string answer = web.read_until("it takes.\n");
+  CHECK(answer.starts_with("HTTP/1.1 503"));
+  CHECK(answer.ends_with("The server has as many clients as it takes.\n"));
+  Raw lines(*served.server.line_port());
+  CHECK(lines.read_until("\n") == "!the server has as many clients as it takes       \r\n");
+  CHECK(Json::parse(only->call("state", "{}")).at("controls") == "");
+}
+
+TEST_CASE("a client that is killed leaves the cell to another") {
+  Served served;
+  auto ann = served.enter("ann");
+  const auto bob = served.enter("bob");
+  served.load(*ann, test::two_long);
+  ann->call("operation.run");
+  served.cell.wait_until_inside();
+  CHECK_THROWS_WITH(bob->call("operation.resume"),
+                    "'ann' has the controls; other clients may only pause and stop");
+  ann.reset();  // without a word
+  for (int i = 0; i < 300 && !served.desk.status(0).holder.empty(); ++i) std::this_thread::sleep_for(10ms);
+  served.cell.let_go();
+  served.wait_for(operations::ExecutionState::paused);
+  bob->call("operation.resume");
+  served.wait_for(operations::ExecutionState::ended);
+}
+
+TEST_CASE("more than a thousand events a second come in order") {
+  Served served;
+  served.cell.lasts = 500us;
+  const auto ann = served.enter("ann");
+  served.load(*ann, test::endless);
+  ann->call("watch");
+  ann->call("operation.run");
+  const auto begin = std::chrono::steady_clock::now();
+  std::uint64_t last = 0;
+  for (int i = 0; i < 5'000; ++i) {
+    const auto text = ann->next(5s);
+    REQUIRE(text);
+    const std::uint64_t number = Json::parse(*text)["params"]["number"];
+    if (last > 0) REQUIRE(number == last + 1);
+    last = number;
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  INFO(5'000 / taken.count() << " events a second");
+  CHECK(5'000 / taken.count() > 1000);
+}
+
+TEST_CASE("a client that reads nothing is disconnected, and no other client is") {
+  ServerOptions given = options();
+  given.outbox.most_bytes = 1 << 20;
+  Served served(given);
+  const auto ann = served.enter("ann");
+  const auto sleeper = served.enter("sleeper");
+  sleeper->call("watch");
+  served.load(*ann, test::endless);
+  ann->call("operation.run");
+  CHECK_THROWS([&] {
+    std::this_thread::sleep_for(1s);
+    for (;;) sleeper->receive(2s);
+  }());
+  ann->call("operation.stop");
+  served.wait_for(operations::ExecutionState::stopped);
+}
+
+TEST_CASE("unread telemetry is dropped and counted, and events are not") {
+  Served served;
+  const auto ann = served.enter("ann");
+  ann->call("watch", R"({"telemetry": 0.001})");
+  for (int i = 0; i < 500 && !served.server.wanted(); ++i) std::this_thread::sleep_for(2ms);
+  REQUIRE(served.server.wanted());
+  Profile wide;
+  wide.y.assign(255, 1.2345678);
+  wide.z = wide.y;
+  for (int i = 0; i < 20'000; ++i) served.server.show(Duration(std::chrono::milliseconds(i)), wide);
+  ann->call("skill.run", R"({"skill": "quick"})");
+  std::uint64_t dropped = 0, events = 0, samples = 0;
+  while (const auto text = ann->next(300ms)) {
+    const Json message = Json::parse(*text);
+    if (message["method"] == "event") ++events;
+    if (message["method"] != "profile") continue;
+    ++samples;
+    dropped = message["params"]["dropped"];
+  }
+  CHECK(events >= 3);  // controls, begins, ends
+  CHECK(dropped > 0);
+  CHECK(samples + dropped == 20'000);
+}

@@ -1,0 +1,57 @@
+// A session without a socket.
+#pragma once
+
+#include "server/session.hpp"
+#include "tests/unit/server/support.hpp"
+
+namespace pal::test {
+
+/// A desk, a history and one session, all in one thread: the cell works when it is told to.
+struct SessionFixture : server::EventSink {
+  using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
+
+  explicit SessionFixture(Make make) : make_(make) { open(); }
+  void open() {
+    hung_up = false;
+    session =
+        make_(context, {[this](std::string text) { said.push_back(std::move(text)); },
+                        [this](auto sample) { said.push_back(sample(0)); }, [this] { hung_up = true; }});
+  }
+  void happened(const server::Event& event) override {
+    history.add(event);
+    waiting.push_back(event);
+  }
+  /// What is said to this text, with events that came of it.
+  std::vector<std::string> say(const std::string& text) {
+    said.clear();
+    session->take(text);
+    deliver();
+    return said;
+  }
+  /// Likewise, of what the cell does.
+  std::vector<std::string> work() {
+    said.clear();
+    while (desk.work()) {
+    }
+    deliver();
+    return said;
+  }
+  void deliver() {
+    for (const auto& event : std::exchange(waiting, {})) session->happened(event);
+  }
+
+  Clockwork cell;
+  server::History history;
+  std::vector<server::Event> waiting;
+  server::Desk desk{cell, clockwork_skills(), *this};
+  server::SessionContext context{desk, history, "secret",
+                                 [](const std::function<void()>& action) { action(); }};
+  std::vector<std::string> said;
+  bool hung_up = false;
+  std::unique_ptr<server::Session> session;
+
+ private:
+  Make make_;
+};
+
+}  // namespace pal::test
