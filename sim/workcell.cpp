@@ -152,7 +152,8 @@ struct Workcell::Parts {
   // What is in the arm's way, if it was made to touch: "; the gripper's left finger presses on part 2".
   std::string pressed_on() const {
     const auto pressed = hardest_contact(physics);
-    return pressed ? "; " + contact_words(physics.model(), pressed->first, "presses on", pressed->second) : "";
+    return pressed ? "; " + contact_words(physics.model(), pressed->first, "presses on", pressed->second)
+                   : "";
   }
 
   // The set-point is where the encoders show the arm to be: nothing but gears, brakes and friction holds it.

@@ -52,8 +52,8 @@ class Station {
   Timeline& timeline() { return timeline_; }
   Time now() const { return timeline_.now(); }
 
-  /// Drivers are commissioned before the station's first skill, prepared before a skill that uses them, and released before one that does not. They outlive
-  /// the station's last use.
+  /// Drivers are commissioned before the station's first skill, prepared before a skill that uses them, and
+  /// released before one that does not. They outlive the station's last use.
   void add(Driver& driver);
   /// A device that is not a driver is there only as long as the skill.
   void add(Device& device);

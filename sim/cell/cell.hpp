@@ -65,7 +65,8 @@ class Cell {
   /// The sensors that sense() can read.
   std::vector<SensorSpec> sensors() const;
   /// Reads a sensor between skills, by its device's line or at a fixed sensor's next measurement; time
-  /// passes. The force-torque sensor counts from free air, without the tool's weight. Stopped by `control`, which may be null. Never throws for what devices do.
+  /// passes. The force-torque sensor counts from free air, without the tool's weight. Stopped by `control`,
+  /// which may be null. Never throws for what devices do.
   struct Sensed {
     std::optional<double> value;
     std::string problem;  // why there is no value

@@ -34,7 +34,7 @@ struct ForceTorqueEmulatorOptions {
   double most_torque_offset = 0;  // N*m
   double most_drift = 0;          // N a minute
   double most_torque_drift = 0;   // N*m a minute
-  int z_step = 2;               // counts: the force along z is half as fine as the others
+  int z_step = 2;                 // counts: the force along z is half as fine as the others
 };
 
 /// Speaks the protocol of docs/workcell/force-torque.md: CV, CD A, CD B, SB, SU, SZ, QR, QS, an empty line,

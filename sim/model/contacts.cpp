@@ -66,7 +66,8 @@ std::optional<Collision> hardest_contact(const Physics& physics) {
   double most = 20;
   for (int i = 0; i < physics.data().ncon; ++i) {
     const mjContact& contact = physics.data().contact[i];
-    const bool one = role(physics, contact.geom1) == Role::cell, other = role(physics, contact.geom2) == Role::cell;
+    const bool one = role(physics, contact.geom1) == Role::cell,
+               other = role(physics, contact.geom2) == Role::cell;
     const double force = normal_force(physics, i);
     if (one == other || force <= most) continue;
     most = force;

@@ -86,7 +86,8 @@ ToolMass Physics::weigh_tool() const {
   const Pose sensor = site_pose(index_.sensor);
   const Eigen::Vector3d centre = Eigen::Map<const Eigen::Vector3d>(data().subtree_com + 3 * body);
   ToolMass mass;
-  mass.weight = model().body_subtreemass[body] * Eigen::Map<const Eigen::Vector3d>(model().opt.gravity).norm();
+  mass.weight =
+      model().body_subtreemass[body] * Eigen::Map<const Eigen::Vector3d>(model().opt.gravity).norm();
   mass.centre = sensor.inverse() * (base_pose().inverse() * centre);
   mass.turn = sensor.linear().transpose() * site_pose(index_.tip).linear();
   return mass;

@@ -50,8 +50,8 @@ struct ModelIndex {
 
 /// What hangs on the force-torque sensor, as the arm was placed last: in the sensor's frame.
 struct ToolMass {
-  double weight = 0;                                 // N
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // m
+  double weight = 0;                                   // N
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    // m
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // from the tip's axes to the sensor's
 };
 

@@ -23,8 +23,8 @@ namespace {
 using namespace follow_edge;
 
 constexpr int lost_after = 5;  // profiles
-// mm beside where the edge is expected; along an edge it is seen within 1 mm. A tool that is as far from where
-// it should be above the edge cannot tell it from another one.
+// mm beside where the edge is expected; along an edge it is seen within 1 mm. A tool that is as far from
+// where it should be above the edge cannot tell it from another one.
 constexpr double strays_from = 3;
 // The thesis's law looks at every second profile while it aligns, and may be several mm off.
 constexpr double strays_from_literal = 6;
@@ -146,8 +146,8 @@ class Method final : public SM1Activities {
     if (parameters_.literal) law_.see(edge.y, edge.z, edge.slope, gone_);
   }
 
-  // How far off the tool is, as a profile shows it. A tool that aligns must come nearer; one that goes along the
-  // edge must stay near.
+  // How far off the tool is, as a profile shows it. A tool that aligns must come nearer; one that goes along
+  // the edge must stay near.
   void watch(const Edge& edge) {
     off_ = std::hypot(edge.y, edge.z - parameters_.standoff * 10);
     const bool was_aligned = parameters_.literal ? law_.aligned() : aligned_;
@@ -188,9 +188,9 @@ class Method final : public SM1Activities {
     return missing;
   }
 
-  // As in the thesis (appendix F.2) the tip is at the edge, a standoff away from the range finder, and the tool
-  // turns about that. A turn about the range finder would take the tool off the edge: by 1.75 mm for half a
-  // degree at 200 mm.
+  // As in the thesis (appendix F.2) the tip is at the edge, a standoff away from the range finder, and the
+  // tool turns about that. A turn about the range finder would take the tool off the edge: by 1.75 mm for
+  // half a degree at 200 mm.
   Motion about_the_edge(const EdgeCorrection& correction, double along) const {
     Motion at_edge;
     at_edge.dx = along;

@@ -9,10 +9,10 @@
 namespace pal::skills {
 
 /// How far CM2 lifts the tool after it has felt nothing any more, how fast, and how far in all at the most.
-inline constexpr double lift_distance = 5;       // mm
-inline constexpr double lift_speed = 50;         // mm/s
-inline constexpr double most_lift = 60;          // mm
-inline constexpr double felt_from = 0.5;         // N
+inline constexpr double lift_distance = 5;  // mm
+inline constexpr double lift_speed = 50;    // mm/s
+inline constexpr double most_lift = 60;     // mm
+inline constexpr double felt_from = 0.5;    // N
 
 template <class Interface>
 class LiftOff final : public Interface {
@@ -33,7 +33,8 @@ class LiftOff final : public Interface {
     Motion motion;
     motion.dz = -last_.step_forward();
     lifted_ -= motion.dz;
-    if (lifted_ > most_lift) throw std::runtime_error("the tool still presses 60 mm above where it met the stop force");
+    if (lifted_ > most_lift)
+      throw std::runtime_error("the tool still presses 60 mm above where it met the stop force");
     return motion;
   }
   bool decide_pc_clear() override { return last_.felt_reach() && !felt_; }
@@ -41,7 +42,7 @@ class LiftOff final : public Interface {
  private:
   void begin_last() { last_.start(lift_speed, lift_distance); }
 
-  Approach last_;  // the way after nothing is felt any more
+  Approach last_;      // the way after nothing is felt any more
   double lifted_ = 0;  // mm
   bool felt_ = true;
 };

@@ -68,7 +68,9 @@ class Lowering : public Listing<Interface, Command> {
   }
   bool decide_pc_down() override { return height_ <= 0; }
   // At the place the part may press: that is what it is put down on.
-  bool decide_pc_blocked(const Zforce& force) override { return height_ > 0 && force.value - hanging_ >= contact; }
+  bool decide_pc_blocked(const Zforce& force) override {
+    return height_ > 0 && force.value - hanging_ >= contact;
+  }
 
  protected:
   /// The way there ends above the place, by the parameter `approach`: the first step goes down from that.

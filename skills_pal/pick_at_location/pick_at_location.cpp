@@ -57,9 +57,9 @@ class Open final : public Listing<CM5Activities, Command> {
 
 std::unique_ptr<runtime::Skill> pick_at_location_skill() {
   auto list = std::make_shared<Method::List>();
-  return make_listing<Method, SM2Activities, SM3Activities>(make_pick_at_location, list,
-                                                            std::make_unique<GripSensor<LS3Activities>>(),
-                                                            std::make_unique<Return>(list), std::make_unique<Open>(list));
+  return make_listing<Method, SM2Activities, SM3Activities>(
+      make_pick_at_location, list, std::make_unique<GripSensor<LS3Activities>>(),
+      std::make_unique<Return>(list), std::make_unique<Open>(list));
 }
 
 }  // namespace pal::skills

@@ -25,10 +25,10 @@ constexpr double counts = 20;      // a newton
 constexpr int landed_cycles = 10;  // in the band, without a break: the tool has landed
 constexpr int cycles_to_speed =
     20;  // a slope that begins at once is felt 60 ms later, one that begins slowly is learned
-constexpr double farthest = 20;  // mm: the surface is within that
-constexpr double contact = 0.4;  // N: less is felt in the air, too
-constexpr int most_in_air = 5;   // cycles: a surface that goes on is met again by then
-constexpr int calm_cycles = 5;   // in the band at the end of the way, without a motion
+constexpr double farthest = 20;                         // mm: the surface is within that
+constexpr double contact = 0.4;                         // N: less is felt in the air, too
+constexpr int most_in_air = 5;                          // cycles: a surface that goes on is met again by then
+constexpr int calm_cycles = 5;                          // in the band at the end of the way, without a motion
 constexpr double landing_limit = 10, ending_limit = 2;  // s
 
 class Method final : public SM1Activities {
@@ -102,7 +102,8 @@ class Method final : public SM1Activities {
   Motion come_to_rest(double force) {
     if (++ending_ * alter_period > ending_limit) {
       std::array<char, 120> text{};
-      std::snprintf(text.data(), text.size(), "at the end of the way the tool presses with %.1f N: not in its band", force);
+      std::snprintf(text.data(), text.size(),
+                    "at the end of the way the tool presses with %.1f N: not in its band", force);
       throw std::runtime_error(text.data());
     }
     Motion motion;
@@ -118,7 +119,8 @@ class Method final : public SM1Activities {
 
   void stay_on_the_surface(double force) {
     in_air_ = force < contact ? in_air_ + 1 : 0;
-    if (in_air_ >= most_in_air) throw std::runtime_error("the surface has ended: nothing was felt for 140 ms");
+    if (in_air_ >= most_in_air)
+      throw std::runtime_error("the surface has ended: nothing was felt for 140 ms");
   }
 
   // The thesis's rule (5.4.2).

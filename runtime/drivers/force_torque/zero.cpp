@@ -13,13 +13,14 @@ struct Bounds {
   double of(std::size_t axis) const { return axis < 3 ? force : torque; }
 };
 
-constexpr Bounds at_most{3, 0.2};         // of a sensor that is in order, from the day on which it was made
-constexpr Bounds standing{1.5, 0.1};      // between two records of a tool that stands still
+constexpr Bounds at_most{3, 0.2};     // of a sensor that is in order, from the day on which it was made
+constexpr Bounds standing{1.5, 0.1};  // between two records of a tool that stands still
 constexpr Bounds next_to_nothing{0.3, 0.02};  // less than any skill's contact
-constexpr Bounds drift{1.5, 0.1};         // of a sensor that is in order, since its zero was taken
-constexpr double following = 0.5;         // part of what is seen by which the zero follows
+constexpr Bounds drift{1.5, 0.1};             // of a sensor that is in order, since its zero was taken
+constexpr double following = 0.5;             // part of what is seen by which the zero follows
 
-constexpr std::array<const char*, axes> words{"along x", "along y", "along z", "about x", "about y", "about z"};
+constexpr std::array<const char*, axes> words{"along x", "along y", "along z",
+                                              "about x", "about y", "about z"};
 
 /// The axis that is farthest beyond its bound, or nothing.
 std::optional<std::size_t> beyond(const Load& load, const Bounds& bounds) {
@@ -84,7 +85,8 @@ std::string Zero::follow(const Load& mean) {
   for (std::size_t i = 0; i < axes; ++i) next[i] += following * (mean[i] - next[i]);
   if (const auto axis = beyond(difference(next, first_), drift))
     return "its zero has drifted by " + amount(difference(next, first_), *axis) +
-           "; the tool presses lightly for long, or the sensor is worn: start the workcell again with the tool "
+           "; the tool presses lightly for long, or the sensor is worn: start the workcell again with the "
+           "tool "
            "in free air";
   known_ = next;
   return {};

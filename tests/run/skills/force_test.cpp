@@ -160,7 +160,8 @@ TEST_CASE("rub: the surface ends, completion 2, and the tool stands in the air b
                            .scene = "sponge",
                            .parameters = {{"direction", 90}, {"distance", 20}, {"speed", 0.8}}});
   CHECK(end_of(result.outcome) == "rub 2");
-  CHECK(result.outcome.reason.find("the surface has ended: nothing was felt for 140 ms") != std::string::npos);
+  CHECK(result.outcome.reason.find("the surface has ended: nothing was felt for 140 ms") !=
+        std::string::npos);
   CHECK(result.resting_force == 0);
   CHECK(stands_still(result));
 }

@@ -132,7 +132,8 @@ TEST_CASE("follow-edge makes up for motions that came too late, and goes the dis
   CHECK((slow - usual).norm() < 0.5);
 }
 
-TEST_CASE("follow-edge keeps to its edge at 30 mm/s with its usual limits, and nearer than the thesis's law") {
+TEST_CASE(
+    "follow-edge keeps to its edge at 30 mm/s with its usual limits, and nearer than the thesis's law") {
   const Seam seam;
   const auto off_edge = [&](double literal) {
     const auto result = run({.skill = "follow-edge",
@@ -141,7 +142,8 @@ TEST_CASE("follow-edge keeps to its edge at 30 mm/s with its usual limits, and n
     CHECK(result.outcome.code == 0);
     double squares = 0, count = 0;
     for (const sim::Sample& sample : result.log) {
-      if (sample.time > result.outcome.duration || (at_edge(sample) - at_edge(result.log.front())).x() < 40) continue;
+      if (sample.time > result.outcome.duration || (at_edge(sample) - at_edge(result.log.front())).x() < 40)
+        continue;
       squares += std::pow(off(seam, sample, 200).length, 2);
       ++count;
     }

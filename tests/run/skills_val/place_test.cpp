@@ -32,7 +32,8 @@ TEST_CASE("place-at-location: 2, the part falls on the way there; it does not sa
   CHECK_FALSE(shop.cell().workcell().holds_part());
 }
 
-TEST_CASE("place-at-location: a heavy part is weighed, and its weight is not taken for a place that is taken") {
+TEST_CASE(
+    "place-at-location: a heavy part is weighed, and its weight is not taken for a place that is taken") {
   const ChangedScene heavy("heavy-part", "part at 460 -200 mass 3000");
   Workshop shop(heavy.scene());
   REQUIRE(shop.run("pick-at-location").code == 0);

@@ -48,7 +48,8 @@ struct Bench {
 
 const ForceTorqueEmulatorOptions gauges{.most_offset = 1.5, .most_torque_offset = 0.08};
 
-TEST_CASE("force-torque zero: a tool that presses when the next skill begins still presses", "[force-torque]") {
+TEST_CASE("force-torque zero: a tool that presses when the next skill begins still presses",
+          "[force-torque]") {
   Bench bench(gauges);
   CHECK(bench.read_along_z() == Approx(0).margin(0.11));
   for (const double pressing : {12.0, 5.0, 15.8}) {
@@ -65,7 +66,8 @@ TEST_CASE("force-torque zero: the tool's weight is taken out in every pose", "[f
   CHECK(bench.read_along_z() == Approx(0).margin(0.11));
 }
 
-TEST_CASE("force-torque zero: without one, a tool that touches is refused until it is free", "[force-torque]") {
+TEST_CASE("force-torque zero: without one, a tool that touches is refused until it is free",
+          "[force-torque]") {
   Bench bench(gauges);
   bench.load.force.z() = 2 - 14.2;
   CHECK(bench.read_along_z() == -1e9);
@@ -78,7 +80,8 @@ TEST_CASE("force-torque zero: without one, a tool that touches is refused until 
 TEST_CASE("force-torque zero: it is kept when the sensor was off meanwhile", "[force-torque]") {
   Bench bench(gauges);
   bench.read_along_z();
-  bench.wire.b().write(runtime::drivers::as_bytes("oops"));  // trouble: the next skill starts the sensor again
+  bench.wire.b().write(
+      runtime::drivers::as_bytes("oops"));  // trouble: the next skill starts the sensor again
   bench.timeline.advance_to(bench.timeline.now() + 100ms);
   REQUIRE_FALSE(bench.driver().trouble().empty());
   bench.load.force.z() = 2 - 9;

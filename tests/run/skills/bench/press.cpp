@@ -49,8 +49,8 @@ std::vector<Figure> measure_press() {
       figures.push_back(observed(
           {"press", fmt::format("5 N for 2 s, scene {}, machine seed {}, seeds 1 to 5", plate, machine),
            "± 0.3 N, rms <= 0.1 N in each run",
-           fmt::format("± {:.2f} N, rms {:.3f} N, at most {:.3f} N in a run; peak while landing {:.1f} N", held.greatest,
-                       held.rms, held.worst_rms, held.peak),
+           fmt::format("± {:.2f} N, rms {:.3f} N, at most {:.3f} N in a run; peak while landing {:.1f} N",
+                       held.greatest, held.rms, held.worst_rms, held.peak),
            held.ended && held.greatest <= 0.3 && held.worst_rms <= 0.1},
           bounds));
     }

@@ -99,8 +99,8 @@ Figure square() {
   return observed({"touch, rub", "rub_in_square, four sides of 20 mm at 18 mm/s, scene touch, seeds 1 to 5",
                    "100 % in band on all sides",
                    fmt::format("{:.1f} % in band, {:.1f} to {:.1f} N{}",
-                               100 * static_cast<double>(inside) / static_cast<double>(count), least, greatest,
-                               ended ? "" : "; did not end with 0"),
+                               100 * static_cast<double>(inside) / static_cast<double>(count), least,
+                               greatest, ended ? "" : "; did not end with 0"),
                    ended && inside == count},
                   bounds);
 }

@@ -13,12 +13,12 @@ namespace pal::test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double sensor = 0.25;    // N: half a step, the noise's mean, and the zero
-constexpr double touching = 0.3;   // N
-constexpr double there = 0.2;      // mm: counts, play, and where the encoders are asked
+constexpr double sensor = 0.25;   // N: half a step, the noise's mean, and the zero
+constexpr double touching = 0.3;  // N
+constexpr double there = 0.2;     // mm: counts, play, and where the encoders are asked
 constexpr double edge_known = 4, edge_known_literal = 7;  // mm, as the template says
-constexpr double opened = 79;      // mm between the fingers
-constexpr double sensor_most = 60; // N that a skill promises not to exceed
+constexpr double opened = 79;                             // mm between the fingers
+constexpr double sensor_most = 60;                        // N that a skill promises not to exceed
 
 std::string unless(bool so, std::string untrue) {
   return so ? std::string() : std::move(untrue);
@@ -34,7 +34,8 @@ std::string still(const Ended& ended) {
   return unless(ended.stands_still(), "it moves");
 }
 std::string free_of_all(const Ended& ended) {
-  return unless(ended.after().contact_force == 0, fmt::format("presses with {:.1f} N", ended.after().contact_force));
+  return unless(ended.after().contact_force == 0,
+                fmt::format("presses with {:.1f} N", ended.after().contact_force));
 }
 std::string where_it_began(const Ended& ended) {
   return unless(ended.moved() < there, fmt::format("{:.2f} mm from where it began", ended.moved()));
@@ -50,7 +51,8 @@ double peak(const Ended& ended) {
 std::string reached(const Ended& ended, double force) {
   double most = 0;
   for (const sim::Sample& sample : ended.during())
-    most = std::max({most, std::abs(ended.pressing(sample)), sample.wrench.force.head<2>().cwiseAbs().maxCoeff()});
+    most = std::max(
+        {most, std::abs(ended.pressing(sample)), sample.wrench.force.head<2>().cwiseAbs().maxCoeff()});
   return unless(most >= force - 2, fmt::format("only {:.1f} N were met", most));
 }
 
@@ -78,14 +80,16 @@ Judgement press(const Ended& ended) {
       const auto during = ended.during();
       const auto held = during.last(std::min(during.size(), static_cast<std::size_t>(1e3 * time)));
       double worst = std::abs(rest - force);
-      for (const sim::Sample& sample : held) worst = std::max(worst, std::abs(ended.pressing(sample) - force));
+      for (const sim::Sample& sample : held)
+        worst = std::max(worst, std::abs(ended.pressing(sample) - force));
       return {"N off while it holds", worst,
               all({unless(worst <= band + sensor, fmt::format("{:.2f} N off", worst)), still(ended)})};
     }
     case 1:
       return {"N at the most", peak(ended), all({where_it_began(ended), free_of_all(ended), still(ended)})};
     case 2:
-      return {"N at the most", peak(ended), all({reached(ended, ended.parameter("stop-force")), lifted_off(ended)})};
+      return {"N at the most", peak(ended),
+              all({reached(ended, ended.parameter("stop-force")), lifted_off(ended)})};
     default:
       return {"N at rest", rest, still(ended)};
   }
@@ -94,11 +98,13 @@ Judgement press(const Ended& ended) {
 // While it slides: from the first motion along the surface to the end.
 Judgement rub(const Ended& ended) {
   const double rest = ended.pressing(ended.after());
-  const double softest = -ended.parameter("least-force") / 20, hardest = -ended.parameter("greatest-force") / 20;
+  const double softest = -ended.parameter("least-force") / 20,
+               hardest = -ended.parameter("greatest-force") / 20;
   switch (ended.outcome.code) {
     case 0: {
       const double angle = ended.parameter("direction") * degree;
-      const Eigen::Vector3d way = ended.before.tool_turn * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+      const Eigen::Vector3d way =
+          ended.before.tool_turn * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
       const double gone = 1e3 * (ended.after().tool - ended.before.tool).dot(way);
       int in_air = 0, longest = 0;
       for (const sim::Sample& sample : ended.during()) {
@@ -109,7 +115,8 @@ Judgement rub(const Ended& ended) {
       return {"N at rest", rest,
               all({unless(std::abs(gone - 10 * ended.parameter("distance")) < 1,
                           fmt::format("has gone {:.1f} mm", gone)),
-                   unless(rest > softest - sensor && rest < hardest + sensor, fmt::format("{:.1f} N at the end", rest)),
+                   unless(rest > softest - sensor && rest < hardest + sensor,
+                          fmt::format("{:.1f} N at the end", rest)),
                    unless(longest < 200, fmt::format("{} ms in the air", longest)), still(ended)})};
     }
     case 1:
@@ -141,11 +148,13 @@ Judgement standoff(const Ended& ended) {
     case 0: {
       const double off = std::abs(distance - ended.parameter("distance"));
       return {"mm off", off,
-              all({unless(off <= ended.parameter("tolerance") + 0.1, fmt::format("{:.2f} mm off", off)), still(ended)})};
+              all({unless(off <= ended.parameter("tolerance") + 0.1, fmt::format("{:.2f} mm off", off)),
+                   still(ended)})};
     }
     case 1:
       return {"mm to the nearest", distance,
-              all({unless(distance < 100.2 || distance > 449.5, fmt::format("a surface is at {:.1f} mm", distance)),
+              all({unless(distance < 100.2 || distance > 449.5,
+                          fmt::format("a surface is at {:.1f} mm", distance)),
                    still(ended)})};
     default:
       return {"mm to the nearest", distance, still(ended)};
@@ -172,7 +181,8 @@ Judgement align(const Ended& ended) {
   const double off = off_normal(ended).value_or(90);
   if (ended.outcome.code != 0) return {"deg off", off, still(ended)};
   return {"deg off", off,
-          all({unless(off <= 1.5 * ended.parameter("tolerance") + 0.1, fmt::format("{:.2f} deg off", off)), still(ended)})};
+          all({unless(off <= 1.5 * ended.parameter("tolerance") + 0.1, fmt::format("{:.2f} deg off", off)),
+               still(ended)})};
 }
 
 // What the tool's axis meets is about where an edge would be.
@@ -200,7 +210,8 @@ Judgement follow_edge(const Ended& ended) {
       return {"mm off at the most", worst,
               all({unless(worst <= known, fmt::format("{:.1f} mm off", worst)),
                    unless(rest <= known, fmt::format("ends {:.1f} mm off", rest)),
-                   unless(std::abs(gone - 10 * ended.parameter("distance")) < 0.05 * 10 * ended.parameter("distance") + 3,
+                   unless(std::abs(gone - 10 * ended.parameter("distance")) <
+                              0.05 * 10 * ended.parameter("distance") + 3,
                           fmt::format("has gone {:.1f} mm", gone)),
                    still(ended)})};
     case 1:
@@ -268,7 +279,8 @@ Judgement pick(const Ended& ended) {
   const auto now = [&] { return all({above(ended, ended.text("location")), still(ended)}); };
   switch (ended.outcome.code) {
     case 0:
-      return {"mm between the fingers", width, all({unless(holds(ended), "the fingers hold nothing"), now()})};
+      return {"mm between the fingers", width,
+              all({unless(holds(ended), "the fingers hold nothing"), now()})};
     case 1:
     case 3:
       return {"mm between the fingers", width,
@@ -299,7 +311,8 @@ Judgement place(const Ended& ended) {
   switch (ended.outcome.code) {
     case 0:
       return {"N at the most", peak(ended),
-              all({part_is_at(ended, ended.shop.location(location)), unless(width > opened, "the fingers are not open"),
+              all({part_is_at(ended, ended.shop.location(location)),
+                   unless(width > opened, "the fingers are not open"),
                    unless(!holds(ended), "the fingers hold a part"), above(ended, location), still(ended)})};
     case 1:
       if (!ended.held_before) return {"N at the most", peak(ended), where_it_began(ended)};
@@ -310,7 +323,8 @@ Judgement place(const Ended& ended) {
 }
 
 Judgement palletize(const Ended& ended) {
-  const int placed = static_cast<int>(ended.parameter("placed")), columns = static_cast<int>(ended.parameter("columns"));
+  const int placed = static_cast<int>(ended.parameter("placed")),
+            columns = static_cast<int>(ended.parameter("columns"));
   const double pitch = ended.parameter("pitch");
   const double width = ended.shop.cell().workcell().gripper_width();
   switch (ended.outcome.code) {
@@ -318,12 +332,13 @@ Judgement palletize(const Ended& ended) {
       return {"N at the most", peak(ended),
               all({part_is_at(ended, ended.shop.location(ended.text("corner")) +
                                          pitch * Eigen::Vector3d(placed % columns, placed / columns, 0)),
-                   unless(width > opened, "the fingers are not open"), unless(!holds(ended), "the fingers hold a part"),
-                   still(ended)})};
+                   unless(width > opened, "the fingers are not open"),
+                   unless(!holds(ended), "the fingers hold a part"), still(ended)})};
     case 1:
       return {"N at the most", peak(ended), where_it_began(ended)};
     case 3:
-      return {"N at the most", peak(ended), all({unless(holds(ended), "the fingers hold nothing"), still(ended)})};
+      return {"N at the most", peak(ended),
+              all({unless(holds(ended), "the fingers hold nothing"), still(ended)})};
     default:
       return {"N at the most", peak(ended), still(ended)};
   }

@@ -1,6 +1,6 @@
 // skill_endings [--share] [--seeds N] [WORD…]: runs skills in physics and holds what their completions say
-// against what the simulator knows. Prints the table of docs/skills_endings.md. Ends with 1 if a row is false.
-// A word chooses skills by name; --share runs every row's skill once, in a part of the rows.
+// against what the simulator knows. Prints the table of docs/skills_endings.md. Ends with 1 if a row is
+// false. A word chooses skills by name; --share runs every row's skill once, in a part of the rows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,7 +70,8 @@ RunEnd run_one(const EndingCase& one, const sim::Scene& scene, std::uint64_t see
 std::string words(const Parameters& parameters) {
   std::string text;
   for (const runtime::ParameterValue& each : parameters)
-    text += (text.empty() ? "" : ", ") + each.name + " " + (each.text ? *each.text : fmt::format("{:g}", each.value));
+    text += (text.empty() ? "" : ", ") + each.name + " " +
+            (each.text ? *each.text : fmt::format("{:g}", each.value));
   return text.empty() ? "defaults" : text;
 }
 
@@ -93,9 +94,10 @@ bool write_rows(const EndingCase& one, const Wanted& wanted) {
   bool good = true;
   for (const auto& [code, row] : rows) {
     good = good && row.untrue.empty();
-    std::cout << fmt::format("| {} | {} | {} | {} | {} of {}: {} | {:.2f} to {:.2f} {} | {} |\n", one.skill, one.scene,
-                             one.begins, words(one.parameters), row.count, wanted.seeds, code, row.least, row.greatest,
-                             row.name, row.untrue.empty() ? row.reason.substr(0, 90) : "**false**: " + row.untrue)
+    std::cout << fmt::format("| {} | {} | {} | {} | {} of {}: {} | {:.2f} to {:.2f} {} | {} |\n", one.skill,
+                             one.scene, one.begins, words(one.parameters), row.count, wanted.seeds, code,
+                             row.least, row.greatest, row.name,
+                             row.untrue.empty() ? row.reason.substr(0, 90) : "**false**: " + row.untrue)
               << std::flush;
   }
   return good;
@@ -124,7 +126,8 @@ int main(int count, char** arguments) {
     std::size_t number = 0;
     for (const EndingCase& one : ending_cases()) {
       if (number++ % wanted.every != 0) continue;
-      if (!wanted.skills.empty() && std::find(wanted.skills.begin(), wanted.skills.end(), one.skill) == wanted.skills.end())
+      if (!wanted.skills.empty() &&
+          std::find(wanted.skills.begin(), wanted.skills.end(), one.skill) == wanted.skills.end())
         continue;
       good = write_rows(one, wanted) && good;
     }

@@ -35,7 +35,7 @@ struct Ended {
 
 /// What is shown of an end in figures, and what of its words is not so.
 struct Judgement {
-  std::string name;    // of the figure: "N at rest"
+  std::string name;  // of the figure: "N at rest"
   double figure = 0;
   std::string untrue;  // empty: what the completion says is so
 };
