@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/dispatcher.hpp"
+#include "pal/runtime/dispatcher.hpp"
 
 namespace pal::test {
 
