@@ -12,7 +12,9 @@ namespace pal::skills {
 inline constexpr double lift_distance = 5;  // mm
 inline constexpr double lift_speed = 50;    // mm/s
 inline constexpr double most_lift = 60;     // mm
-inline constexpr double felt_from = 0.5;    // N
+// Moving shakes the tool, the more the faster: a force that is a contact, while it moves and when it stands.
+inline constexpr double felt_moving = 2.5;    // N
+inline constexpr double felt_standing = 0.5;  // N
 
 template <class Interface>
 class LiftOff final : public Interface {
@@ -28,7 +30,7 @@ class LiftOff final : public Interface {
   }
   Motion lift(const Zforce& force) override {
     // A soft surface follows the tool for some way.
-    felt_ = force.value >= felt_from;
+    felt_ = force.value >= (last_.felt_reach() ? felt_standing : felt_moving);
     if (felt_) begin_last();
     Motion motion;
     motion.dz = -last_.step_forward();
