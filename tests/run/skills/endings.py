@@ -46,7 +46,8 @@ what a completion says is not so, and writes **false** in that row. A share of t
 | place 0, palletize 0 | a part within 2 mm of the place, the fingers open |
 | all others | the arm stands still, 0.8 s after the end |
 
-A code that counts runs stands as "5 of 5: 0". Reasons are cut.
+"1 of 1: 0": how many of the runs ended with which code. The table below has one seed a row; the program runs
+five if not told otherwise. Reasons are cut.
 
 """
 
