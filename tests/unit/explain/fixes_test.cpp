@@ -35,7 +35,7 @@ class MendedFileSystem : public FileSystem {
 };
 
 /// The findings of the whole of `pal check`, as long as the search for a proof is short.
-program::Session check(const std::string& path, const FileSystem& files) {
+program::Session checked(const std::string& path, const FileSystem& files) {
   std::ostringstream none;
   program::Session session;
   program::read({{path}, {}, {}, {}}, {none, none, files}, session);
@@ -67,7 +67,7 @@ std::vector<std::string> goldens() {
 TEST_CASE("every finding of the goldens has a hint, and every fix cures it") {
   std::set<Code> fixed;
   for (const std::string& path : goldens()) {
-    const auto before = check(path, DiskFileSystem());
+    const auto before = checked(path, DiskFileSystem());
     for (const Diagnostic& finding : before.diagnostics.sorted()) {
       INFO(path << ": " << name(finding.code) << ": " << finding.message << "\nhint: " << finding.hint);
       CHECK_FALSE(finding.hint.empty());
@@ -75,7 +75,7 @@ TEST_CASE("every finding of the goldens has a hint, and every fix cures it") {
       const FileId file = finding.fix.front().where.file;
       MendedFileSystem files;
       files.mend(before.sources.name(file), apply(finding.fix, file, before.sources.text(file)));
-      const auto after = check(path, files);
+      const auto after = checked(path, files);
       std::ostringstream text;
       render_text(after.diagnostics.sorted(), after.sources, text);
       INFO(text.str());
