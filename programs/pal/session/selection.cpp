@@ -67,10 +67,11 @@ bool read(const Selection& selection, const Console& console, Session& session) 
 
 ExitStatus status_of_findings(const Session& session) {
   if (!session.diagnostics.has_errors()) return ExitStatus::all_hold;
-  // A file that another one uses is named at that place; one without a place was named on the command line.
+  // A file that another one uses is reported there; one that the command line names, at its own place.
   const auto& all = session.diagnostics.all();
-  const bool unreadable = std::any_of(all.begin(), all.end(), [](const Diagnostic& finding) {
-    return finding.code == Code::PAL0111 && !finding.where.valid();
+  const bool unreadable = std::any_of(all.begin(), all.end(), [&](const Diagnostic& finding) {
+    return finding.code == Code::PAL0111 && finding.where.valid() &&
+           !session.sources.was_read(finding.where.file);
   });
   return unreadable ? ExitStatus::usage : ExitStatus::wrong_specification;
 }

@@ -112,9 +112,9 @@ std::string hint_of(const Proof& proof, std::size_t index) {
 }
 
 /// What is required says nothing about any run.
-void report_never(const Proof& proof, std::size_t index, Session& session) {
+void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  session.diagnostics.report(
+  diagnostics.report(
       Code::PAL0816, verdict.where,
       "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
           proof.problem.environment,
@@ -179,11 +179,11 @@ bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem&
   return true;
 }
 
-void report(const Proof& proof, std::size_t index, bool whole_story, Session& session) {
+void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding = session.diagnostics.report(
+  Diagnostic& finding = diagnostics.report(
       fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
       "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
           " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
@@ -226,14 +226,17 @@ bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {
   return found.has_value();
 }
 
+void report_unmet(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics) {
+  const State state = proof.analysis.verdicts[index].state;
+  if (state == State::never) report_never(proof, index, diagnostics);
+  if (state == State::fails || state == State::undecided) report(proof, index, whole_story, diagnostics);
+}
+
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session) {
   for (const Proof& proof : proofs) {
     if (proof.analysis.zeno_run) report_zeno_run(proof.problem, *proof.analysis.zeno_run, session);
-    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
-      const State state = proof.analysis.verdicts[i].state;
-      if (state == State::never) report_never(proof, i, session);
-      if (state == State::fails || state == State::undecided) report(proof, i, whole_story, session);
-    }
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i)
+      report_unmet(proof, i, whole_story, session.diagnostics);
   }
 }
 

@@ -6,7 +6,7 @@ namespace pal::workcell {
 
 Failure refused_operation(const std::string& file, const Diagnostics& diagnostics,
                           const SourceManager& sources, std::ostream& error) {
-  const bool unreadable = sources.size() == 0 && !diagnostics.all().empty();
+  const bool unreadable = sources.size() == 1 && !sources.was_read(FileId(0)) && !diagnostics.all().empty();
   if (unreadable) {
     const Diagnostic& finding = diagnostics.all().front();
     return {ExitStatus::usage, "operation", finding.message, finding.hint};
