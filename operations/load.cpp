@@ -25,7 +25,7 @@ std::optional<Program> load(const FileSystem& files, SourceManager& sources, con
     auto content = files.read(next.path);
     if (const auto* error = std::get_if<FileError>(&content)) {
       const SourceSpan where =
-          next.where.valid() ? next.where : SourceSpan{sources.add_unread(next.path), 0, 0};
+          next.where.valid() ? next.where : SourceSpan{sources.add(next.path, {}), 0, 0};
       diagnostics.report(Code::PAL0111, where, "cannot read '" + next.path + "': " + error->reason,
                          "check the name and whether the file may be read");
       continue;

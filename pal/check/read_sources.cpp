@@ -48,7 +48,7 @@ class SourceReader {
     auto read = files_.read(path);
     if (const auto* error = std::get_if<FileError>(&read)) {
       const bool by_uses = named_at.valid();
-      diagnostics_.report(Code::PAL0111, by_uses ? named_at : SourceSpan{sources_.add_unread(path), 0, 0},
+      diagnostics_.report(Code::PAL0111, by_uses ? named_at : SourceSpan{sources_.add(path, {}), 0, 0},
                           "cannot read " + shown(path) + ": " + error->reason,
                           by_uses ? "a file is looked for beside the one that names it"
                                   : "name a file that is there and may be read");

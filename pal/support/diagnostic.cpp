@@ -71,16 +71,6 @@ Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message
       .emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
 }
 
-void Diagnostics::raise_warnings() {
-  for (Diagnostic& finding : all_) {
-    if (finding.severity == Severity::warning) finding.severity = Severity::error;
-  }
-  for (FindingCounts* counts : {&kept_, &not_kept_}) {
-    errors_ += counts->warnings;
-    counts->errors += std::exchange(counts->warnings, 0);
-  }
-}
-
 std::vector<Diagnostic> Diagnostics::sorted() const {
   auto result = all_;
   const auto key = [](const Diagnostic& d) { return std::tuple(place(d.where), d.code); };

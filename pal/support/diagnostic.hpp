@@ -63,9 +63,6 @@ class Diagnostics {
   /// Later findings that begin in `place` are consequences of a reported one, and are dropped.
   void distrust(SourceSpan place) { distrusted_.push_back(place); }
 
-  /// Makes each warning so far an error.
-  void raise_warnings();
-
   std::size_t errors() const { return errors_; }
   bool has_errors() const { return errors_ != 0; }
 

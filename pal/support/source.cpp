@@ -8,22 +8,12 @@
 namespace pal {
 
 FileId SourceManager::add(std::string name, std::string text) {
-  File file{std::move(name), std::move(text), {0}, true};
+  File file{std::move(name), std::move(text), {0}};
   for (std::size_t at = file.text.find('\n'); at != std::string::npos; at = file.text.find('\n', at + 1)) {
     file.line_starts.push_back(static_cast<std::uint32_t>(at + 1));
   }
   files_.push_back(std::move(file));
   return FileId(files_.size() - 1);
-}
-
-FileId SourceManager::add_unread(std::string name) {
-  const FileId file = add(std::move(name), {});
-  files_.back().read = false;
-  return file;
-}
-
-bool SourceManager::was_read(FileId file) const {
-  return files_.at(file.index()).read;
 }
 
 std::optional<FileId> SourceManager::find(std::string_view name) const {

@@ -37,12 +37,6 @@ class SourceManager {
   /// Takes a text under the name that messages show. The id stays valid for the manager's life.
   FileId add(std::string name, std::string text);
 
-  /// Notes a file that could not be read, so that findings have a place: its text is empty.
-  FileId add_unread(std::string name);
-
-  /// Whether the text is that of the file.
-  bool was_read(FileId file) const;
-
   /// The file that was added under this name, if any.
   std::optional<FileId> find(std::string_view name) const;
 
@@ -64,7 +58,6 @@ class SourceManager {
     std::string name;
     std::string text;
     std::vector<std::uint32_t> line_starts;
-    bool read = true;
   };
   std::vector<File> files_;
 };

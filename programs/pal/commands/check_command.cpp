@@ -85,8 +85,9 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   }
   const std::vector<Unchecked> not_checked =
       unchecked(session, proofs, session.diagnostics.has_errors(), options.without_times);
-  if (options.warnings_as_errors) session.diagnostics.raise_warnings();
-  const ExitStatus found = status_of_findings(session);
+  const bool raised = options.warnings_as_errors && raise_warnings(session);
+  ExitStatus found = status_of_findings(session);
+  if (raised && found == ExitStatus::all_hold) found = ExitStatus::wrong_specification;
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, options.explain || options.format != Format::text, session);
   if (options.require_verdicts && !wrong) report_unchecked(not_checked, session);

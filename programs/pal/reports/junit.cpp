@@ -95,7 +95,7 @@ Suite suite_of_files(const Session& session) {
     const FileId file(i);
     Case each{session.sources.name(file), {}, {}, {}, {}, 0};
     const auto errors = errors_in(file, i == 0, session);
-    if (!errors.empty()) tell(errors, session.sources.was_read(file) ? "failure" : "error", session, each);
+    if (!errors.empty()) tell(errors, is_unread(file, session) ? "error" : "failure", session, each);
     suite.cases.push_back(std::move(each));
   }
   return suite;

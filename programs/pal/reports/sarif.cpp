@@ -32,7 +32,8 @@ std::string uri_of(const std::string& path) {
 
 class Log {
  public:
-  Log(const SourceManager& sources, const std::vector<Code>& rules) : sources_(sources), rules_(rules) {}
+  Log(const Session& session, const std::vector<Code>& rules)
+      : session_(session), sources_(session.sources), rules_(rules) {}
 
   Json result(const Diagnostic& finding) const {
     Json result = head(finding.code, name(finding.severity), finding.message, finding.where);
@@ -52,7 +53,7 @@ class Log {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       Json artifact;
       artifact["location"] = artifact_location(FileId(i));
-      if (sources_.was_read(FileId(i))) {
+      if (!is_unread(FileId(i), session_)) {
         artifact["length"] = sources_.text(FileId(i)).size();
         artifact["encoding"] = "UTF-8";
       }
@@ -120,6 +121,7 @@ class Log {
     return fix;
   }
 
+  const Session& session_;
   const SourceManager& sources_;
   const std::vector<Code>& rules_;
 };
@@ -166,7 +168,7 @@ std::string sarif(const Session& session, const std::vector<Unchecked>& not_chec
   for (const Diagnostic& finding : findings) {
     if (std::find(rules.begin(), rules.end(), finding.code) == rules.end()) rules.push_back(finding.code);
   }
-  const Log log(session.sources, rules);
+  const Log log(session, rules);
   Json run;
   Json& driver = run["tool"]["driver"];
   driver["name"] = "pal";

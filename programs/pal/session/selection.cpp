@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include "pal/check/measured.hpp"
 #include "pal/check/read_sources.hpp"
@@ -65,14 +66,35 @@ bool read(const Selection& selection, const Console& console, Session& session) 
          compare_measured(selection.measured, console, session);
 }
 
+bool is_unread(FileId file, const Session& session) {
+  // A file that another one uses is reported there; one that the command line names, at its own beginning.
+  const auto& all = session.diagnostics.all();
+  return session.sources.text(file).empty() &&
+         std::any_of(all.begin(), all.end(), [&](const Diagnostic& finding) {
+           return finding.code == Code::PAL0111 && finding.where.valid() && finding.where.file == file;
+         });
+}
+
+bool raise_warnings(Session& session) {
+  Diagnostics raised;
+  bool any = session.diagnostics.not_kept().warnings != 0;
+  for (const Diagnostic& finding : session.diagnostics.all()) {
+    Diagnostic& again = raised.report(finding.code, finding.where, finding.message, finding.hint);
+    again.notes = finding.notes;
+    again.fix = finding.fix;
+    if (again.severity != Severity::warning) continue;
+    again.severity = Severity::error;
+    any = true;
+  }
+  if (session.diagnostics.not_kept().sum() == 0) session.diagnostics = std::move(raised);
+  return any;
+}
+
 ExitStatus status_of_findings(const Session& session) {
   if (!session.diagnostics.has_errors()) return ExitStatus::all_hold;
-  // A file that another one uses is reported there; one that the command line names, at its own place.
-  const auto& all = session.diagnostics.all();
-  const bool unreadable = std::any_of(all.begin(), all.end(), [&](const Diagnostic& finding) {
-    return finding.code == Code::PAL0111 && finding.where.valid() &&
-           !session.sources.was_read(finding.where.file);
-  });
+  bool unreadable = false;
+  for (std::size_t file = 0; file < session.sources.size(); ++file)
+    unreadable = unreadable || is_unread(FileId(file), session);
   return unreadable ? ExitStatus::usage : ExitStatus::wrong_specification;
 }
 
