@@ -41,7 +41,7 @@ constexpr std::array operators{Operator{"&&", "AND", Lexer::AND},
                                Operator{"²", "2", Lexer::NUMBER, "^", Lexer::CARET},
                                Operator{"³", "3", Lexer::NUMBER, "^", Lexer::CARET}};
 
-bool is_dash(std::string_view sign) {
+bool divides_figures(std::string_view sign) {
   static constexpr std::array<std::string_view, 7> dashes{"-", "‐", "‑", "–", "—", "−", "~"};
   return std::find(dashes.begin(), dashes.end(), sign) != dashes.end();
 }
@@ -164,7 +164,7 @@ class Sign {
 
   std::optional<ForeignSign> figures(std::size_t first, std::size_t last) const {
     const std::string_view written = source(first, last);
-    if (!is_dash(written) && written != "…" && written != "‥") return std::nullopt;
+    if (!divides_figures(written) && written != "…" && written != "‥") return std::nullopt;
     if (!between_figures(first, last)) return std::nullopt;
     return interval(first, last);
   }
@@ -193,7 +193,7 @@ class Sign {
   /// A minus sign or a dash before a figure.
   std::optional<ForeignSign> minus_sign() const {
     const std::string_view written = source(at_);
-    if (!is_dash(written) || written == "~" || written == "-" || !touch(at_) || !is(at_ + 1, Lexer::NUMBER))
+    if (!divides_figures(written) || written == "~" || written == "-" || !touch(at_) || !is(at_ + 1, Lexer::NUMBER))
       return std::nullopt;
     if (touches_before(at_)) return std::nullopt;  // a part of a word
     const std::string meant = "-" + std::string(source(at_ + 1));

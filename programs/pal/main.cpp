@@ -9,6 +9,7 @@
 
 #include "pal/support/file_system.hpp"
 #include "programs/pal/options/command_line.hpp"
+#include "programs/pal/session/colour.hpp"
 
 using pal::program::ExitStatus;
 
@@ -27,9 +28,11 @@ ExitStatus delivered(ExitStatus status) {
 int main(int count, char** arguments) {
   const pal::DiskFileSystem files;
   try {
+    const bool out = ::isatty(STDOUT_FILENO) == 1, err = ::isatty(STDERR_FILENO) == 1;
     return static_cast<int>(
         delivered(pal::program::run(std::vector<std::string>(arguments + 1, arguments + count),
-                                    {std::cout, std::cerr, files, ::isatty(STDOUT_FILENO) == 1})));
+                                    {std::cout, std::cerr, files, out, pal::program::wants_colour(out),
+                                     pal::program::wants_colour(err)})));
   } catch (const std::bad_alloc&) {
     std::cerr << "pal: there is not enough memory; with --max-states N a proof gives up sooner\n";
     return static_cast<int>(ExitStatus::usage);

@@ -11,6 +11,7 @@
 #include "programs/pal/reports/sarif.hpp"
 #include "programs/pal/reports/statistics.hpp"
 #include "programs/pal/reports/witness.hpp"
+#include "programs/pal/session/colour.hpp"
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/unchecked.hpp"
 #include "programs/pal/session/write.hpp"
@@ -105,8 +106,10 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     if (!wrong)
       say_what_was_not_checked(not_checked, any_verdict, options.without_times, console.err);
     if (!options.quiet) {
-      write_table(proofs, options.explain, console.out);
-      if (!wrong) write_unchecked(not_checked, console.out);
+      std::ostringstream table;
+      write_table(proofs, options.explain, table);
+      if (!wrong) write_unchecked(not_checked, table);
+      console.out << (console.colour_out ? coloured_table(table.str()) : table.str());
     }
   }
   if (options.statistics && options.format == Format::text) write_statistics(proofs, console.err);

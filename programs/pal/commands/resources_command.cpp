@@ -8,6 +8,7 @@
 
 #include "pal/check/resources.hpp"
 #include "programs/pal/commands/commands.hpp"
+#include "programs/pal/reports/json_text.hpp"
 
 namespace pal::program {
 namespace {
@@ -128,7 +129,7 @@ ExitStatus show_resources(const ResourcesOptions& options, const Console& consol
       write_table(comparison, environments, console.out);
     }
   }
-  if (options.format == Format::json) console.out << document.dump(2) << "\n";
+  if (options.format == Format::json) console.out << json_text(document, 2) << "\n";
   return all ? ExitStatus::all_hold : ExitStatus::wrong_specification;
 }
 

@@ -8,6 +8,7 @@
 
 #include "pal/support/render.hpp"
 #include "programs/pal/reports/arithmetic.hpp"
+#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/reports/statistics.hpp"
 
 namespace pal::program {
@@ -120,8 +121,7 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
                                        {"environment", row.environment},
                                        {"reason", row.reason}});
   if (statistics) document["statistics"] = nlohmann::ordered_json::parse(json(sum_of(proofs)));
-  // A file name may hold any bytes.
-  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(document, 2) + "\n";
 }
 
 }  // namespace pal::program

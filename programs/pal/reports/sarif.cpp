@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "programs/pal/reports/json_text.hpp"
 
 namespace pal::program {
 namespace {
@@ -191,8 +192,7 @@ std::string sarif(const Session& session, const std::vector<Unchecked>& not_chec
   document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   document["version"] = "2.1.0";
   document["runs"].push_back(std::move(run));
-  // A file name may hold any bytes.
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(document, 2) + "\n";
 }
 
 }  // namespace pal::program

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pal/explain/page.hpp"
+#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/reports/sarif.hpp"
 
 namespace pal::program {
@@ -39,7 +40,7 @@ Json rule(Code code) {
 std::string sarif_rules(const std::vector<Code>& codes) {
   auto rules = Json::array();
   for (const Code code : codes) rules.push_back(rule(code));
-  return rules.dump();
+  return json_text(rules);
 }
 
 }  // namespace pal::program

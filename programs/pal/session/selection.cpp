@@ -9,6 +9,7 @@
 #include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
+#include "programs/pal/session/colour.hpp"
 
 namespace pal::program {
 namespace {
@@ -103,7 +104,7 @@ void show_findings(const Session& session, const Console& console) {
   std::ostringstream text;
   render_text(session.diagnostics.sorted(), session.sources, text,
               {session.max_errors, session.diagnostics.not_kept()});
-  console.err << text.str();
+  console.err << (console.colour_err ? coloured_findings(text.str()) : text.str());
 }
 
 }  // namespace pal::program
