@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/merge_conflict.hpp"
 #include "pal/support/utf8.hpp"
 #include "pal/syntax/foreign_signs.hpp"
 #include "pal/syntax/tokens.hpp"
@@ -30,34 +31,8 @@ bool starts_with_any(std::string_view line, std::initializer_list<std::string_vi
                      [&](std::string_view beginning) { return line.starts_with(beginning); });
 }
 
-bool is_marker(std::string_view line, char sign) {
-  constexpr std::size_t length = 7;
-  return line.size() >= length && line.find_first_not_of(sign) >= length && line[0] == sign &&
-         (line.size() == length || line[length] == ' ');
-}
-
 SourceSpan span_of(FileId file, std::size_t begin, std::size_t end) {
   return {file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
-}
-
-/// The lines that a merge left behind: one finding at the first of them, however many there are.
-bool report_conflict(std::string_view text, FileId file, Diagnostics& diagnostics) {
-  Diagnostic* finding = nullptr;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = end_of_line(text, begin);
-    const std::string_view line = text.substr(begin, end - begin);
-    if (finding == nullptr) {
-      if (is_marker(line, '<'))
-        finding = &diagnostics.report(
-            Code::PAL0119, span_of(file, begin, end), "a conflict of a merge is left in this file",
-            "keep the lines that you want, and remove those that begin with <<<<<<<, "
-            "======= and >>>>>>>");
-    } else if (finding->notes.size() < 2 && (is_marker(line, '=') || is_marker(line, '>'))) {
-      finding->notes.push_back({span_of(file, begin, end), "it goes on here"});
-    }
-    begin = std::min(text.find('\n', end), text.size() - 1) + 1;
-  }
-  return finding != nullptr;
 }
 
 bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics) {
@@ -328,7 +303,7 @@ class Reader {
 }  // namespace
 
 Strays read_strays(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics) {
-  if (report_markup(text, tokens.file(), diagnostics) || report_conflict(text, tokens.file(), diagnostics))
+  if (report_markup(text, tokens.file(), diagnostics) || report_merge_conflict(text, tokens.file(), diagnostics))
     return {false, true, {}};
   return Reader(tokens, text, diagnostics).read();
 }

@@ -113,7 +113,10 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     }
   }
   if (options.statistics && options.format == Format::text) write_statistics(proofs, console.err);
-  if (!options.witness.empty() && !wrong) {
+  if (!options.witness.empty() && wrong) {
+    console.err << "pal: no witnesses were written, since nothing was proved; if there is a file "
+                << options.witness << ", it is of an earlier check\n";
+  } else if (!options.witness.empty()) {
     if (const auto problem = write_witnesses(options.witness, proofs, session)) {
       console.err << "pal: " << *problem << "\n";
       return ExitStatus::usage;

@@ -79,12 +79,13 @@ struct PanOptions {
 };
 ExitStatus draw_pan(const PanOptions& options, const Console& console);
 
-enum class ChartFormat { svg, html };
+/// by_name: HTML if the output is called so, else SVG.
+enum class ChartFormat { by_name, svg, html };
 
 struct AtcOptions {
   Selection selection;
   ProofLimits limits;
-  ChartFormat format = ChartFormat::svg;
+  ChartFormat format = ChartFormat::by_name;
   std::string requirement;  // empty: the most interesting
   std::string output;       // empty: SKILL.REQUIREMENT.svg, or SKILL.html
   std::string measured;     // a trace to lay over, or to be one of the page's runs

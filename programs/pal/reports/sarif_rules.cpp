@@ -29,6 +29,9 @@ Json rule(Code code) {
   rule["name"] = identifier(title(code));
   rule["shortDescription"]["text"] = title(code);
   rule["fullDescription"]["text"] = page.summary;
+  std::string anchor(name(code));
+  for (char& c : anchor) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  rule["helpUri"] = PAL_DOCUMENTATION_URL "/reference/diagnostics.md#" + anchor;
   rule["help"]["text"] = "pal explain " + std::string(name(code));
   rule["help"]["markdown"] = page.markdown;
   rule["defaultConfiguration"]["level"] = name(severity(code));

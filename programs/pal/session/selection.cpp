@@ -40,6 +40,17 @@ bool choose(std::vector<Thing>& things, const std::string& name, const char* kin
   return false;
 }
 
+/// A file; all PAL files of a folder and those below it; or for "-" the standard input.
+void add_files(const std::string& path, const Console& console, std::vector<std::string>& paths) {
+  if (path == "-") {
+    paths.emplace_back("/dev/stdin");
+  } else if (const auto below = console.files.list(path, ".pal"); below && !below->empty()) {
+    paths.insert(paths.end(), below->begin(), below->end());
+  } else {
+    paths.push_back(path);
+  }
+}
+
 /// Measured times are no part of the specification. False, with a message, if the files have none.
 bool compare_measured(const std::vector<std::string>& paths, const Console& console, Session& session) {
   if (paths.empty()) return true;
@@ -55,8 +66,10 @@ bool compare_measured(const std::vector<std::string>& paths, const Console& cons
 
 bool read(const Selection& selection, const Console& console, Session& session) {
   session.max_errors = selection.max_errors;
-  std::vector<std::string> paths = selection.files;
-  paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
+  std::vector<std::string> paths;
+  for (const std::vector<std::string>* given : {&selection.files, &selection.environments}) {
+    for (const std::string& path : *given) add_files(path, console, paths);
+  }
   const std::vector<syntax::Tree> trees =
       check::read_sources(console.files, session.sources, paths, session.diagnostics);
   session.specification = check::check(trees, session.diagnostics, session.stop);
