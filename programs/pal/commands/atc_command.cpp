@@ -136,13 +136,14 @@ ExitStatus draw_atc(const AtcOptions& given, const Console& console) {
     console.err << "pal: a chart needs times: give an environment with --environment FILE\n";
     return ExitStatus::usage;
   }
-  const auto what = choose(proofs, options.requirement, console.err);
+  auto what = choose(proofs, options.requirement, console.err);
   if (!what) return ended(proofs) ? ExitStatus::not_met : ExitStatus::usage;
   std::optional<trace::Trace> measured;
   if (!options.measured.empty()) {
     measured = read_trace(options.measured, console);
     if (!measured || !is_of(*measured, *what->proof, options, console)) return ExitStatus::usage;
   }
+  if (options.no_list) what->shown.options.explanation.clear();
   const std::string& skill = what->proof->problem.skill;
   const std::string& requirement = what->proof->problem.requirements[what->index].name;
   std::string path = options.output;

@@ -91,6 +91,7 @@ struct AtcOptions {
   std::string measured;     // a trace to lay over, or to be one of the page's runs
   std::string trace;        // where to write the trace of the worst run
   bool chrome = false;      // … in the form of trace viewers
+  bool no_list = false;     // the list of what the time is spent on is left out
 };
 ExitStatus draw_atc(const AtcOptions& options, const Console& console);
 

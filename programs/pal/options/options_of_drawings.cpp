@@ -37,10 +37,13 @@ void add_atc(CLI::App& app, AtcOptions& options) {
       ->add_option("-o,--output", options.output,
                    "the picture (SKILL.REQUIREMENT.svg), or the page (SKILL.html)")
       ->type_name("FILE");
+  auto* no_list = command->add_flag("--no-list", options.no_list,
+                                    "leave out the list of what the time is spent on, and its marks");
   command
       ->add_option("--measured", options.measured,
                    "lay the run of this trace over the proved one; in a page it is one of the runs")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(no_list);
   command->add_option("--trace", options.trace, "also write the worst run as a trace")->type_name("FILE");
   command->add_flag("--chrome", options.chrome,
                     "write the trace in Chrome's trace-event form, as Perfetto opens it");
