@@ -44,7 +44,7 @@ std::string joined(const std::vector<std::string>& words, const char* between = 
 }
 
 /// Text in single quotes of a shell.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
@@ -65,7 +65,7 @@ std::string bash(const CLI::App& app, const std::vector<Entry>& entries) {
                     "() {\n  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} path= i\n"
                     "  for ((i = 1; i < COMP_CWORD; ++i)); do\n    case \"$path ${COMP_WORDS[i]}\" in\n";
   for (const Entry& entry : entries) {
-    if (!entry.path.empty()) out += "      " + quoted(" " + joined(entry.path)) + ") path=\"$path ${COMP_WORDS[i]}\" ;;\n";
+    if (!entry.path.empty()) out += "      " + in_quotes(" " + joined(entry.path)) + ") path=\"$path ${COMP_WORDS[i]}\" ;;\n";
   }
   out += "    esac\n  done\n  case \"$path $before\" in\n";
   for (const Entry& entry : entries) {
@@ -74,7 +74,7 @@ std::string bash(const CLI::App& app, const std::vector<Entry>& entries) {
       const auto choices = choices_of(*option);
       for (const std::string& word : option->get_lnames()) {
         if (!choices.empty())
-          out += "    " + quoted(path + " --" + word) + ") COMPREPLY=($(compgen -W " + quoted(joined(choices)) +
+          out += "    " + in_quotes(path + " --" + word) + ") COMPREPLY=($(compgen -W " + in_quotes(joined(choices)) +
                  " -- \"$word\")); return ;;\n";
       }
     }
@@ -82,7 +82,7 @@ std::string bash(const CLI::App& app, const std::vector<Entry>& entries) {
   out += "  esac\n  case \"$path\" in\n";
   for (const Entry& entry : entries) {
     const std::string path = entry.path.empty() ? "" : " " + joined(entry.path);
-    out += "    " + quoted(path) + ") COMPREPLY=($(compgen -W " + quoted(joined(words_of(*entry.app))) +
+    out += "    " + in_quotes(path) + ") COMPREPLY=($(compgen -W " + in_quotes(joined(words_of(*entry.app))) +
            " -- \"$word\")) ;;\n";
   }
   return out + "  esac\n  [[ $word == -* ]] || COMPREPLY+=($(compgen -f -- \"$word\"))\n}\ncomplete -o filenames -F _" +
@@ -100,16 +100,16 @@ std::string zsh(const CLI::App& app, const std::vector<Entry>& entries) {
                     " completion zsh\n_" + name + "() {\n  local path= i\n  local -a commands\n"
                     "  for ((i = 2; i < CURRENT; ++i)); do\n    case \"$path ${words[i]}\" in\n";
   for (const Entry& entry : entries) {
-    if (!entry.path.empty()) out += "      " + quoted(" " + joined(entry.path)) + ") path=\"$path ${words[i]}\" ;;\n";
+    if (!entry.path.empty()) out += "      " + in_quotes(" " + joined(entry.path)) + ") path=\"$path ${words[i]}\" ;;\n";
   }
   out += "    esac\n  done\n  case \"$path\" in\n";
   for (const Entry& entry : entries) {
-    out += "    " + quoted(entry.path.empty() ? "" : " " + joined(entry.path)) + ")\n";
+    out += "    " + in_quotes(entry.path.empty() ? "" : " " + joined(entry.path)) + ")\n";
     const auto commands = entry.app->get_subcommands(every);
     if (!commands.empty()) {
       out += "      commands=(";
       for (const CLI::App* command : commands)
-        out += " " + quoted(command->get_name() + ":" + in_brackets(brief(command->get_description())));
+        out += " " + in_quotes(command->get_name() + ":" + in_brackets(brief(command->get_description())));
       out += " )\n      _describe command commands\n";
     }
     out += "      _arguments";
@@ -119,7 +119,7 @@ std::string zsh(const CLI::App& app, const std::vector<Entry>& entries) {
         std::string spec = "*--" + word + "[" + in_brackets(brief(option->get_description())) + "]";
         if (takes_value(*option))
           spec += ":value:" + (choices.empty() ? std::string("_files") : "(" + joined(choices) + ")");
-        out += " \\\n        " + quoted(spec);
+        out += " \\\n        " + in_quotes(spec);
       }
     }
     out += " \\\n        '*:file:_files' ;;\n";
@@ -133,16 +133,16 @@ std::string fish(const CLI::App& app, const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
     std::string when = entry.path.empty() ? "__fish_use_subcommand" : "__fish_seen_subcommand_from " + entry.path.front();
     if (entry.path.size() > 1) when += "; and __fish_seen_subcommand_from " + entry.path[1];
-    const std::string line = "complete -c " + name + " -n " + quoted(when);
+    const std::string line = "complete -c " + name + " -n " + in_quotes(when);
     for (const CLI::App* command : entry.app->get_subcommands(every))
-      out += line + " -f -a " + command->get_name() + " -d " + quoted(brief(command->get_description())) + "\n";
+      out += line + " -f -a " + command->get_name() + " -d " + in_quotes(brief(command->get_description())) + "\n";
     for (CLI::Option* option : entry.app->get_options(all)) {
       if (option->get_lnames().empty()) continue;
       const auto choices = choices_of(*option);
       out += line + " -l " + option->get_lnames().front();
       for (const std::string& letter : option->get_snames()) out += " -s " + letter;
-      if (takes_value(*option)) out += choices.empty() ? " -r" : " -x -a " + quoted(joined(choices));
-      out += " -d " + quoted(brief(option->get_description())) + "\n";
+      if (takes_value(*option)) out += choices.empty() ? " -r" : " -x -a " + in_quotes(joined(choices));
+      out += " -d " + in_quotes(brief(option->get_description())) + "\n";
     }
   }
   return out;

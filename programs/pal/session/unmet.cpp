@@ -128,7 +128,7 @@ void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostic
 constexpr std::size_t most_lines = 14;
 constexpr std::size_t most_parts = 4;
 
-std::int64_t length(const analyzer::Reason& reason) {
+std::int64_t time_of(const analyzer::Reason& reason) {
   return reason.to - reason.from;
 }
 
@@ -139,7 +139,7 @@ std::string indent(int depth) {
 Note note_of(const analyzer::Reason& reason, const analyzer::Problem& problem, int depth) {
   const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
   return {place_of(problem, reason),
-          indent(depth) + to_text(Duration(length(reason))) + ": " + who + reason.what};
+          indent(depth) + to_text(Duration(time_of(reason))) + ": " + who + reason.what};
 }
 
 /// All of them, in the order in which they happened, each with what is inside it.
@@ -155,14 +155,14 @@ void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Pro
 bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem, int depth,
                  Diagnostic& finding) {
   std::stable_sort(reasons.begin(), reasons.end(), [](const analyzer::Reason& a, const analyzer::Reason& b) {
-    return length(a) > length(b);
+    return time_of(a) > time_of(b);
   });
   const std::size_t most = reasons.size() <= most_parts + 1 ? reasons.size() : most_parts;
   std::int64_t together = 0;
   bool more = false;
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (i >= most) {
-      together += length(reasons[i]);
+      together += time_of(reasons[i]);
       continue;
     }
     finding.notes.push_back(note_of(reasons[i], problem, depth));
