@@ -180,7 +180,7 @@ class DotWriter {
   /// Written from REPEAT to UNTIL, so that it is laid out beside the body; its arrow points back to REPEAT.
   void draw_loop_back(std::size_t until) {
     DotAttributes attributes = {{"pal_back", "true"}, {"dir", "back"}, {"style", "bold"}, {"weight", "0"}};
-    if (guarded(until)) attributes.emplace_back("label", "FALSE");
+    if (guarded(until)) attributes.emplace_back("label", "  FALSE");
     const std::size_t repeat = body_.nodes[until].mate.index();
     if (folds_.column(repeat) != folds_.column(until)) attributes.emplace_back("constraint", "false");
     edge(name(repeat), name(until), attributes);

@@ -198,7 +198,11 @@ class Sign {
     if (touches_before(at_)) return std::nullopt;  // a part of a word
     const std::string meant = "-" + std::string(source(at_ + 1));
     auto result = sign(at_, "the sign of a negative number is a plain hyphen", "write " + meant);
-    result.fix = {{result.where, "-"}};
+    // A time is never negative: then something else was meant.
+    static constexpr std::array<std::string_view, 5> times{"ns", "us", "ms", "s", "min"};
+    const bool is_time = is(at_ + 2, Lexer::NAME) &&
+                         std::find(times.begin(), times.end(), source(at_ + 2)) != times.end();
+    if (!is_time) result.fix = {{result.where, "-"}};
     result.rereadings = {{at_, at_ + 1, Lexer::NUMBER, meant}};
     result.last = at_ + 1;
     return result;
