@@ -141,20 +141,26 @@ class Sign {
     return result;
   }
 
-  /// Whether an interval may go on at `after` behind `before`: both are figures, the first perhaps with a unit.
+  /// The figure that stands before token `first`, perhaps with a unit between; nothing if there is none.
+  std::optional<std::size_t> figure_before(std::size_t first) const {
+    if (first == 0) return std::nullopt;
+    std::size_t at = first - 1;
+    if (is(at, Lexer::NAME) && !touches_before(first)) {
+      while (touches_before(at) && is(at - 1, Lexer::STRAY)) --at;  // µs
+      if (at == 0) return std::nullopt;
+      --at;
+    }
+    return is(at, Lexer::NUMBER) && all_[at]->getLine() == all_[first]->getLine() ? std::optional(at) : std::nullopt;
+  }
+
+  /// Whether an interval may go on behind `last`: a figure stands there, and one before `first`.
   bool between_figures(std::size_t first, std::size_t last) const {
-    if (first == 0 || !is(last + 1, Lexer::NUMBER)) return false;
-    const auto line = all_[last + 1]->getLine();
-    if (is(first - 1, Lexer::NUMBER)) return all_[first - 1]->getLine() == line;
-    return first >= 2 && is(first - 1, Lexer::NAME) && is(first - 2, Lexer::NUMBER) &&
-           all_[first - 2]->getLine() == line && !touches_before(first) && !touch(last);
+    return figure_before(first) && is(last + 1, Lexer::NUMBER) &&
+           all_[last + 1]->getLine() == all_[last]->getLine();
   }
 
   ForeignSign interval(std::size_t first, std::size_t last) const {
-    const std::string from(is(first - 1, Lexer::NUMBER) ? source(first - 1)
-                                                        : text_.substr(span(first - 2, first - 2).begin,
-                                                                       span(first - 1, first - 1).end -
-                                                                           span(first - 2, first - 2).begin));
+    const std::string from(source(*figure_before(first), first - 1));
     auto result = sign(last, "an interval is written with TO",
                        "write " + from + " TO " + std::string(source(last + 1)));
     result.fix = {{result.where, apart(first, last, "TO")}};
