@@ -9,8 +9,8 @@
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/runs/zone_walk.hpp"
 #include "analyzer/verdict/confront.hpp"
-#include "analyzer/verdict/explain.hpp"
 #include "analyzer/verdict/refuted.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "analyzer/verdict/story.hpp"
 #include "analyzer/verdict/unread.hpp"
 

@@ -1,3 +1,4 @@
+// Findings as text, with the line of the source and a caret.
 #include <algorithm>
 #include <ostream>
 #include <string_view>

@@ -1,3 +1,4 @@
+// The tree of an environment, made from what the grammar read.
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"

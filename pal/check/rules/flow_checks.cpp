@@ -1,3 +1,4 @@
+// Statements that are never reached, and loops that spin.
 #include <string>
 #include <vector>
 

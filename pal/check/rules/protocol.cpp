@@ -1,3 +1,4 @@
+// The start of the skill and its completions; contingency methods that nothing executes.
 #include <algorithm>
 #include <set>
 #include <string>

@@ -1,3 +1,4 @@
+// pal atc: the run of a requirement as a chart.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// pal check: findings, verdicts, and the exit status that they make.
 #include <ostream>
 #include <sstream>
 

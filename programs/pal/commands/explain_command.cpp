@@ -1,3 +1,4 @@
+// pal explain: the page of a finding.
 #include <ostream>
 #include <sstream>
 

@@ -1,3 +1,4 @@
+// pal operation check and format.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

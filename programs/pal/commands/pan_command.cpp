@@ -1,3 +1,4 @@
+// pal pan: modules as graphs.
 #include <fmt/format.h>
 
 #include <ostream>

@@ -1,3 +1,4 @@
+// pal resources: what a skill needs, and what the workcell lacks.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

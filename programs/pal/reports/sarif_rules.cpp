@@ -1,3 +1,4 @@
+// The rules of a SARIF log: a row for each code of a finding.
 #include <cctype>
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "analyzer/exact/zeno_run.hpp"
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
 #include "programs/pal/session/measure_text.hpp"

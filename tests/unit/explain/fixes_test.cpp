@@ -37,7 +37,7 @@ class MendedFileSystem : public FileSystem {
 };
 
 /// The findings of the whole of `pal check`, as long as the search for a proof is short.
-program::Session check(const std::string& path, const FileSystem& files) {
+program::Session checked(const std::string& path, const FileSystem& files) {
   std::ostringstream none;
   program::Session session;
   program::read({{path}, {}, {}, {}}, {none, none, files}, session);
@@ -122,7 +122,7 @@ std::vector<std::string> goldens() {
 TEST_CASE("every finding of the goldens has a hint, and every fix cures it") {
   std::set<Code> fixed;
   for (const std::string& path : goldens()) {
-    const auto before = check(path, DiskFileSystem());
+    const auto before = checked(path, DiskFileSystem());
     for (const Diagnostic& finding : before.diagnostics.sorted()) {
       INFO(path << ": " << name(finding.code) << ": " << finding.message << "\nhint: " << finding.hint);
       CHECK_FALSE(finding.hint.empty());
@@ -131,7 +131,7 @@ TEST_CASE("every finding of the goldens has a hint, and every fix cures it") {
       for (const Edit& edit : finding.fix) check_that_nothing_is_lost(edit, before.sources.text(edit.where.file));
       MendedFileSystem files;
       files.mend(before.sources.name(file), apply(finding.fix, file, before.sources.text(file)));
-      const auto after = check(path, files);
+      const auto after = checked(path, files);
       std::ostringstream text;
       render_text(after.diagnostics.sorted(), after.sources, text);
       INFO(text.str());

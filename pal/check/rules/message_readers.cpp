@@ -1,3 +1,4 @@
+// Activities and conditions that read a message which never comes, or has not come yet.
 #include <algorithm>
 #include <set>
 #include <string>
