@@ -26,10 +26,10 @@ bool report_merge_conflict(std::string_view text, FileId file, Diagnostics& diag
     const std::string_view line = text.substr(begin, end - begin);
     if (finding == nullptr) {
       if (is_marker(line, '<'))
-        finding = &diagnostics.report(
-            Code::PAL0119, span(begin, end), "a conflict of a merge is left in this file",
-            "keep the lines that you want, and remove those that begin with <<<<<<<, "
-            "======= and >>>>>>>");
+        finding =
+            &diagnostics.report(Code::PAL0119, span(begin, end), "a conflict of a merge is left in this file",
+                                "keep the lines that you want, and remove those that begin with <<<<<<<, "
+                                "======= and >>>>>>>");
     } else if (finding->notes.size() < 2 && (is_marker(line, '=') || is_marker(line, '>'))) {
       finding->notes.push_back({span(begin, end), "it goes on here"});
     }

@@ -116,7 +116,8 @@ pan::EventDevice Builder::event_device(Parser::EventDeviceContext* context) {
   bool has_jitter = false;
   for (auto* clause : context->eventClause()) {
     const auto once = [&](bool given) {
-      if (given) diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+      if (given)
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
     };
     if (clause->EVERY() != nullptr || clause->SPORADIC() != nullptr) {
       once(has_period);
@@ -149,7 +150,8 @@ pan::FrameDevice Builder::frame_device(Parser::FrameDeviceContext* context) {
   bool has_collecting = false;
   for (auto* clause : context->frameClause()) {
     const auto once = [&](bool given) {
-      if (given) diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+      if (given)
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
     };
     if (clause->EVERY() != nullptr) {
       once(has_period);

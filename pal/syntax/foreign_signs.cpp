@@ -106,9 +106,7 @@ class Sign {
            all_[at + 1]->getType() != antlr4::Token::EOF;
   }
   bool touches_before(std::size_t at) const { return at > 0 && touch(at - 1); }
-  SourceSpan span(std::size_t first, std::size_t last) const {
-    return tokens_.span(all_[first], all_[last]);
-  }
+  SourceSpan span(std::size_t first, std::size_t last) const { return tokens_.span(all_[first], all_[last]); }
   std::string_view source(std::size_t first, std::size_t last) const {
     const SourceSpan where = span(first, last);
     return text_.substr(where.begin, where.end - where.begin);
@@ -136,7 +134,8 @@ class Sign {
     auto result = sign(at_, std::string(space.empty() ? invisible : space) + " stands here",
                        space.empty() ? "remove it" : "write a plain space");
     // What is seen is one word: whether it was meant as one cannot be known.
-    if (!space.empty() || !touches_before(at_) || !touch(at_)) result.fix = {{result.where, space.empty() ? "" : " "}};
+    if (!space.empty() || !touches_before(at_) || !touch(at_))
+      result.fix = {{result.where, space.empty() ? "" : " "}};
     result.rereadings = {{at_, at_, 0, {}}};
     return result;
   }
@@ -150,7 +149,8 @@ class Sign {
       if (at == 0) return std::nullopt;
       --at;
     }
-    return is(at, Lexer::NUMBER) && all_[at]->getLine() == all_[first]->getLine() ? std::optional(at) : std::nullopt;
+    return is(at, Lexer::NUMBER) && all_[at]->getLine() == all_[first]->getLine() ? std::optional(at)
+                                                                                  : std::nullopt;
   }
 
   /// Whether an interval may go on behind `last`: a figure stands there, and one before `first`.
@@ -188,8 +188,8 @@ class Sign {
     if (!touch(at_) || !is(at_ + 1, Lexer::NUMBER) || source(at_ + 1)[0] != '-') return std::nullopt;
     const std::string to(source(at_ + 1).substr(1));
     const SourceSpan second = span(at_ + 1, at_ + 1);
-    auto result = sign(at_ + 1, "an interval is written with TO",
-                       "write " + std::string(source(at_)) + " TO " + to);
+    auto result =
+        sign(at_ + 1, "an interval is written with TO", "write " + std::string(source(at_)) + " TO " + to);
     result.is_stray = false;
     result.fix = {{{second.file, second.begin, second.begin + 1}, " TO "}};
     result.rereadings = {{at_ + 1, at_ + 1, Lexer::NUMBER, to, Lexer::TO, "TO"}};
@@ -199,15 +199,16 @@ class Sign {
   /// A minus sign or a dash before a figure.
   std::optional<ForeignSign> minus_sign() const {
     const std::string_view written = source(at_);
-    if (!divides_figures(written) || written == "~" || written == "-" || !touch(at_) || !is(at_ + 1, Lexer::NUMBER))
+    if (!divides_figures(written) || written == "~" || written == "-" || !touch(at_) ||
+        !is(at_ + 1, Lexer::NUMBER))
       return std::nullopt;
     if (touches_before(at_)) return std::nullopt;  // a part of a word
     const std::string meant = "-" + std::string(source(at_ + 1));
     auto result = sign(at_, "the sign of a negative number is a plain hyphen", "write " + meant);
     // A time is never negative: then something else was meant.
     static constexpr std::array<std::string_view, 5> times{"ns", "us", "ms", "s", "min"};
-    const bool is_time = is(at_ + 2, Lexer::NAME) &&
-                         std::find(times.begin(), times.end(), source(at_ + 2)) != times.end();
+    const bool is_time =
+        is(at_ + 2, Lexer::NAME) && std::find(times.begin(), times.end(), source(at_ + 2)) != times.end();
     if (!is_time) result.fix = {{result.where, "-"}};
     result.rereadings = {{at_, at_ + 1, Lexer::NUMBER, meant}};
     result.last = at_ + 1;
@@ -288,8 +289,8 @@ class Sign {
       if (joined && !touches_before(at_) && each.type == Lexer::NUMBER) continue;
       const std::string glue = each.before_type == Lexer::AT ? " " : "";
       const std::string word = std::string(each.before) + glue + std::string(each.word);
-      auto result = sign(last, "PAL writes " + word + " for '" + std::string(each.written) + "'",
-                         "write " + word);
+      auto result =
+          sign(last, "PAL writes " + word + " for '" + std::string(each.written) + "'", "write " + word);
       result.fix = {{result.where, joined ? word : apart(at_, last, word)}};
       result.rereadings = {
           {at_, last, each.type, std::string(each.word), each.before_type, std::string(each.before)}};
@@ -320,7 +321,8 @@ class Sign {
     std::string digits(source(at_));
     std::size_t last = at_;
     const auto is_group = [](std::string_view part) {
-      return part.size() == 3 && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+      return part.size() == 3 &&
+             std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
     };
     while (touch(last)) {
       const std::string_view next = source(last + 1);
@@ -334,7 +336,8 @@ class Sign {
         if (!rest.empty()) break;
         digits += more;
         ++last;
-      } else if (next == "'" && touch(last + 1) && is(last + 2, Lexer::NUMBER) && is_group(source(last + 2))) {
+      } else if (next == "'" && touch(last + 1) && is(last + 2, Lexer::NUMBER) &&
+                 is_group(source(last + 2))) {
         digits += source(last + 2);
         last += 2;
       } else {

@@ -280,8 +280,8 @@ bool keeps_meaning(const Change& change, const Tokens& tokens) {
     return !begins_line(change.added.front()) || tokens.first_on_line(all[change.at]) ||
            all[change.at]->getType() == antlr4::Token::EOF;
   for (std::size_t at = change.at; at < change.at + change.removed; ++at) {
-    const bool replaced = !change.added.empty() && all[at]->getType() != Parser::NUMBER &&
-                          all[at]->getType() != Parser::STRING;
+    const bool replaced =
+        !change.added.empty() && all[at]->getType() != Parser::NUMBER && all[at]->getType() != Parser::STRING;
     if (!replaced && !says_nothing(at, tokens)) return false;
   }
   return true;

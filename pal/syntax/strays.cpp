@@ -54,10 +54,10 @@ bool is_dash(std::string_view sign) {
 /// Latin letters without their marks, and a plain hyphen for a dash; what else there is becomes '_'.
 std::string plain(std::string_view name) {
   static const std::map<std::string_view, std::string_view> letters{
-      {"à", "a"}, {"á", "a"}, {"â", "a"}, {"ã", "a"}, {"ä", "a"}, {"å", "a"}, {"ç", "c"},
-      {"è", "e"}, {"é", "e"}, {"ê", "e"}, {"ë", "e"}, {"ì", "i"}, {"í", "i"}, {"î", "i"},
-      {"ï", "i"}, {"ñ", "n"}, {"ò", "o"}, {"ó", "o"}, {"ô", "o"}, {"õ", "o"}, {"ö", "o"},
-      {"ø", "o"}, {"ù", "u"}, {"ú", "u"}, {"û", "u"}, {"ü", "u"}, {"ß", "ss"}, {"µ", "u"}, {"μ", "u"}};
+      {"à", "a"}, {"á", "a"}, {"â", "a"},  {"ã", "a"}, {"ä", "a"}, {"å", "a"}, {"ç", "c"}, {"è", "e"},
+      {"é", "e"}, {"ê", "e"}, {"ë", "e"},  {"ì", "i"}, {"í", "i"}, {"î", "i"}, {"ï", "i"}, {"ñ", "n"},
+      {"ò", "o"}, {"ó", "o"}, {"ô", "o"},  {"õ", "o"}, {"ö", "o"}, {"ø", "o"}, {"ù", "u"}, {"ú", "u"},
+      {"û", "u"}, {"ü", "u"}, {"ß", "ss"}, {"µ", "u"}, {"μ", "u"}};
   std::string result;
   for (std::size_t at = 0; at < name.size();) {
     const std::size_t bytes = utf8::decode(name.substr(at)).bytes;
@@ -216,7 +216,8 @@ class Reader {
   std::vector<Edit> everywhere(const std::string& written, const std::string& meant) const {
     std::vector<Edit> edits;
     for (std::size_t at = 0; at + 1 < all_.size(); ++at) {
-      if ((!is(at, Lexer::NAME) && !is_letter(at)) || (at > 0 && touch(at - 1) && is_in_word(at - 1))) continue;
+      if ((!is(at, Lexer::NAME) && !is_letter(at)) || (at > 0 && touch(at - 1) && is_in_word(at - 1)))
+        continue;
       const SourceSpan where = tokens_.span(all_[at], all_[end_of_word(at)]);
       if (source(where) == written) edits.push_back({where, meant});
     }
@@ -273,21 +274,23 @@ class Reader {
     if (!is(at, Lexer::STRAY)) return false;
     const std::string_view letter = source(tokens_.span(all_[at]));
     if (letter == "µ") return true;
-    return letter.size() == 2 && static_cast<unsigned char>(letter[0]) >= 0xC3 && letter != "×" && letter != "÷";
+    return letter.size() == 2 && static_cast<unsigned char>(letter[0]) >= 0xC3 && letter != "×" &&
+           letter != "÷";
   }
   /// What a word goes on with although no name may have it: also a dash, and a sign that is no operator.
   bool is_in_word(std::size_t at) const {
     if (!is(at, Lexer::STRAY)) return false;
     if (is_letter(at)) return true;
-    static const std::set<std::string_view> dividers{"&", "|", "!", "<", ">", "{", "}", "'", "“", "”", "„",
-                                                     "«", "»", "‘", "’", "≠", "≤", "≥", "·", "×", "÷", "²",
-                                                     "³", "°", "…", "¬", "∧", "∨", "\\", ";"};
+    static const std::set<std::string_view> dividers{"&", "|", "!", "<", ">", "{", "}", "'", "“",  "”",
+                                                     "„", "«", "»", "‘", "’", "≠", "≤", "≥", "·",  "×",
+                                                     "÷", "²", "³", "°", "…", "¬", "∧", "∨", "\\", ";"};
     const std::string_view sign = source(tokens_.span(all_[at]));
     return !dividers.contains(sign) && !is_space(sign);
   }
   static bool is_space(std::string_view sign) {
-    return sign == "\u00A0" || sign == "\u00AD" || sign == "\u3000" || sign.starts_with("\xE2\x80") ? !is_dash(sign)
-                                                                                              : false;
+    return sign == "\u00A0" || sign == "\u00AD" || sign == "\u3000" || sign.starts_with("\xE2\x80")
+               ? !is_dash(sign)
+               : false;
   }
 
   const Tokens& tokens_;
@@ -303,7 +306,8 @@ class Reader {
 }  // namespace
 
 Strays read_strays(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics) {
-  if (report_markup(text, tokens.file(), diagnostics) || report_merge_conflict(text, tokens.file(), diagnostics))
+  if (report_markup(text, tokens.file(), diagnostics) ||
+      report_merge_conflict(text, tokens.file(), diagnostics))
     return {false, true, {}};
   return Reader(tokens, text, diagnostics).read();
 }

@@ -95,7 +95,8 @@ bool is_of(const trace::Trace& measured, const Proof& proof, const AtcOptions& o
 /// What the name of the output says of its form is what is written. Otherwise says so.
 bool fits_its_name(const std::string& output, ChartFormat format, std::ostream& err) {
   const bool page = output.ends_with(".html") || output.ends_with(".htm");
-  for (const char* ending : {".png", ".pdf", ".jpg", ".jpeg", ".gif", ".eps", ".ps", ".webp", ".json", ".txt", ".md"}) {
+  for (const char* ending :
+       {".png", ".pdf", ".jpg", ".jpeg", ".gif", ".eps", ".ps", ".webp", ".json", ".txt", ".md"}) {
     if (!output.ends_with(ending)) continue;
     const std::string stem = output.substr(0, output.rfind('.'));
     err << fmt::format("pal: cannot write {}: a chart is SVG or HTML\nhint: write -o {}.svg", output, stem);

@@ -104,8 +104,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     console.out << junit(proofs, not_checked, options.require_verdicts, session);
   } else {
     show_findings(session, console);
-    if (!wrong)
-      say_what_was_not_checked(not_checked, any_verdict, options.without_times, console.err);
+    if (!wrong) say_what_was_not_checked(not_checked, any_verdict, options.without_times, console.err);
     if (!options.quiet) {
       std::ostringstream table;
       write_table(proofs, options.explain, table);

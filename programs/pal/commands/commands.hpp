@@ -24,7 +24,7 @@ struct CheckOptions {
   Format format = Format::text;
   Stage emit = Stage::none;
   bool explain = false;
-  bool quiet = false;  // of what holds nothing is said
+  bool quiet = false;               // of what holds nothing is said
   bool without_times = false;       // nothing that needs times is checked, and that is no fault
   bool require_verdicts = false;    // a requirement without a verdict is an error
   bool warnings_as_errors = false;  // a warning is an error

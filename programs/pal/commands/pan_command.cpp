@@ -81,7 +81,8 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
     const std::string wanted = options.dot ? ".dot" : ".svg";
     if (!options.output.ends_with(wanted) || files.size() != 1) {
       console.err << fmt::format(
-          "pal: cannot write {}: {}\nhint: -o takes a folder for the drawings of all modules, or with --module "
+          "pal: cannot write {}: {}\nhint: -o takes a folder for the drawings of all modules, or with "
+          "--module "
           "NAME a file that ends in {}\n",
           options.output,
           files.size() != 1 ? fmt::format("there are {} modules to draw", files.size())

@@ -61,11 +61,13 @@ bool takes_value(const CLI::Option& option) {
 
 std::string bash(const CLI::App& app, const std::vector<Entry>& entries) {
   const std::string name = app.get_name();
-  std::string out = "# bash completion of " + name + ", written by: " + name + " completion bash\n_" + name +
-                    "() {\n  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} path= i\n"
-                    "  for ((i = 1; i < COMP_CWORD; ++i)); do\n    case \"$path ${COMP_WORDS[i]}\" in\n";
+  std::string out =
+      "# bash completion of " + name + ", written by: " + name + " completion bash\n_" + name +
+      "() {\n  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} path= i\n"
+      "  for ((i = 1; i < COMP_CWORD; ++i)); do\n    case \"$path ${COMP_WORDS[i]}\" in\n";
   for (const Entry& entry : entries) {
-    if (!entry.path.empty()) out += "      " + in_quotes(" " + joined(entry.path)) + ") path=\"$path ${COMP_WORDS[i]}\" ;;\n";
+    if (!entry.path.empty())
+      out += "      " + in_quotes(" " + joined(entry.path)) + ") path=\"$path ${COMP_WORDS[i]}\" ;;\n";
   }
   out += "    esac\n  done\n  case \"$path $before\" in\n";
   for (const Entry& entry : entries) {
@@ -74,8 +76,8 @@ std::string bash(const CLI::App& app, const std::vector<Entry>& entries) {
       const auto choices = choices_of(*option);
       for (const std::string& word : option->get_lnames()) {
         if (!choices.empty())
-          out += "    " + in_quotes(path + " --" + word) + ") COMPREPLY=($(compgen -W " + in_quotes(joined(choices)) +
-                 " -- \"$word\")); return ;;\n";
+          out += "    " + in_quotes(path + " --" + word) + ") COMPREPLY=($(compgen -W " +
+                 in_quotes(joined(choices)) + " -- \"$word\")); return ;;\n";
       }
     }
   }
@@ -85,7 +87,9 @@ std::string bash(const CLI::App& app, const std::vector<Entry>& entries) {
     out += "    " + in_quotes(path) + ") COMPREPLY=($(compgen -W " + in_quotes(joined(words_of(*entry.app))) +
            " -- \"$word\")) ;;\n";
   }
-  return out + "  esac\n  [[ $word == -* ]] || COMPREPLY+=($(compgen -f -- \"$word\"))\n}\ncomplete -o filenames -F _" +
+  return out +
+         "  esac\n  [[ $word == -* ]] || COMPREPLY+=($(compgen -f -- \"$word\"))\n}\ncomplete -o filenames "
+         "-F _" +
          name + " " + name + "\n";
 }
 
@@ -93,14 +97,17 @@ std::string zsh(const CLI::App& app, const std::vector<Entry>& entries) {
   const std::string name = app.get_name();
   const auto in_brackets = [](std::string text) {
     std::string result;
-    for (const char c : text) result += std::string("[]:\\").find(c) == std::string::npos ? std::string(1, c) : std::string("\\") + c;
+    for (const char c : text)
+      result += std::string("[]:\\").find(c) == std::string::npos ? std::string(1, c) : std::string("\\") + c;
     return result;
   };
   std::string out = "#compdef " + name + "\n# zsh completion of " + name + ", written by: " + name +
-                    " completion zsh\n_" + name + "() {\n  local path= i\n  local -a commands\n"
+                    " completion zsh\n_" + name +
+                    "() {\n  local path= i\n  local -a commands\n"
                     "  for ((i = 2; i < CURRENT; ++i)); do\n    case \"$path ${words[i]}\" in\n";
   for (const Entry& entry : entries) {
-    if (!entry.path.empty()) out += "      " + in_quotes(" " + joined(entry.path)) + ") path=\"$path ${words[i]}\" ;;\n";
+    if (!entry.path.empty())
+      out += "      " + in_quotes(" " + joined(entry.path)) + ") path=\"$path ${words[i]}\" ;;\n";
   }
   out += "    esac\n  done\n  case \"$path\" in\n";
   for (const Entry& entry : entries) {
@@ -131,11 +138,13 @@ std::string fish(const CLI::App& app, const std::vector<Entry>& entries) {
   const std::string name = app.get_name();
   std::string out = "# fish completion of " + name + ", written by: " + name + " completion fish\n";
   for (const Entry& entry : entries) {
-    std::string when = entry.path.empty() ? "__fish_use_subcommand" : "__fish_seen_subcommand_from " + entry.path.front();
+    std::string when =
+        entry.path.empty() ? "__fish_use_subcommand" : "__fish_seen_subcommand_from " + entry.path.front();
     if (entry.path.size() > 1) when += "; and __fish_seen_subcommand_from " + entry.path[1];
     const std::string line = "complete -c " + name + " -n " + in_quotes(when);
     for (const CLI::App* command : entry.app->get_subcommands(every))
-      out += line + " -f -a " + command->get_name() + " -d " + in_quotes(brief(command->get_description())) + "\n";
+      out += line + " -f -a " + command->get_name() + " -d " + in_quotes(brief(command->get_description())) +
+             "\n";
     for (CLI::Option* option : entry.app->get_options(all)) {
       if (option->get_lnames().empty()) continue;
       const auto choices = choices_of(*option);
@@ -179,11 +188,10 @@ void add_completion(CLI::App& app, std::string& shell) {
       ->required()
       ->check(CLI::IsMember(known_shells()))
       ->type_name("SHELL");
-  command->footer(
-      "bash: source <(" + app.get_name() + " completion bash); zsh: " + app.get_name() +
-      " completion zsh > a folder of fpath, as _" + app.get_name() + "; fish: " + app.get_name() +
-      " completion fish > ~/.config/fish/completions/" + app.get_name() +
-      ".fish. The packages install all three.");
+  command->footer("bash: source <(" + app.get_name() + " completion bash); zsh: " + app.get_name() +
+                  " completion zsh > a folder of fpath, as _" + app.get_name() + "; fish: " + app.get_name() +
+                  " completion fish > ~/.config/fish/completions/" + app.get_name() +
+                  ".fish. The packages install all three.");
 }
 
 }  // namespace pal::program

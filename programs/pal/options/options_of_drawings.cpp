@@ -9,7 +9,9 @@ void add_pan(CLI::App& app, PanOptions& options) {
   CLI::App* command = app.add_subcommand("pan", "Draws modules as Process Activity Networks");
   add_selection(*command, options.selection);
   command->add_option("-m,--module", options.module, "only this module")->type_name("NAME");
-  command->add_option("-o,--output", options.output, "folder for SKILL.MODULE.pan.svg; with --module also a file")
+  command
+      ->add_option("-o,--output", options.output,
+                   "folder for SKILL.MODULE.pan.svg; with --module also a file")
       ->type_name("FOLDER")
       ->capture_default_str();
   command->add_flag("--dot", options.dot, "write Graphviz DOT instead of SVG");

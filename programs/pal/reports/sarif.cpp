@@ -181,9 +181,9 @@ std::string sarif(const Session& session, const std::vector<Unchecked>& not_chec
     invoked["toolExecutionNotifications"].push_back(
         notification("warning", std::to_string(not_kept) + " further findings are not in this log"));
   for (const Unchecked& row : not_checked)
-    invoked["toolExecutionNotifications"].push_back(
-        notification(required ? "error" : "warning",
-                     subject_of(row) + (row.skill.empty() ? " was checked: " : " was not checked: ") + row.reason));
+    invoked["toolExecutionNotifications"].push_back(notification(
+        required ? "error" : "warning",
+        subject_of(row) + (row.skill.empty() ? " was checked: " : " was not checked: ") + row.reason));
   run["columnKind"] = "unicodeCodePoints";
   run["artifacts"] = log.artifacts();
   run["results"] = Json::array();

@@ -13,8 +13,8 @@ namespace pal::program {
 
 /// A log of one run of `pal check` that ended with `status`, in SARIF 2.1.0 (OASIS, 2020; schema 2.1.0): a
 /// result for each finding, with a place: what has none stands at the beginning of the first file. A
-/// requirement that holds is no finding. Each of `not_checked` is a notification, an error if `required`, else
-/// a warning. `any_verdict`: some requirement has one. Section numbers in the source are the standard's.
+/// requirement that holds is no finding. Each of `not_checked` is a notification, an error if `required`,
+/// else a warning. `any_verdict`: some requirement has one. Section numbers in the source are the standard's.
 std::string sarif(const Session& session, const std::vector<Unchecked>& not_checked, bool required,
                   bool any_verdict, ExitStatus status);
 

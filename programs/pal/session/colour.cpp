@@ -36,8 +36,8 @@ std::string coloured_head(std::string_view line) {
     if (!line.starts_with(head)) continue;
     const auto end = line.find(':');
     if (end == std::string_view::npos) break;
-    return in(colour, line.substr(0, end + 1)) + (colour == cyan ? std::string(line.substr(end + 1))
-                                                                 : in(bold, line.substr(end + 1)));
+    return in(colour, line.substr(0, end + 1)) +
+           (colour == cyan ? std::string(line.substr(end + 1)) : in(bold, line.substr(end + 1)));
   }
   return std::string(line);
 }
@@ -72,8 +72,8 @@ std::string by_line(const std::string& text, const Colour& colour) {
 }
 
 /// One paragraph or item in lines, its code in a colour, its marks left out.
-void write_filled(const std::string& paragraph, const std::string& first, const std::string& other, bool colour,
-                  std::size_t width, std::string& out) {
+void write_filled(const std::string& paragraph, const std::string& first, const std::string& other,
+                  bool colour, std::size_t width, std::string& out) {
   std::istringstream words(paragraph);
   std::string word;
   std::size_t column = static_cast<std::size_t>(pal::width(first));
@@ -125,7 +125,11 @@ std::string coloured_findings(const std::string& text) {
 std::string coloured_table(const std::string& text) {
   return by_line(text, [](std::string_view line) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> states{
-        {{"  holds", green}, {"  fails", red}, {"  undecided", yellow}, {"  never", yellow}, {"  not checked", yellow}}};
+        {{"  holds", green},
+         {"  fails", red},
+         {"  undecided", yellow},
+         {"  never", yellow},
+         {"  not checked", yellow}}};
     for (const auto& [state, colour] : states) {
       if (line.starts_with(state) && line.substr(state.size()).starts_with(" "))
         return in(colour, state) + std::string(line.substr(state.size()));
@@ -145,14 +149,16 @@ std::string terminal_page(const std::string& markdown, bool colour, std::size_t 
   };
   std::istringstream lines(markdown);
   for (std::string line; std::getline(lines, line);) {
-    const std::string_view bare = std::string_view(line).substr(std::min(line.find_first_not_of(' '), line.size()));
+    const std::string_view bare =
+        std::string_view(line).substr(std::min(line.find_first_not_of(' '), line.size()));
     if (bare.starts_with("```")) {
       flush();
       in_fence = !in_fence;
       // Of several files each says its name.
       const std::string_view info = bare.substr(3);
       const auto name = info.find(' ');
-      if (in_fence && name != std::string_view::npos) out += "  " + std::string(info.substr(name + 1)) + ":\n";
+      if (in_fence && name != std::string_view::npos)
+        out += "  " + std::string(info.substr(name + 1)) + ":\n";
     } else if (in_fence) {
       out += line.empty() ? "\n" : "    " + (colour ? in(cyan, line) : line) + "\n";
     } else if (line.starts_with("#")) {

@@ -5,8 +5,8 @@
 
 namespace pal::program {
 
-/// Whether a stream gets colours: never if NO_COLOR is set to anything, else always if CLICOLOR_FORCE is set to
-/// anything but 0, else if the stream is a terminal whose TERM is not "dumb" (https://no-color.org,
+/// Whether a stream gets colours: never if NO_COLOR is set to anything, else always if CLICOLOR_FORCE is set
+/// to anything but 0, else if the stream is a terminal whose TERM is not "dumb" (https://no-color.org,
 /// https://bixense.com/clicolors).
 bool wants_colour(bool is_terminal);
 

@@ -13,7 +13,7 @@ struct Console {
   std::ostream& out;
   std::ostream& err;
   const FileSystem& files;
-  bool terminal = false;  // `out` is watched: a long search may show its progress
+  bool terminal = false;    // `out` is watched: a long search may show its progress
   bool colour_out = false;  // colours go to `out`
   bool colour_err = false;  // colours go to `err`
 };

@@ -37,8 +37,8 @@ struct MeasureName {
 void add_requirements(const pan::Network& skill, const std::string& environment, const Why& why,
                       std::vector<Unchecked>& list) {
   for (const pan::Requirement& requirement : skill.requirements) {
-    Unchecked row{skill.skill.name, environment, requirement.name, "",
-                  requirement.limit, why.reason, why.hint, requirement.where};
+    Unchecked row{skill.skill.name,  environment, requirement.name, "",
+                  requirement.limit, why.reason,  why.hint,         requirement.where};
     row.measure = std::visit(MeasureName{row.limit}, requirement.measure);
     list.push_back(std::move(row));
   }
@@ -60,7 +60,12 @@ std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof
   for (const pan::Network& skill : session.specification.skills) {
     const std::string& name = skill.skill.name;
     if (skill.requirements.empty() && !wrong)
-      list.push_back({name, {}, {}, "", {}, "the skill has no REQUIREMENT",
+      list.push_back({name,
+                      {},
+                      {},
+                      "",
+                      {},
+                      "the skill has no REQUIREMENT",
                       "write what it must keep, as REQUIREMENT quick : DURATION TO COMPLETION 0 AT MOST 1 s",
                       skill.skill.where});
     if (environments.empty()) {
@@ -68,16 +73,21 @@ std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof
       continue;
     }
     for (const pan::Environment& environment : environments) {
-      const bool proved = std::any_of(proofs.begin(), proofs.end(), [&](const Proof& proof) {
-        return is_of(proof, skill, environment);
-      });
+      const bool proved = std::any_of(proofs.begin(), proofs.end(),
+                                      [&](const Proof& proof) { return is_of(proof, skill, environment); });
       if (!proved) add_requirements(skill, environment.name, without_times ? not_asked_for : errors, list);
     }
   }
   if (session.specification.skills.empty() && !wrong) {
     const SourceSpan begin = session.sources.size() == 0 ? SourceSpan{} : SourceSpan{FileId(0), 0, 0};
-    list.push_back({{}, {}, {}, "", {}, "there is no SKILL in the files given",
-                    "name the file with the skill, or use it by USES", begin});
+    list.push_back({{},
+                    {},
+                    {},
+                    "",
+                    {},
+                    "there is no SKILL in the files given",
+                    "name the file with the skill, or use it by USES",
+                    begin});
   }
   return list;
 }
@@ -92,9 +102,9 @@ std::string subject_of(const Unchecked& unchecked) {
 void report_unchecked(const std::vector<Unchecked>& list, Session& session) {
   for (const Unchecked& row : list) {
     const bool nothing = row.skill.empty();
-    session.diagnostics.report(Code::PAL0892, row.where,
-                               subject_of(row) + (nothing ? " was checked: " : " was not checked: ") + row.reason,
-                               row.hint);
+    session.diagnostics.report(
+        Code::PAL0892, row.where,
+        subject_of(row) + (nothing ? " was checked: " : " was not checked: ") + row.reason, row.hint);
   }
 }
 

@@ -114,14 +114,13 @@ std::string hint_of(const Proof& proof, std::size_t index) {
 /// What is required says nothing about any run.
 void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  diagnostics.report(
-      Code::PAL0816, verdict.where,
-      "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
-          proof.problem.environment,
-      verdict.measure == Measure::load
-          ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
-            "DURATION"
-          : "name a statement, an event or a completion that comes about in some run");
+  diagnostics.report(Code::PAL0816, verdict.where,
+                     "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
+                         proof.problem.environment,
+                     verdict.measure == Measure::load
+                         ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
+                           "DURATION"
+                         : "name a statement, an event or a completion that comes about in some run");
 }
 
 // Lines of a story that fit on a screen with what else is said, and parts of one whole.

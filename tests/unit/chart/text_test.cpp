@@ -40,8 +40,10 @@ TEST_CASE("text is cut so that it fits, between characters") {
 }
 
 TEST_CASE("bold text that is cut fits, too") {
-  for (const char* name : {"main-application-core-of-the-controller", "WWWWWWWWWWWWWWWW", "iiiiiiiiiiiiiiiiiiiiiiii"}) {
-    for (const Length width : {300, 900, 1300}) CHECK(text_width(fitted(name, 90, width, true), 90, true) <= width);
+  for (const char* name :
+       {"main-application-core-of-the-controller", "WWWWWWWWWWWWWWWW", "iiiiiiiiiiiiiiiiiiiiiiii"}) {
+    for (const Length width : {300, 900, 1300})
+      CHECK(text_width(fitted(name, 90, width, true), 90, true) <= width);
   }
   CHECK(text_width(fitted("main-application-core", 90, 900), 90, true) > 900);  // as plain text it would not
 }

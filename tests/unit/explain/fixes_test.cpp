@@ -1,7 +1,7 @@
 // Hints that a program can follow are followed, and the finding is gone.
 #include <algorithm>
-#include <cctype>
 #include <catch2/catch.hpp>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -54,7 +54,8 @@ std::size_t alike(const Diagnostics& diagnostics, const Diagnostic& finding) {
 }
 
 bool is_word_letter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// Words, figures, texts and signs, as one who reads the text would divide it.
@@ -65,11 +66,13 @@ std::vector<std::string> pieces(std::string_view text) {
     if (text[at] == '"') {
       end = std::min(text.find_first_of("\"\n", at + 1), text.size() - 1) + 1;
     } else if (is_word_letter(text[at])) {
-      while (end < text.size() && (is_word_letter(text[end]) || text[end] == '.' ||
-                                   (text[end] == '-' && end + 1 < text.size() && is_word_letter(text[end + 1]))))
+      while (end < text.size() &&
+             (is_word_letter(text[end]) || text[end] == '.' ||
+              (text[end] == '-' && end + 1 < text.size() && is_word_letter(text[end + 1]))))
         ++end;
     }
-    if (std::isspace(static_cast<unsigned char>(text[at])) == 0) result.emplace_back(text.substr(at, end - at));
+    if (std::isspace(static_cast<unsigned char>(text[at])) == 0)
+      result.emplace_back(text.substr(at, end - at));
     at = end;
   }
   return result;
@@ -81,12 +84,13 @@ bool is_figure(const std::string& piece) {
 
 /// Whether a text may lose this without saying anything else: a bracket, a divider or an end too many.
 bool says_nothing(const std::string& piece) {
-  static const std::set<std::string> dividers{",", ";", ":", "(", ")", "{", "}", "END", "BEGIN", "CASE", "WTM", "CONCURRENT"};
+  static const std::set<std::string> dividers{",", ";",   ":",     "(",    ")",   "{",
+                                              "}", "END", "BEGIN", "CASE", "WTM", "CONCURRENT"};
   return dividers.contains(piece);
 }
 
-/// What an edit takes out of a text: nothing that carries a meaning, unless the same stands right beside it, or
-/// something is put in its place. A figure keeps its value.
+/// What an edit takes out of a text: nothing that carries a meaning, unless the same stands right beside it,
+/// or something is put in its place. A figure keeps its value.
 void check_that_nothing_is_lost(const Edit& edit, std::string_view text) {
   const std::string removed(text.substr(edit.where.begin, edit.where.end - edit.where.begin));
   INFO("'" << removed << "' becomes '" << edit.text << "'");
@@ -101,7 +105,8 @@ void check_that_nothing_is_lost(const Edit& edit, std::string_view text) {
   for (const std::string& piece : pieces(removed)) {
     const bool other_base = piece.starts_with("0x") || piece.starts_with("0b");
     if (is_figure(piece) && !other_base && !put_in.empty())
-      CHECK((std::find(put_in.begin(), put_in.end(), piece) != put_in.end() || piece.find_first_not_of("0123456789.") != piece.npos));
+      CHECK((std::find(put_in.begin(), put_in.end(), piece) != put_in.end() ||
+             piece.find_first_not_of("0123456789.") != piece.npos));
     if (put_in.empty()) CHECK((says_nothing(piece) || repeats));
   }
 }
@@ -128,7 +133,8 @@ TEST_CASE("every finding of the goldens has a hint, and every fix cures it") {
       CHECK_FALSE(finding.hint.empty());
       if (finding.fix.empty()) continue;
       const FileId file = finding.fix.front().where.file;
-      for (const Edit& edit : finding.fix) check_that_nothing_is_lost(edit, before.sources.text(edit.where.file));
+      for (const Edit& edit : finding.fix)
+        check_that_nothing_is_lost(edit, before.sources.text(edit.where.file));
       MendedFileSystem files;
       files.mend(before.sources.name(file), apply(finding.fix, file, before.sources.text(file)));
       const auto after = checked(path, files);
@@ -149,10 +155,9 @@ TEST_CASE("every finding of the goldens has a hint, and every fix cures it") {
     }
   }
   // Where following the hint needs no thought, the fix is there.
-  for (const Code code :
-       {Code::PAL0101, Code::PAL0102, Code::PAL0103, Code::PAL0106, Code::PAL0108, Code::PAL0110,
-        Code::PAL0201, Code::PAL0202, Code::PAL0203, Code::PAL0204, Code::PAL0206, Code::PAL0505,
-        Code::PAL0705}) {
+  for (const Code code : {Code::PAL0101, Code::PAL0102, Code::PAL0103, Code::PAL0106, Code::PAL0108,
+                          Code::PAL0110, Code::PAL0201, Code::PAL0202, Code::PAL0203, Code::PAL0204,
+                          Code::PAL0206, Code::PAL0505, Code::PAL0705}) {
     CAPTURE(name(code));
     CHECK(fixed.contains(code));
   }

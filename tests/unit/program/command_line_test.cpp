@@ -35,7 +35,8 @@ TEST_CASE("help and version end with 0") {
   }
   CHECK(pal::test::pal({"--version"}).out.find("pal 0.") == 0);
   CHECK(pal::test::pal({"help", "check"}).out == pal::test::pal({"check", "--help"}).out);
-  CHECK(pal::test::pal({"help", "operation", "check"}).out == pal::test::pal({"operation", "check", "--help"}).out);
+  CHECK(pal::test::pal({"help", "operation", "check"}).out ==
+        pal::test::pal({"operation", "check", "--help"}).out);
   CHECK(pal::test::pal({"help"}).out == pal::test::pal({"--help"}).out);
 }
 
@@ -43,7 +44,8 @@ TEST_CASE("an option that there is not says which is meant") {
   const auto answer = pal::test::pal({"check", touch, "--enviroment", cell});
   CHECK(answer.status == ExitStatus::usage);
   CHECK(answer.err.find("did you mean '--environment'?") != std::string::npos);
-  CHECK(pal::test::pal({"check", touch, "--formt=json"}).err.find("did you mean '--format'?") != std::string::npos);
+  CHECK(pal::test::pal({"check", touch, "--formt=json"}).err.find("did you mean '--format'?") !=
+        std::string::npos);
   CHECK(pal::test::pal({"check", touch, "--zzzzzzz"}).err.find("did you mean") == std::string::npos);
 }
 

@@ -107,7 +107,8 @@ TEST_CASE("an environment alone, and a skill that requires nothing, prove nothin
   CHECK(check(idle + bench, {"--without-times"}).status == ExitStatus::all_hold);
   CHECK(check(bench, {"--require-verdicts"}).status == ExitStatus::not_met);
   // Beside a skill that has one it is a warning in words, and an error if asked for.
-  std::string both = press + bench + idle.substr(idle.find("SKILL press"), idle.find("Logical") - idle.find("SKILL press"));
+  std::string both =
+      press + bench + idle.substr(idle.find("SKILL press"), idle.find("Logical") - idle.find("SKILL press"));
   both.replace(both.rfind("SKILL press"), 11, "SKILL other");
   CHECK(check(both, {}).status == ExitStatus::all_hold);
   CHECK(has(check(both, {}).err, "skill 'other' was not checked"));
@@ -121,7 +122,8 @@ TEST_CASE("a file that cannot be read has a place and a case of its own") {
   CHECK(junit.status == ExitStatus::usage);
   CHECK(has(junit.out, "name=\"s.pal\" time=\"0.000\"/>"));
   CHECK(has(junit.out, "name=\"gone.pal\" time=\"0.000\">\n      <error type=\"PAL0111\""));
-  for (const std::vector<std::string>& given : {std::vector<std::string>{"gone.pal"}, {"s.pal", "gone.pal"}}) {
+  for (const std::vector<std::string>& given :
+       {std::vector<std::string>{"gone.pal"}, {"s.pal", "gone.pal"}}) {
     std::vector<std::string> arguments{"check", "--format", "sarif"};
     arguments.insert(arguments.end(), given.begin(), given.end());
     const Json result = sarif_run(pal(arguments, files)).at("results").at(0);
@@ -139,8 +141,10 @@ TEST_CASE("a failure in JUnit has the place, the parts and the hint, and one cas
   CHECK(has(answer.out, "(s.pal:6)\">error[PAL0890]"));
   CHECK(has(answer.out, "hint: "));
   CHECK(has(answer.out, "--&gt; s.pal:6:"));
-  const Answer never = check(without(press, "  REQUIREMENT").insert(press.find("  REQUIREMENT"),
-                                  "  REQUIREMENT ends : DURATION TO COMPLETION 1 AT MOST 1 s\n") + bench,
+  const Answer never = check(without(press, "  REQUIREMENT")
+                                     .insert(press.find("  REQUIREMENT"),
+                                             "  REQUIREMENT ends : DURATION TO COMPLETION 1 AT MOST 1 s\n") +
+                                 bench,
                              {"--format", "junit"});
   CHECK(has(never.out, "<error type=\"PAL0816\""));
   CHECK(has(never.out, "says nothing"));
@@ -155,8 +159,10 @@ TEST_CASE("a warning can be made an error, in every form") {
   CHECK(answer.status == ExitStatus::wrong_specification);
   CHECK(has(answer.err, "error[PAL0217]"));
   CHECK(has(check(warned, {"--warnings-as-errors", "--format", "junit"}).out, "<failure type=\"PAL0217\""));
-  CHECK(sarif_run(check(warned, {"--warnings-as-errors", "--format", "sarif"})).at("results").at(0).at("level") ==
-        "error");
+  CHECK(sarif_run(check(warned, {"--warnings-as-errors", "--format", "sarif"}))
+            .at("results")
+            .at(0)
+            .at("level") == "error");
 }
 
 TEST_CASE("each rule of a SARIF log says where its page is") {

@@ -41,7 +41,8 @@ TEST_CASE("NO_COLOR, CLICOLOR_FORCE and a dumb terminal are obeyed") {
 
 TEST_CASE("colours change nothing but colours") {
   const std::string text =
-      "error[PAL0101]: unexpected 'x'\n --> a.pal:1:2\n  |\n1 | a x\n  |   ^\nhint: remove it\n1 - a x\n1 + a\n\n1 error\n";
+      "error[PAL0101]: unexpected 'x'\n --> a.pal:1:2\n  |\n1 | a x\n  |   ^\nhint: remove it\n1 - a x\n1 + "
+      "a\n\n1 error\n";
   std::string bare;
   bool inside = false;
   for (const char c : program::coloured_findings(text)) {
@@ -56,11 +57,13 @@ TEST_CASE("colours change nothing but colours") {
 
 TEST_CASE("a terminal shows a page without the marks of Markdown") {
   const std::string page =
-      "## PAL0101\n\nA `word` that *nothing* expects, and so on until the line is longer than the terminal is wide.\n\n"
+      "## PAL0101\n\nA `word` that *nothing* expects, and so on until the line is longer than the terminal "
+      "is wide.\n\n"
       "### Example\n\n```pal a.pal --quiet\nMESSAGE a\n```\n\n- one\n- two\n";
   const std::string shown = program::terminal_page(page, false, 60);
   CHECK(shown ==
-        "PAL0101\n\nA word that nothing expects, and so on until the line is\nlonger than the terminal is wide.\n\n"
+        "PAL0101\n\nA word that nothing expects, and so on until the line is\nlonger than the terminal is "
+        "wide.\n\n"
         "Example\n\n  a.pal --quiet:\n    MESSAGE a\n\n- one\n- two\n");
 }
 
