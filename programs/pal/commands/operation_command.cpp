@@ -13,7 +13,6 @@
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/commands/operation_files.hpp"
 #include "programs/pal/reports/check_report.hpp"
-#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/reports/sarif.hpp"
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/unchecked.hpp"
@@ -137,7 +136,7 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
     document["operations"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < ways.size(); ++i)
       document["operations"].push_back(json(programs[i], ways[i]));
-    console.out << json_text(document, 2) << "\n";
+    console.out << document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   } else {
     show_findings(session, console);
     if (!wrong && options.skills.empty())
