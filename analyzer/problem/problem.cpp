@@ -168,11 +168,10 @@ void ProblemBuilder::known_names() {
                           "the place of " + placement.thread + " is given twice", "remove one of them");
     }
     if (executed_.contains(placement.thread)) {
-      diagnostics_
-          .report(Code::PAL0723, placement.where,
-                  placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
-                  "leave the placement out")
-          .fix = {{placement.where, ""}};
+      // No edit: for another skill in this environment it may be one.
+      diagnostics_.report(Code::PAL0723, placement.where,
+                          placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
+                          "leave the placement out");
     } else if (modules.contains(module_of_thread(placement.thread)) && !threads.contains(placement.thread)) {
       diagnostics_.report(
           Code::PAL0723, placement.where,

@@ -26,9 +26,14 @@ void add_max_errors(CLI::App& command, std::size_t& most) {
 }
 
 void add_selection(CLI::App& command, Selection& selection) {
-  command.add_option("files", selection.files, "PAL files with the skills")->required()->type_name("FILE");
   command
-      .add_option("-e,--environment", selection.environments, "PAL file with an environment; may be repeated")
+      .add_option("files", selection.files,
+                  "PAL files with the skills, folders with them, or - (standard input)")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option("-e,--environment", selection.environments,
+                  "PAL file, or folder, with an environment; may be repeated")
       ->type_name("FILE")
       ->take_all();
   command.add_option("-s,--skill", selection.skill, "only the skill of this name")->type_name("NAME");

@@ -76,4 +76,7 @@ bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
 /// the longest parts, or the `whole_story`.
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
 
+/// The same of one requirement; nothing if it holds.
+void report_unmet(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics);
+
 }  // namespace pal::program

@@ -119,24 +119,23 @@ std::string hint_of(const Proof& proof, std::size_t index) {
 }
 
 /// What is required says nothing about any run.
-void report_never(const Proof& proof, std::size_t index, Session& session) {
+void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  session.diagnostics.report(
-      Code::PAL0816, verdict.where,
-      "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
-          proof.problem.environment,
-      verdict.measure == Measure::load
-          ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
-            "DURATION"
-          : "name a statement, an event or a completion that comes about in some run");
+  diagnostics.report(Code::PAL0816, verdict.where,
+                     "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
+                         proof.problem.environment,
+                     verdict.measure == Measure::load
+                         ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
+                           "DURATION"
+                         : "name a statement, an event or a completion that comes about in some run");
 }
 
 /// Events that no thread takes are lost in PAL, and delay nobody. Elsewhere they may be kept.
-void report_taken_as_lost(const Proof& proof, std::size_t index, Session& session) {
+void report_taken_as_lost(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
   const std::string text = taken_as_lost_text(proof, index);
   if (text.empty()) return;
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  session.diagnostics.report(
+  diagnostics.report(
       Code::PAL0824, verdict.where, text,
       "say how many may be lost (LOSS OF " +
           proof.problem.devices[verdict.taken_as_lost.front().device].name +
@@ -147,7 +146,7 @@ void report_taken_as_lost(const Proof& proof, std::size_t index, Session& sessio
 constexpr std::size_t most_lines = 14;
 constexpr std::size_t most_parts = 4;
 
-std::int64_t length(const analyzer::Reason& reason) {
+std::int64_t time_of(const analyzer::Reason& reason) {
   return reason.to - reason.from;
 }
 
@@ -158,7 +157,7 @@ std::string indent(int depth) {
 Note note_of(const analyzer::Reason& reason, const analyzer::Problem& problem, int depth) {
   const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
   return {place_of(problem, reason),
-          indent(depth) + to_text(Duration(length(reason))) + ": " + who + reason.what};
+          indent(depth) + to_text(Duration(time_of(reason))) + ": " + who + reason.what};
 }
 
 /// All of them, in the order in which they happened, each with what is inside it.
@@ -174,14 +173,14 @@ void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Pro
 bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem, int depth,
                  Diagnostic& finding) {
   std::stable_sort(reasons.begin(), reasons.end(), [](const analyzer::Reason& a, const analyzer::Reason& b) {
-    return length(a) > length(b);
+    return time_of(a) > time_of(b);
   });
   const std::size_t most = reasons.size() <= most_parts + 1 ? reasons.size() : most_parts;
   std::int64_t together = 0;
   bool more = false;
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (i >= most) {
-      together += length(reasons[i]);
+      together += time_of(reasons[i]);
       continue;
     }
     finding.notes.push_back(note_of(reasons[i], problem, depth));
@@ -198,11 +197,11 @@ bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem&
   return true;
 }
 
-void report(const Proof& proof, std::size_t index, bool whole_story, Session& session) {
+void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding = session.diagnostics.report(
+  Diagnostic& finding = diagnostics.report(
       fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
       "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
           " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
@@ -258,15 +257,18 @@ bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {
   return found.has_value();
 }
 
+void report_unmet(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics) {
+  const State state = proof.analysis.verdicts[index].state;
+  if (state == State::never) report_never(proof, index, diagnostics);
+  if (state == State::fails || state == State::undecided) report(proof, index, whole_story, diagnostics);
+  report_taken_as_lost(proof, index, diagnostics);
+}
+
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session) {
   for (const Proof& proof : proofs) {
     if (proof.analysis.zeno_run) report_zeno_run(proof.problem, *proof.analysis.zeno_run, session);
-    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
-      const State state = proof.analysis.verdicts[i].state;
-      if (state == State::never) report_never(proof, i, session);
-      if (state == State::fails || state == State::undecided) report(proof, i, whole_story, session);
-      report_taken_as_lost(proof, i, session);
-    }
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i)
+      report_unmet(proof, i, whole_story, session.diagnostics);
   }
 }
 

@@ -30,7 +30,7 @@ struct ForceTorqueDriverOptions {
 /// The tool's weight is taken out by its pose, and the gauges' zero is taken once, in free air: before the
 /// station's first skill (commission()), or before the first skill after that at which the sensor answers. It
 /// is kept across skills and across a restart of the sensor. A tool that is not in free air then is trouble
-/// (force_torque::Zero). Another tool is another driver.
+/// (force_torque::ZeroPoint). Another tool is another driver.
 ///
 /// Requests are served one at a time, in the order in which they come. A missing or wrong record is a fault.
 class ForceTorqueDriver final : public LinkedDriver {
@@ -67,7 +67,7 @@ class ForceTorqueDriver final : public LinkedDriver {
   force_torque::Codec codec_;
   Step step_ = Step::none;
   bool started_ = false;  // the sensor sends binary records of all axes
-  force_torque::Zero zero_;
+  force_torque::ZeroPoint zero_;
   std::vector<std::size_t> waiting_;  // ports of requests, oldest first; the first one is served if serving_
   bool serving_ = false;
 };

@@ -47,12 +47,12 @@ Load difference(const Load& a, const Load& b) {
 
 }  // namespace
 
-void Zero::begin_look() {
+void ZeroPoint::begin_look() {
   sum_ = {};
   count_ = 0;
 }
 
-void Zero::look(const Load& load) {
+void ZeroPoint::look(const Load& load) {
   if (count_++ == 0) least_ = greatest_ = load;
   for (std::size_t i = 0; i < axes; ++i) {
     sum_[i] += load[i];
@@ -61,7 +61,7 @@ void Zero::look(const Load& load) {
   }
 }
 
-std::string Zero::end_look() {
+std::string ZeroPoint::end_look() {
   const Load changed = difference(greatest_, least_);
   const auto moving = beyond(changed, standing);
   if (known()) return moving ? std::string() : follow(mean());
@@ -71,7 +71,7 @@ std::string Zero::end_look() {
   return take(mean());
 }
 
-std::string Zero::take(const Load& mean) {
+std::string ZeroPoint::take(const Load& mean) {
   if (const auto axis = beyond(mean, at_most))
     return "it has no zero yet, and shows " + amount(mean, *axis) +
            " beyond the tool's weight; move the tool into free air, with nothing in its fingers";
@@ -79,7 +79,7 @@ std::string Zero::take(const Load& mean) {
   return {};
 }
 
-std::string Zero::follow(const Load& mean) {
+std::string ZeroPoint::follow(const Load& mean) {
   if (beyond(difference(mean, *known_), next_to_nothing)) return {};  // it touches, or holds something
   Load next = *known_;
   for (std::size_t i = 0; i < axes; ++i) next[i] += following * (mean[i] - next[i]);
@@ -92,11 +92,11 @@ std::string Zero::follow(const Load& mean) {
   return {};
 }
 
-Load Zero::take_off(const Load& load) const {
+Load ZeroPoint::take_off(const Load& load) const {
   return difference(load, *known_);
 }
 
-Load Zero::mean() const {
+Load ZeroPoint::mean() const {
   Load result{};
   for (std::size_t i = 0; i < axes; ++i) result[i] = sum_[i] / count_;
   return result;

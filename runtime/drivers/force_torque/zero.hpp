@@ -17,7 +17,7 @@ using Load = std::array<double, axes>;
 ///
 /// Gauges drift. A tool that shows next to nothing is in free air, and the zero then follows. It follows no
 /// further than a sensor drifts that is in order.
-class Zero {
+class ZeroPoint {
  public:
   bool known() const { return known_.has_value(); }
 
