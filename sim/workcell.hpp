@@ -99,6 +99,8 @@ class Workcell final : public runtime::World {
   /// What the environment does to the tool, and the tool's weight: pressing gives a negative force along z.
   /// As of the last step.
   Wrench wrench() const;
+  /// What the tool's weight alone puts on that sensor where the encoders show the arm to be.
+  Wrench tool_weight() const;
   const std::vector<Sample>& log() const;
   /// Forgets the log; its times, and log_time(), count from `zero` on, an instant that is still to come.
   void begin_log(runtime::Time zero);

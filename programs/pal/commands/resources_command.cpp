@@ -129,7 +129,8 @@ ExitStatus show_resources(const ResourcesOptions& options, const Console& consol
       write_table(comparison, environments, console.out);
     }
   }
-  if (options.format == Format::json) console.out << document.dump(2) << "\n";
+  if (options.format == Format::json)
+    console.out << document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   return all ? ExitStatus::all_hold : ExitStatus::wrong_specification;
 }
 
