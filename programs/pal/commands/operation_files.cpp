@@ -26,7 +26,10 @@ void forget_other_skills(const std::set<std::string>& used, Session& session) {
 /// An environment that lies in a folder of skills, or that the one asked for uses, is not asked for.
 void forget_other_environments(const OperationOptions& options, const Console& console, Session& session) {
   std::set<std::string> asked_for;
-  for (const std::string& path : options.environments) asked_for.insert(console.files.identity(path));
+  for (const std::string& path : options.environments) {
+    for (const std::string& file : console.files.list(path, ".pal").value_or(std::vector{path}))
+      asked_for.insert(console.files.identity(file));
+  }
   std::erase_if(session.specification.environments, [&](const pan::Environment& environment) {
     return !asked_for.contains(console.files.identity(session.sources.name(environment.where.file)));
   });

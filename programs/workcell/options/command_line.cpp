@@ -295,7 +295,8 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
       "Exit status: 0 done, 1 a wrong scene, skill or parameter, 2 wrong usage or a file problem,\n"
       "3 the skill ended with its error completion, or took longer than was proved,\n"
       "4 with --real-time: code of the skill or of a device did not return;\n"
-      "an operation that an EXIT ended with a code other than 0: 100 and the code, if it is 1 to 99, else 100.");
+      "an operation that an EXIT ended with a code other than 0: 100 and the code, if it is 1 to 99, else "
+      "100.");
   std::vector<std::string> folders;
   ListCommand list_command;
   CLI::App* list_app =

@@ -29,29 +29,33 @@ END
 )";
 
 std::string environment(const std::string& name, const std::string& cost) {
-  return "ENVIRONMENT " + name + "\n  PROCESSOR P0\n  PLACE SM1 ON P0 PRIORITY 1\n  DEVICE MC1 ON REQUEST 1 ms\n" +
-         "  COST SEND " + cost + "\n  COST RECEIVE 0.05 ms\nEND ENVIRONMENT\n";
+  return "ENVIRONMENT " + name +
+         "\n  PROCESSOR P0\n  PLACE SM1 ON P0 PRIORITY 1\n  DEVICE MC1 ON REQUEST 1 ms\n" + "  COST SEND " +
+         cost + "\n  COST RECEIVE 0.05 ms\nEND ENVIRONMENT\n";
 }
 
 MemoryFileSystem files_with(const std::string& icons) {
   MemoryFileSystem files;
-  files.add("walk.op.json",
-            R"({"operation-format": 1, "name": "walk", "icons": [{"id": "start", "kind": "start", "next": "a"}, )" +
-                icons + R"(, {"id": "done", "kind": "exit"}, {"id": "bad", "kind": "exit", "code": 1}]})");
+  files.add(
+      "walk.op.json",
+      R"({"operation-format": 1, "name": "walk", "icons": [{"id": "start", "kind": "start", "next": "a"}, )" +
+          icons + R"(, {"id": "done", "kind": "exit"}, {"id": "bad", "kind": "exit", "code": 1}]})");
   files.add("skills/blink.pal", blink);
   files.add("skills/fast.pal", environment("fast", "0.05 ms"));
   files.add("skills/slow.pal", environment("slow", "5 ms"));
   return files;
 }
 
-constexpr const char* blinking = R"({"id": "a", "kind": "skill", "skill": "blink", "next": "done", "error": "bad"})";
+constexpr const char* blinking =
+    R"({"id": "a", "kind": "skill", "skill": "blink", "next": "done", "error": "bad"})";
 
 }  // namespace
 
 TEST_CASE("an operation's skills are proved in the environment that was asked for, and in no other") {
   const MemoryFileSystem files = files_with(blinking);
   const auto check = [&](const std::string& cell) {
-    return test::pal({"operation", "check", "walk.op.json", "--skills", "skills", "--environment", cell}, files);
+    return test::pal({"operation", "check", "walk.op.json", "--skills", "skills", "--environment", cell},
+                     files);
   };
   const Answer fast = check("skills/fast.pal");
   INFO(fast.out << fast.err);
@@ -69,7 +73,8 @@ TEST_CASE("a finding as JSON names the operation and the icon") {
     INFO(answer.out << answer.err);
     return nlohmann::json::parse(answer.out).at("diagnostics");
   };
-  const auto wrong = findings(R"({"id": "a", "kind": "skill", "skill": "blonk", "next": "done", "error": "bad"})");
+  const auto wrong =
+      findings(R"({"id": "a", "kind": "skill", "skill": "blonk", "next": "done", "error": "bad"})");
   REQUIRE(wrong.size() == 1);
   CHECK(wrong.at(0).at("operation") == "walk");
   CHECK(wrong.at(0).at("icon") == "a");
