@@ -1,16 +1,17 @@
-# pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING] [DEBUG_LINES])
+# pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING] [WITHOUT_TIMES] [DEBUG_LINES])
 #
 # A static library pal_skill_NAME (alias pal::skill_NAME) of a skill: its C++, generated from PAL, and SOURCES, the
 # activities written by hand. They include "<skill>_activities.hpp" and "<skill>_skill.hpp", and devices "<skill>_devices.hpp", where <skill> is the skill's name in
 # PAL with underscores for hyphens. SKILL is needed only if that name is not NAME.
 #
 # The skill is checked first: if it is wrong, or a requirement does not hold, the build fails with the analyzer's message.
-# ALLOW_FAILING lets requirements fail; the message is shown all the same. DEBUG_LINES makes debuggers show lines of PAL. For gdb there
+# ALLOW_FAILING lets requirements fail; the message is shown all the same. WITHOUT_TIMES is for a skill that requires no
+# time. DEBUG_LINES makes debuggers show lines of PAL. For gdb there
 # is "<skill>.gdb" beside the generated code, with DEBUG_LINES or without.
 function(pal_add_skill name)
-  cmake_parse_arguments(ARG "ALLOW_FAILING;DEBUG_LINES" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "ALLOW_FAILING;WITHOUT_TIMES;DEBUG_LINES" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_PAL OR NOT ARG_ENVIRONMENT)
-    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING, DEBUG_LINES")
+    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING, WITHOUT_TIMES, DEBUG_LINES")
   endif()
   if(NOT ARG_SKILL)
     set(ARG_SKILL ${name})
@@ -44,7 +45,7 @@ function(pal_add_skill name)
   add_custom_command(
     OUTPUT ${generated}
     COMMAND ${CMAKE_COMMAND} -DPAL=$<TARGET_FILE:pal::pal> -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
-            -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
+            -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -DWITHOUT_TIMES=${ARG_WITHOUT_TIMES} -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines}
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
             --depfile-folder "${CMAKE_SOURCE_DIR}"
