@@ -66,10 +66,11 @@ TEST_CASE("place-at-location: fresh-force fails in the PAL that feels before the
   CHECK(ProvedBounds("place-at-location").all_hold());
   const Rewritten order{
       "        list-step\n        Execute SM2\n        CASE\n          ( pc-ok ):\n"
-      "            SPC( pc-down )\n            TXM( request Zforce from LS1 )\n"
-      "            WTM( Zforce from LS1 )\n",
+      "            SPC( pc-down )\n"
+      "            TXM( request grip from LS3 )  # both sensors at the same time\n"
+      "            TXM( request Zforce from LS1 )\n            WTM( Zforce from LS1 )\n",
       "        TXM( request Zforce from LS1 )\n        WTM( Zforce from LS1 )\n"
       "        list-step\n        Execute SM2\n        CASE\n          ( pc-ok ):\n"
-      "            SPC( pc-down )\n"};
+      "            SPC( pc-down )\n            TXM( request grip from LS3 )\n"};
   CHECK(ProvedBounds("place-at-location", order).fails("fresh-force"));
 }

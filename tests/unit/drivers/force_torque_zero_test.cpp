@@ -22,7 +22,7 @@ struct Bench {
   }
   // Brings the sensor to where a skill may begin; the skill then reads it once.
   double read_along_z() {
-    runtime::test::Session session{timeline, driver()};
+    runtime::drivers::test::Session session{timeline, driver()};
     session.begin();
     if (!driver().trouble().empty()) return -1e9;
     driver().receive(0, {});
