@@ -83,7 +83,7 @@ struct OutputFolder {
   fs::path path = fs::temp_directory_path() / pal::test::own_name("pal-inputs-and-outputs");
   std::string cell = (path / "cell.pal").string();
   std::string link = (path / "link").string();
-  std::string hard = (path / "hard.json").string();
+  std::string hard = (path / "hard.svg").string();
 };
 
 }  // namespace
