@@ -35,14 +35,17 @@ def run(pal, command, an_input):
         begin = time.perf_counter()
         with open(output, "wb") as out:
             process = subprocess.Popen([pal, command, *arguments], stdout=out, stderr=out, preexec_fn=limit)
-            _, ended, usage = os.wait4(process.pid, 0)
-            process.returncode = os.waitstatus_to_exitcode(ended)
+            _, wait_status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(wait_status)
         seconds = usage.ru_utime + usage.ru_stime
         text = output.read_bytes()
+    ended = process.returncode
+    if ended == 3 and b"no time was checked" in text:
+        ended = 0  # nothing is wrong with an input that requires no time
     what = []
     if process.returncode < 0:
         what.append(f"killed by signal {-process.returncode}")
-    elif process.returncode > 2 or (status is not None and process.returncode != status):
+    elif ended > 2 or (status is not None and ended != status):
         what.append(f"ended with {process.returncode}, not {status}")
     what += [f"did not say {code}" for code in codes if code.encode() not in text]
     if len(text) > 8 << 20:
