@@ -31,13 +31,26 @@ Joints start_joints(const Physics& physics, double raise) {
   return solution.q;
 }
 
-// " of line 5", of the scene's thing that one of the two is; nothing if none is.
-std::string line_of(const Physics& physics, const Collision& pair) {
-  for (const int geom : {pair.first, pair.second}) {
-    const auto found = physics.loaded().lines.find(thing_of(physics.model(), geom));
-    if (found != physics.loaded().lines.end()) return " of line " + std::to_string(found->second);
-  }
-  return "";
+// The scene's line of what a shape belongs to; 0: it has none.
+int line_of(const Physics& physics, int geom) {
+  const auto found = physics.loaded().lines.find(thing_of(physics.model(), geom));
+  return found == physics.loaded().lines.end() ? 0 : found->second;
+}
+
+// " of line 5", or nothing.
+std::string of_line(int line) {
+  return line == 0 ? "" : " of line " + std::to_string(line);
+}
+
+void refuse_overlap(const Physics& physics, const Scene& scene) {
+  const auto pair = overlapping_part(physics);
+  if (!pair) return;
+  const auto [part, other] = *pair;
+  const int line = line_of(physics, part);
+  throw SceneError(scene.file.string() + (line == 0 ? "" : ":" + std::to_string(line)),
+                   words_for(physics.model(), part) + " overlaps " + words_for(physics.model(), other) +
+                       of_line(line_of(physics, other)),
+                   "move them apart: physics would throw them out of one another");
 }
 
 std::string millimetres(double metres) {
@@ -68,8 +81,10 @@ struct Workcell::Parts {
       throw SceneError(physics.loaded().start.place,
                        "at its start " +
                            contact_words(physics.model(), touching->first, "touches", touching->second) +
-                           line_of(physics, *touching),
+                           of_line(std::max(line_of(physics, touching->first),
+                                            line_of(physics, touching->second))),
                        "move the start away from it, or choose another configuration");
+    refuse_overlap(physics, scene);
     try {
       for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
     } catch (const std::runtime_error& problem) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pal/runtime/device.hpp"
+#include "runtime/drivers/alter/protocol.hpp"
 #include "sim/arm/arm_fault.hpp"
 #include "sim/arm/kinematics.hpp"
 #include "sim/arm/machine.hpp"
@@ -22,7 +23,7 @@ class MotionController;
 class Physics;
 
 inline constexpr runtime::Time physics_step = std::chrono::milliseconds(1);
-inline constexpr runtime::Time alter_period = std::chrono::milliseconds(28);
+inline constexpr runtime::Time alter_period = runtime::drivers::alter::period;
 
 /// Forces in N and torques in N*m in the frame of the force-torque sensor, whose z points out of the tool.
 struct Wrench {
@@ -72,7 +73,7 @@ class Workcell final : public runtime::World {
   void advance_to(runtime::Time when) override;
   runtime::Time now() const;
 
-  /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
+  /// Gives the controller a relative motion to be made evenly within one period from `begin` on, after all those
   /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
   std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
   /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.

@@ -71,13 +71,30 @@ std::string behind_links(const std::string& path) {
   return error ? path : target.string();
 }
 
-std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
-  const fs::path path(file.path);
+/// Makes the folder that a file will stand in. Returns what went wrong, or nothing.
+std::optional<std::string> make_folder_of(const fs::path& path) {
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   if (error) return "cannot make the folder " + path.parent_path().string() + ": " + error.message();
+  if (fs::is_directory(path, error)) return "cannot write " + path.string() + ": it is a folder";
+  return std::nullopt;
+}
+
+/// The outermost of the folders around a file that is not there yet; empty: all are.
+fs::path first_missing_folder(const fs::path& path) {
+  fs::path missing;
+  std::error_code ignored;
+  for (fs::path folder = path.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
+       folder = folder.parent_path())
+    missing = folder;
+  return missing;
+}
+
+std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
+  const fs::path path(file.path);
+  if (auto problem = make_folder_of(path)) return problem;
+  std::error_code error;
   const fs::file_status old = fs::status(path, error);
-  if (fs::is_directory(old)) return "cannot write " + file.path + ": it is a folder";
   if (fs::exists(old) && !fs::is_regular_file(old)) {
     drafts.add({file.path, ""});
     return std::nullopt;
@@ -112,6 +129,20 @@ std::optional<std::string> write_files(const std::vector<OutputFile>& files) {
     if (error) return "cannot write " + draft.target + ": " + error.message();
   }
   return std::nullopt;
+}
+
+std::optional<std::string> cannot_be_written(const std::string& path) {
+  const fs::path missing = first_missing_folder(path);
+  std::optional<std::string> problem = make_folder_of(path);
+  std::error_code ignored;
+  const fs::file_status old = fs::status(path, ignored);
+  if (!problem && (!fs::exists(old) || fs::is_regular_file(old))) {
+    Drafts drafts;
+    drafts.add({path, new_file_beside(behind_links(path))});
+    if (drafts.all().back().path.empty()) problem = cannot_write(path);
+  }
+  if (!missing.empty()) fs::remove_all(missing, ignored);
+  return problem;
 }
 
 }  // namespace pal

@@ -18,4 +18,8 @@ struct OutputFile {
 /// Returns what went wrong, with the path, or nothing.
 std::optional<std::string> write_files(const std::vector<OutputFile>& files);
 
+/// Whether write_files() could write a file there now, for those who would learn it only after long work.
+/// Leaves nothing behind. Returns what is in the way, with the path, or nothing.
+std::optional<std::string> cannot_be_written(const std::string& path);
+
 }  // namespace pal

@@ -84,6 +84,17 @@ void CollisionWatch::forgive(const Physics& physics) {
       forgiven_.emplace_back(physics.data().contact[i].geom1, physics.data().contact[i].geom2);
 }
 
+std::optional<Collision> overlapping_part(const Physics& physics) {
+  constexpr double touching = 0.5e-3;  // m; a part that lies on something may be sunk into it by rounding
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    if (contact.dist > -touching) continue;
+    if (loose(physics, contact.geom1)) return Collision{contact.geom1, contact.geom2};
+    if (loose(physics, contact.geom2)) return Collision{contact.geom2, contact.geom1};
+  }
+  return std::nullopt;
+}
+
 std::optional<Collision> any_contact_of_arm(const Physics& physics) {
   for (int i = 0; i < physics.data().ncon; ++i) {
     const mjContact& contact = physics.data().contact[i];

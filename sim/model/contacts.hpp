@@ -35,6 +35,10 @@ class CollisionWatch {
   std::vector<Collision> forgiven_;
 };
 
+/// A loose part and a shape of the cell, part or not, that are in the same place by more than 0.5 mm. The
+/// loose part comes first.
+std::optional<Collision> overlapping_part(const Physics& physics);
+
 /// Any contact of the arm at all, the tool included; a start must not have any.
 std::optional<Collision> any_contact_of_arm(const Physics& physics);
 

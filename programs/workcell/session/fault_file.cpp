@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <sstream>
 
@@ -37,6 +39,30 @@ std::vector<sim::PlannedFault> faults_of_lines(const std::string& file) {
 Failure no_such_device(const std::string& file, const sim::NoSuchDevice& problem) {
   return {ExitStatus::wrong_specification, fmt::format("{}:{}", file, problem.line()), problem.what(),
           "name one of these, or choose a scene whose tool is the device"};
+}
+
+bool tell_faults_to_come(const std::string& file, const std::vector<sim::PlannedFault>& to_come,
+                         const std::string& ended, std::ostream& out) {
+  for (const sim::PlannedFault& fault : to_come)
+    out << fmt::format("  {}{}: the fault of {} at {:g} ms never came: {}\n", file,
+                       fault.line == 0 ? "" : ":" + std::to_string(fault.line), fault.device,
+                       std::chrono::duration<double, std::milli>(fault.at).count(), ended);
+  return !to_come.empty();
+}
+
+std::vector<sim::PlannedFault> slow_to_come(const std::vector<runtime::SlowStatement>& slow,
+                                            const trace::Trace& trace) {
+  std::vector<sim::PlannedFault> result;
+  for (const runtime::SlowStatement& each : slow) {
+    const auto came = [&](const trace::Event& event) {
+      if (event.kind != trace::Kind::done || event.statement < 0 || event.time_ns < each.from.count()) return false;
+      const trace::Statement& statement = trace.statements[static_cast<std::size_t>(event.statement)];
+      return statement.module == each.module && statement.line == each.line;
+    };
+    if (std::none_of(trace.events.begin(), trace.events.end(), came))
+      result.push_back({.at = each.from, .device = fmt::format("{}:{}", each.module, each.line)});
+  }
+  return result;
 }
 
 runtime::OnBrokenPromise policy_named(const std::string& name) {

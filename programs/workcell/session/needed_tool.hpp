@@ -1,6 +1,7 @@
 // Whether the scene's tool is the device that a skill needs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,11 @@
 #include "sim/scene.hpp"
 
 namespace pal::workcell {
+
+/// The tool that the skill needs; nothing: any will do. A skill needs the tool that is its device. A skill
+/// that moves by ALTER until its force sensor feels something presses with the pad's tip: forces on another
+/// tool are not those of its tip.
+std::optional<sim::ToolKind> needed_tool(const runtime::Skill& skill);
 
 /// Throws Failure, with the scenes of `folders` that have the tool, if the skill needs another tool than the
 /// scene's.

@@ -107,6 +107,8 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
   result.controller = cell.val_driver().last_error();
+  result.slow = session.slow;
+  result.faults_to_come = cell.faults_to_come();
 
   cell.rest(rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.

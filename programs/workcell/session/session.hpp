@@ -55,6 +55,8 @@ struct SessionResult {
   runtime::Time phase{};         // as given or drawn
   std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
   sim::MessageLog messages;
+  std::vector<sim::PlannedFault> faults_to_come;  // that had not come when the skill ended
+  std::vector<runtime::SlowStatement> slow;       // as the session says
   std::string controller;    // what VAL said of the last command that failed; empty: none did
   double peak_force = 0;     // N
   double resting_force = 0;  // N, at the end of the log

@@ -14,6 +14,9 @@ struct ForceTorqueDriverOptions {
   std::string name = "force-torque";
   // How long the sensor may take before it is in trouble.
   Time boot_within = std::chrono::seconds(1);
+  /// A sensor takes longer than this to start. A prompt that comes sooner was waiting in the line: it is of
+  /// an earlier start.
+  Time boot_takes = std::chrono::milliseconds(40);
   Time prompt_within = std::chrono::milliseconds(200);
   Time record_within = std::chrono::milliseconds(20);
 };
@@ -54,6 +57,7 @@ class ForceTorqueDriver final : public LinkedDriver {
 
   ForceTorqueDriverOptions options_;
   force_torque::Codec codec_;
+  Time booted_{};  // when control W was sent last
   Step step_ = Step::none;
   std::vector<std::size_t> waiting_;  // ports of requests, oldest first; the first one is served if serving_
   bool serving_ = false;
