@@ -18,6 +18,7 @@ namespace {
 constexpr runtime::Time yield_time = std::chrono::milliseconds(300);
 
 using FaultListener = std::function<void(const ArmFault&)>;
+using SampleListener = std::function<void(const Sample&)>;
 
 Joints start_joints(const Physics& physics, double raise) {
   Start start = physics.loaded().start;
@@ -114,6 +115,11 @@ struct Workcell::Parts {
                           {data.qvel[left.speed], data.qvel[right.speed]});
   }
 
+  double grip_force() const {
+    const Grip held = grip(physics);
+    return 0.5 * (held.left + held.right);
+  }
+
   double gripper_width() const {
     if (physics.loaded().tool != ToolKind::gripper) return 0;
     const auto& [left, right] = physics.index().fingers;
@@ -139,6 +145,7 @@ struct Workcell::Parts {
             .set_point = set_point.translation(),
             .set_point_turn = Eigen::Quaterniond(set_point.linear()),
             .contact_force = contact_force(physics),
+            .grip_force = grip_force(),
             .wrench = wrench(),
             .gripper_width = gripper_width()};
   }
@@ -151,7 +158,8 @@ struct Workcell::Parts {
       };
       return ArmFault{of_arm(hit->first) && of_arm(hit->second) ? ArmFault::Kind::self_collision
                                                                 : ArmFault::Kind::collision,
-                      contact_words(physics.model(), hit->first, "hit", hit->second), now};
+                      contact_words(physics.model(), hit->first, "hit", hit->second), now,
+                      place_of(physics, *hit)};
     }
     const double error = (sample.tool - sample.set_point).norm();
     if (error * 1e3 <= greatest_following_error) return std::nullopt;
@@ -180,6 +188,12 @@ struct Workcell::Parts {
       if (const auto alive = listener.lock()) (*alive)(*fault);
   }
 
+  void tell(const Sample& sample) {
+    std::erase_if(sample_listeners, [](const auto& listener) { return listener.expired(); });
+    for (const auto& listener : sample_listeners)
+      if (const auto alive = listener.lock()) (*alive)(sample);
+  }
+
   Physics physics;
   Pose tool;  // from the flange to the tip
   MotionController motion;
@@ -191,6 +205,7 @@ struct Workcell::Parts {
   std::optional<ArmFault> fault;
   runtime::Time yielding{};  // how long the arm still gives way
   std::vector<std::weak_ptr<FaultListener>> listeners;
+  std::vector<std::weak_ptr<SampleListener>> sample_listeners;
   runtime::Time now{};
   bool keep_log;
   runtime::Time log_zero{};
@@ -208,7 +223,10 @@ void Workcell::advance_to(runtime::Time when) {
     parts_->now += physics_step;
     const Sample sample = parts_->sample();
     if (!parts_->keep_log) parts_->log.clear();
-    if (sample.time >= runtime::Time::zero()) parts_->log.push_back(sample);
+    if (sample.time >= runtime::Time::zero()) {
+      parts_->log.push_back(sample);
+      parts_->tell(sample);
+    }
     if (parts_->fault) continue;
     if (auto fault = parts_->look(sample)) parts_->stop_with(std::move(*fault));
   }
@@ -257,6 +275,12 @@ void Workcell::reset_fault() {
 std::shared_ptr<void> Workcell::on_fault(std::function<void(const ArmFault&)> listener) {
   auto shared = std::make_shared<FaultListener>(std::move(listener));
   parts_->listeners.push_back(shared);
+  return shared;
+}
+
+std::shared_ptr<void> Workcell::on_sample(std::function<void(const Sample&)> listener) {
+  auto shared = std::make_shared<SampleListener>(std::move(listener));
+  parts_->sample_listeners.push_back(shared);
   return shared;
 }
 
@@ -322,8 +346,7 @@ double Workcell::gripper_width() const {
 }
 
 double Workcell::gripper_force() const {
-  const Grip held = grip(parts_->physics);
-  return 0.5 * (held.left + held.right);
+  return parts_->grip_force();
 }
 
 bool Workcell::holds_part() const {

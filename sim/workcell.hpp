@@ -41,7 +41,8 @@ struct Sample {
   Eigen::Quaterniond tool_turn = Eigen::Quaterniond::Identity();
   Eigen::Vector3d set_point = Eigen::Vector3d::Zero();
   Eigen::Quaterniond set_point_turn = Eigen::Quaterniond::Identity();
-  double contact_force = 0;  // sum of the normal forces on what the tool is meant to touch with, N
+  double contact_force = 0;  // sum of the normal forces on what the tool is meant to touch with, N; no grip
+  double grip_force = 0;     // with which each finger presses on what is between them, N; 0 without a gripper
   Wrench wrench;             // as Workcell::wrench()
   double gripper_width = 0;  // between the fingers, mm; 0 without a gripper
 };
@@ -101,6 +102,8 @@ class Workcell final : public runtime::World {
   /// As of the last step.
   Wrench wrench() const;
   const std::vector<Sample>& log() const;
+  /// Calls `listener` with each sample as it comes, as long as the answer lives.
+  [[nodiscard]] std::shared_ptr<void> on_sample(std::function<void(const Sample&)> listener);
   /// Forgets the log; its times, and log_time(), count from `zero` on, an instant that is still to come.
   void begin_log(runtime::Time zero);
   runtime::Time log_time() const;

@@ -56,9 +56,12 @@ std::string new_file_beside(const fs::path& target) {
   }
 }
 
-bool write_content(const std::string& path, const std::string& content) {
+bool write_content(const std::string& path, const OutputFile& file) {
   std::ofstream out(path, std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  if (file.write)
+    file.write(out);
+  else
+    out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
   out.close();
   return static_cast<bool>(out);
 }
@@ -102,7 +105,7 @@ std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
   const std::string target = behind_links(file.path);
   drafts.add({target, new_file_beside(target)});
   const std::string& draft = drafts.all().back().path;
-  if (draft.empty() || !write_content(draft, file.content)) return cannot_write(file.path);
+  if (draft.empty() || !write_content(draft, file)) return cannot_write(file.path);
   if (fs::exists(old)) fs::permissions(draft, old.permissions(), error);
   return std::nullopt;
 }
@@ -120,7 +123,7 @@ std::optional<std::string> write_files(const std::vector<OutputFile>& files) {
     if (auto problem = write_draft(file, drafts)) return problem;
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (drafts.all()[i].path.empty() && !write_content(files[i].path, files[i].content))
+    if (drafts.all()[i].path.empty() && !write_content(files[i].path, files[i]))
       return cannot_write(files[i].path);
   }
   for (const Draft& draft : drafts.all()) {

@@ -1,6 +1,8 @@
 // Files are written whole or not at all.
 #pragma once
 
+#include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +11,9 @@ namespace pal {
 
 struct OutputFile {
   std::string path;
-  std::string content;
+  std::string content{};
+  /// Writes a content that is too long to be held; empty: `content` is it.
+  std::function<void(std::ostream&)> write{};
 };
 
 /// Writes every file, and makes missing folders. Each file is first written beside its place, under a name

@@ -243,6 +243,9 @@ void write_run(const RunCommand& command, const runtime::Skill& skill, const Ses
     if (!plots.problem.empty()) out << "  no plots, only their data: " << plots.problem << '\n';
   }
   write(files, out);
+  if (result.events)
+    out << fmt::format("  trace.chrome.json has the last {} of {} events; trace.json has all\n",
+                       result.outcome.trace.events.size(), result.events->size());
   if (session.video.empty()) return;
   if (!result.video_problem.empty())
     throw Failure(ExitStatus::usage, "--video", result.video_problem, "the run's other files are there");
@@ -276,12 +279,13 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                        *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
   std::vector<Promise> proved;
-  if (command.proof) proved = promises(known, command.skill_folders, outcome.trace);
+  if (command.proof) proved = promises(known, command.skill_folders, outcome.trace, result.events.get());
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 
   std::vector<sim::PlannedFault> to_come = result.faults_to_come;
-  const auto slow = slow_to_come(result.slow, outcome.trace);
+  const auto slow = slow_to_come(result.slow, outcome.trace,
+                                 result.events ? trace::events_of(*result.events) : trace::events_of(outcome.trace));
   to_come.insert(to_come.end(), slow.begin(), slow.end());
   const bool untried = tell_faults_to_come(
       command.faults, to_come,

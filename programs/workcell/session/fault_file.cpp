@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -51,17 +50,21 @@ bool tell_faults_to_come(const std::string& file, const std::vector<sim::Planned
 }
 
 std::vector<sim::PlannedFault> slow_to_come(const std::vector<runtime::SlowStatement>& slow,
-                                            const trace::Trace& trace) {
+                                            const trace::Trace& tables, const trace::EventSource& events) {
+  std::vector<bool> came(slow.size());
+  if (slow.empty()) return {};
+  events([&](const trace::Event& event) {
+    if (event.kind != trace::Kind::done || event.statement < 0) return;
+    const trace::Statement& statement = tables.statements[static_cast<std::size_t>(event.statement)];
+    for (std::size_t i = 0; i < slow.size(); ++i)
+      if (event.time_ns >= slow[i].from.count() && statement.module == slow[i].module &&
+          statement.line == slow[i].line)
+        came[i] = true;
+  });
   std::vector<sim::PlannedFault> result;
-  for (const runtime::SlowStatement& each : slow) {
-    const auto came = [&](const trace::Event& event) {
-      if (event.kind != trace::Kind::done || event.statement < 0 || event.time_ns < each.from.count()) return false;
-      const trace::Statement& statement = trace.statements[static_cast<std::size_t>(event.statement)];
-      return statement.module == each.module && statement.line == each.line;
-    };
-    if (std::none_of(trace.events.begin(), trace.events.end(), came))
-      result.push_back({.at = each.from, .device = fmt::format("{}:{}", each.module, each.line)});
-  }
+  for (std::size_t i = 0; i < slow.size(); ++i)
+    if (!came[i])
+      result.push_back({.at = slow[i].from, .device = fmt::format("{}:{}", slow[i].module, slow[i].line)});
   return result;
 }
 

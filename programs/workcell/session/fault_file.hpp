@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pal/runtime/outcome.hpp"
-#include "pal/trace/trace.hpp"
+#include "pal/trace/spool.hpp"
 #include "programs/workcell/session/failure.hpp"
 #include "sim/cell/fault_plan.hpp"
 
@@ -28,7 +28,7 @@ bool tell_faults_to_come(const std::string& file, const std::vector<sim::Planned
 
 /// Of the slow statements, those whose line was not executed from their time on.
 std::vector<sim::PlannedFault> slow_to_come(const std::vector<runtime::SlowStatement>& slow,
-                                            const trace::Trace& trace);
+                                            const trace::Trace& tables, const trace::EventSource& events);
 
 /// "report", "contingency" or "stop".
 runtime::OnBrokenPromise policy_named(const std::string& name);
