@@ -79,12 +79,11 @@ struct Workcell::Parts {
     if (keep_log) log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
     physics.place(motion.at(runtime::Time::zero()).position);
     if (const auto touching = any_contact_of_arm(physics))
-      throw SceneError(physics.loaded().start.place,
-                       "at its start " +
-                           contact_words(physics.model(), touching->first, "touches", touching->second) +
-                           of_line(std::max(line_of(physics, touching->first),
-                                            line_of(physics, touching->second))),
-                       "move the start away from it, or choose another configuration");
+      throw SceneError(
+          physics.loaded().start.place,
+          "at its start " + contact_words(physics.model(), touching->first, "touches", touching->second) +
+              of_line(std::max(line_of(physics, touching->first), line_of(physics, touching->second))),
+          "move the start away from it, or choose another configuration");
     refuse_overlap(physics, scene);
     try {
       for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());

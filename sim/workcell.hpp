@@ -74,8 +74,9 @@ class Workcell final : public runtime::World {
   void advance_to(runtime::Time when) override;
   runtime::Time now() const;
 
-  /// Gives the controller a relative motion to be made evenly within one period from `begin` on, after all those
-  /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
+  /// Gives the controller a relative motion to be made evenly within one period from `begin` on, after all
+  /// those given before. A motion that the arm cannot make is refused: the answer says why, and the arm
+  /// stops.
   std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
   /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.
   void stop();

@@ -8,7 +8,10 @@
 namespace pal::runtime {
 
 Recorder::Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity, trace::EventSpool* spool)
-    : mode_(mode), spool_(spool), capacity_(std::max<std::size_t>(capacity, 1)), trace_(trace_tables(wiring)) {
+    : mode_(mode),
+      spool_(spool),
+      capacity_(std::max<std::size_t>(capacity, 1)),
+      trace_(trace_tables(wiring)) {
   if (mode != TraceMode::none) trace_.events.reserve(capacity_);
 }
 

@@ -106,9 +106,10 @@ void MjcfKeeper::finish() const {
   for (const Use& use : uses_) {
     const auto& [kind, name] = use.part;
     if (!own_.contains(use.part)) continue;
-    throw SceneError(use.place, fmt::format("the scene changes the arm: <{}> acts on its {} '{}'", use.element,
-                                            kind, name),
-                     "let it name only what the scene itself adds");
+    throw SceneError(
+        use.place,
+        fmt::format("the scene changes the arm: <{}> acts on its {} '{}'", use.element, kind, name),
+        "let it name only what the scene itself adds");
   }
 }
 

@@ -1,4 +1,5 @@
-// The part of a scene in MJCF that is not the scene's to say: the machine and its physics. Private to pal_sim.
+// The part of a scene in MJCF that is not the scene's to say: the machine and its physics. Private to
+// pal_sim.
 #pragma once
 
 #include <tinyxml2.h>

@@ -336,8 +336,8 @@ class SceneReader {
     if (at[2] < floor_height - rounding)
       fail("the underside of the " + thing.kind + " is at z = " + shortest_text(at[2]) + ", below the floor",
            "write a z from " + shortest_text(floor_height) + " on, the floor's height", thing.line);
-    const bool over_table = scene_.table && std::abs(at[0] - middle[0]) < half[0] &&
-                            std::abs(at[1] - middle[1]) < half[1];
+    const bool over_table =
+        scene_.table && std::abs(at[0] - middle[0]) < half[0] && std::abs(at[1] - middle[1]) < half[1];
     if (over_table && at[2] < table_top - rounding && at[2] > table_top - table_thickness)
       fail("the underside of the " + thing.kind + " is at z = " + shortest_text(at[2]) + ", inside the table",
            "leave out z: the thing then stands on the table, whose top is at " + shortest_text(table_top),

@@ -33,8 +33,7 @@ Laser laser_of(const Stage& stage) {
   const Eigen::Vector3d origin = stage.tip();
   for (int i = 0; i < count; ++i) {
     const double angle = half_fan * (2.0 * i / (count - 1) - 1);
-    const Eigen::Vector3d ray =
-        stage.tip_turn() * Eigen::Vector3d(0, std::sin(angle), std::cos(angle));
+    const Eigen::Vector3d ray = stage.tip_turn() * Eigen::Vector3d(0, std::sin(angle), std::cos(angle));
     int hit = -1;
     const mjtNum distance =
         mj_ray(&stage.model(), &stage.data(), origin.data(), ray.data(), groups.data(), 1, -1, &hit);
@@ -51,8 +50,7 @@ std::vector<Mark> marks_of(const Laser& laser, const Stage& stage) {
   std::vector<Mark> marks;
   for (std::size_t i = 0; i < laser.points.size(); ++i) {
     const Eigen::Vector3d& place = laser.points[i].place;
-    if (i % beams == 0 || i + 1 == laser.points.size())
-      marks.push_back({stage.tip(), place, 0.0004, beam});
+    if (i % beams == 0 || i + 1 == laser.points.size()) marks.push_back({stage.tip(), place, 0.0004, beam});
     if (i > 0 && (place - laser.points[i - 1].place).norm() < one_surface)
       marks.push_back({laser.points[i - 1].place, place, 0.0012, line});
   }

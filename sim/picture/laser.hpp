@@ -12,7 +12,7 @@ namespace pal::sim {
 /// The points that the fan meets, without the errors and the time of a scan.
 struct Laser {
   struct Point {
-    double across = 0, away = 0;                        // in the fan's plane, mm
+    double across = 0, away = 0;                      // in the fan's plane, mm
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // in the world, m
   };
   std::vector<Point> points;  // those within 100 to 1000 mm, from one side of the fan to the other

@@ -40,9 +40,9 @@ void aim_lights(Stage& stage, const Focus& focus) {
 void add(mjvScene& scene, const Mark& mark) {
   if (scene.ngeom == scene.maxgeom) return;
   mjvGeom* const shape = scene.geoms + scene.ngeom++;
-  const std::array<float, 4> colour{static_cast<float>(mark.colour.red), static_cast<float>(mark.colour.green),
-                                    static_cast<float>(mark.colour.blue),
-                                    static_cast<float>(mark.colour.opacity)};
+  const std::array<float, 4> colour{
+      static_cast<float>(mark.colour.red), static_cast<float>(mark.colour.green),
+      static_cast<float>(mark.colour.blue), static_cast<float>(mark.colour.opacity)};
   const std::array<mjtNum, 3> size{mark.radius, mark.radius, mark.radius};
   const bool ball = mark.from == mark.to;
   mjv_initGeom(shape, ball ? mjGEOM_SPHERE : mjGEOM_CAPSULE, size.data(), mark.from.data(), nullptr,

@@ -55,8 +55,8 @@ struct Picture {
 
 /// Draws the workcell as it stands: the whole, and beside it a close-up of the contact, or of the place where
 /// the arm has hit something. Adds time, force and place of the tool, and the force over the run. Of a range
-/// finder there are its fan, its profile and the distance in place of the force. Takes 50 to 1000 ms, so not while a run is going on.
-/// The physics are not touched.
+/// finder there are its fan, its profile and the distance in place of the force. Takes 50 to 1000 ms, so not
+/// while a run is going on. The physics are not touched.
 Picture take_picture(Workcell& workcell, const PictureOptions& options = {});
 
 /// The image as the bytes of a PNG file. Throws std::runtime_error if libpng cannot.

@@ -40,8 +40,9 @@ void rule_lines(Canvas& canvas, const Axes& axes, double least, double greatest,
   for (const double part : {0.0, 0.5, 1.0}) {
     const double y = axes.low - part * (axes.low - axes.high);
     canvas.line({{axes.left, y}, {axes.right, y}}, rule, 1);
-    canvas.text(axes.left - 0.4 * size, y + 0.35 * size, fmt::format("{:g}", least + part * (greatest - least)),
-                size, faint, false, Canvas::Align::right);
+    canvas.text(axes.left - 0.4 * size, y + 0.35 * size,
+                fmt::format("{:g}", least + part * (greatest - least)), size, faint, false,
+                Canvas::Align::right);
   }
 }
 
@@ -73,8 +74,8 @@ void plot_profile(Canvas& canvas, const Box& box, const Laser& laser, double siz
     side = std::max(side, std::abs(point.across));
   }
   if (laser.points.empty()) {
-    canvas.text((axes.left + axes.right) / 2, (axes.high + axes.low) / 2, "nothing in reach", size, faint, false,
-                Canvas::Align::centre);
+    canvas.text((axes.left + axes.right) / 2, (axes.high + axes.low) / 2, "nothing in reach", size, faint,
+                false, Canvas::Align::centre);
     return;
   }
   const double step = round_up(std::max(greatest - least, 8.0) / 2);
@@ -136,9 +137,8 @@ Image Sheet::draw(const Snapshot& snapshot, double calm) {
 
   const Focus whole{stage_.base() + Eigen::Vector3d(0, 0, 0.1), 1.4};
   Canvas canvas(options_.width, options_.height);
-  canvas.place(painter_.paint(stage_, camera_->view(stage_, calm), whole, main_width_, options_.height,
-                              marks),
-               0, 0);
+  canvas.place(
+      painter_.paint(stage_, camera_->view(stage_, calm), whole, main_width_, options_.height, marks), 0, 0);
   const View near = hit ? contact_camera_->view_of_place(stage_, *hit) : contact_camera_->view(stage_, calm);
   canvas.place(painter_.paint(stage_, near, {hit.value_or(stage_.tip()), 0.25}, side_, side_, marks),
                main_width_, 0);
@@ -182,7 +182,8 @@ void Sheet::describe(Canvas& canvas, const Box& box, const Snapshot& snapshot) c
     const auto nearest = laser_.nearest();
     row("distance", nearest ? fmt::format("{:.1f} mm to the nearest point", *nearest) : "nothing in reach");
   } else if (stage_.tool() == ToolKind::gripper) {
-    row("grip", fmt::format("{:.1f} N    (fingers {:.1f} mm apart)", sample.grip_force, sample.gripper_width));
+    row("grip",
+        fmt::format("{:.1f} N    (fingers {:.1f} mm apart)", sample.grip_force, sample.gripper_width));
   } else {
     row("force", fmt::format("{:.1f} N    (peak {:.1f} N)", sample.contact_force, history_.peak()));
   }
@@ -197,9 +198,9 @@ void Sheet::describe(Canvas& canvas, const Box& box, const Snapshot& snapshot) c
     canvas.text(box.x + box.width / 2 + size, y, "distance, mm", 0.8 * size, faint);
     return plot_range(canvas, rest, now);
   }
-  const std::string what =
-      stage_.tool() == ToolKind::gripper ? "grip of each finger, N" : "contact force, N";
-  canvas.text(left, y, what + (options_.threshold ? "; red: " + options_.threshold_name : ""), 0.8 * size, faint);
+  const std::string what = stage_.tool() == ToolKind::gripper ? "grip of each finger, N" : "contact force, N";
+  canvas.text(left, y, what + (options_.threshold ? "; red: " + options_.threshold_name : ""), 0.8 * size,
+              faint);
   plot_history(canvas, rest, history_, now, options_.threshold, 0.75 * size);
 }
 

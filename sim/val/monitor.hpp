@@ -91,9 +91,9 @@ class Monitor {
   State state_ = State::idle;
   std::deque<std::string> waiting_;
   Instruction doing_;
-  std::string shown_;          // of the line that is carried out, before the prompt
-  std::string asked_about_;    // the location of a POINT
-  std::string edited_;         // the program of an EDIT
+  std::string shown_;        // of the line that is carried out, before the prompt
+  std::string asked_about_;  // the location of a POINT
+  std::string edited_;       // the program of an EDIT
   std::size_t edited_step_ = 0;
   std::string announcements_;  // not shown yet
   bool typing_ = false;

@@ -284,12 +284,14 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 
   std::vector<sim::PlannedFault> to_come = result.faults_to_come;
-  const auto slow = slow_to_come(result.slow, outcome.trace,
-                                 result.events ? trace::events_of(*result.events) : trace::events_of(outcome.trace));
+  const auto slow =
+      slow_to_come(result.slow, outcome.trace,
+                   result.events ? trace::events_of(*result.events) : trace::events_of(outcome.trace));
   to_come.insert(to_come.end(), slow.begin(), slow.end());
   const bool untried = tell_faults_to_come(
       command.faults, to_come,
-      fmt::format("the skill ended after {:.3f} ms", static_cast<double>(outcome.duration.count()) / 1e6), out);
+      fmt::format("the skill ended after {:.3f} ms", static_cast<double>(outcome.duration.count()) / 1e6),
+      out);
 
   const auto is_error = [&](const runtime::CompletionSpec& completion) {
     return completion.code == outcome.code && completion.kind == runtime::CompletionSpec::Kind::error;

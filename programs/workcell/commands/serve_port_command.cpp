@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <ostream>
 #include <memory>
+#include <ostream>
 #include <stdexcept>
 #include <vector>
 
@@ -56,15 +56,16 @@ std::unique_ptr<runtime::drivers::OutsideLink> open_link(const ServePortCommand&
   try {
     if (command.tcp >= 0) {
       const int port = command.tcp == 0 ? 0 : command.tcp + static_cast<int>(number);
-      if (port > 65535) throw std::runtime_error(fmt::format("there are {} lines, and {} is no port", number + 1, port));
+      if (port > 65535)
+        throw std::runtime_error(fmt::format("there are {} lines, and {} is no port", number + 1, port));
       return outside.listen_tcp(timeline, static_cast<std::uint16_t>(port));
     }
     if (!command.serial.empty() && number == 0)
       return outside.open_serial(timeline, command.serial, static_cast<unsigned>(speed.baud));
     return outside.open_pseudo_terminal(timeline);
   } catch (const std::exception& problem) {
-    throw Failure(ExitStatus::usage, fmt::format("serve-port {}", fmt::join(command.devices, " ")), problem.what(),
-                  "choose another port, or --pty");
+    throw Failure(ExitStatus::usage, fmt::format("serve-port {}", fmt::join(command.devices, " ")),
+                  problem.what(), "choose another port, or --pty");
   }
 }
 

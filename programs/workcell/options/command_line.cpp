@@ -60,7 +60,9 @@ void refuse_empty_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_positional() || option->get_items_expected_max() == 0) continue;
     option->check(CLI::Validator(
-        [](const std::string& text) { return text.empty() ? std::string("its value is empty") : std::string(); },
+        [](const std::string& text) {
+          return text.empty() ? std::string("its value is empty") : std::string();
+        },
         ""));
   }
   for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
@@ -103,9 +105,10 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->each([&command](const std::string&) { command.seed_given = true; })
       ->check(whole_number())
       ->capture_default_str();
-  auto* phase = app.add_option("--phase", command.phase,
-                               "time from ALTER's opening to its first request, ms; random if not given")
-                    ->check(number_within(0, std::chrono::duration<double, std::milli>(sim::alter_period).count()));
+  auto* phase =
+      app.add_option("--phase", command.phase,
+                     "time from ALTER's opening to its first request, ms; random if not given")
+          ->check(number_within(0, std::chrono::duration<double, std::milli>(sim::alter_period).count()));
   app.add_option("--time", command.times, "times within their intervals")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
@@ -182,7 +185,9 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
   where->require_option(0, 1);
   where->add_flag("--pty", command.pty,
                   "at a pseudo-terminal of its own, whose path is printed (the default)");
-  where->add_option("--tcp", command.tcp, "at this TCP port of this machine only, further lines at those after it; 0: any free ones")
+  where
+      ->add_option("--tcp", command.tcp,
+                   "at this TCP port of this machine only, further lines at those after it; 0: any free ones")
       ->check(CLI::Range(0, 65535));
   where->add_option("--serial", command.serial, "at a serial port, /dev/ttyUSB0 for example");
   app.add_option("--link", command.link,

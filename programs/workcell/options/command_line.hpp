@@ -131,8 +131,8 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
 /// "workcell run". Throws Failure.
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
 
-/// "workcell serve-port": emulated devices of one cell for any program, in real time, until `control` stops it. Throws
-/// Failure.
+/// "workcell serve-port": emulated devices of one cell for any program, in real time, until `control` stops
+/// it. Throws Failure.
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control, std::ostream& out);
 
 /// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is a

@@ -18,7 +18,8 @@ void Failure::print(std::ostream& out) const {
 
 void check_told(std::ostream& out) {
   if (out.flush()) return;
-  throw Failure(ExitStatus::usage, "standard output", "it cannot be written", "is it open, and is there space?");
+  throw Failure(ExitStatus::usage, "standard output", "it cannot be written",
+                "is it open, and is there space?");
 }
 
 }  // namespace pal::workcell

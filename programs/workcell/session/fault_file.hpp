@@ -21,8 +21,8 @@ std::vector<sim::PlannedFault> faults_of_lines(const std::string& file);
 /// For the user whose file names a device that the cell does not have.
 Failure no_such_device(const std::string& file, const sim::NoSuchDevice& problem);
 
-/// A line for each fault that never came, `ended` says why: "the skill ended after 912 ms". What was not tried
-/// is not shown to be harmless. Returns whether there was one.
+/// A line for each fault that never came, `ended` says why: "the skill ended after 912 ms". What was not
+/// tried is not shown to be harmless. Returns whether there was one.
 bool tell_faults_to_come(const std::string& file, const std::vector<sim::PlannedFault>& to_come,
                          const std::string& ended, std::ostream& out);
 

@@ -95,9 +95,8 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
                       verdict.exact,
                       {},
                       {}};
-      const auto longest = events == nullptr
-                               ? program::longest_in(run, proof, i)
-                               : program::longest_in(run, trace::events_of(*events), proof, i);
+      const auto longest = events == nullptr ? program::longest_in(run, proof, i)
+                                             : program::longest_in(run, trace::events_of(*events), proof, i);
       if (longest) promise.measured = Duration(longest->length_ns());
       promise.chart =
           program::overlay_chart(proof, i, events == nullptr ? run : around(run, *events, longest));

@@ -54,7 +54,7 @@ struct Session {
 
 struct SessionResult {
   runtime::Outcome outcome;
-  runtime::Time phase{};         // as given or drawn
+  runtime::Time phase{};  // as given or drawn
   /// From the skill's beginning, time 0, until the arm has come to rest. Of more than a minute those that
   /// keep every peak and every dip; all of them are in `samples`.
   std::vector<sim::Sample> log;

@@ -84,7 +84,7 @@ TEST_CASE("workcell list shows skills, parameters, completions and scenes") {
 
 TEST_CASE("workcell sets parameters that are texts") {
   CHECK(workcell({"list"}).out.find(
-            "--set location=…  where it is (up to 100 characters, default \"park\")") != std::string::npos);
+            "--set location=…  where it is (up to 24 characters, default \"park\")") != std::string::npos);
   const Folder folder;
   const Answer answer = workcell(
       {"run", "named-touch", "--set", "location=home = 1", "--no-picture", "--output", folder.path()});
@@ -235,7 +235,8 @@ TEST_CASE("a fault that never came is said, with status 1") {
   const Answer answer = workcell({"run", "touch", "--no-proof", "--fault", file});
   CAPTURE(answer.out, answer.error);
   CHECK(answer.status == ExitStatus::wrong_specification);
-  CHECK(answer.out.find("  " + file + ":2: the fault of force-torque at 60000 ms never came: the skill ended after ") !=
+  CHECK(answer.out.find("  " + file +
+                        ":2: the fault of force-torque at 60000 ms never came: the skill ended after ") !=
         std::string::npos);
   CHECK(answer.out.find(file + ":1:") == std::string::npos);
   std::ofstream(file) << "at 60 s SM1:7 takes 1 ms\n";

@@ -155,7 +155,8 @@ TEST_CASE("scene files: nothing is sunk into the floor or into the table") {
         "my.scene:2: the underside of the bar is at z = -671.9, below the floor");
   CHECK(second_line("block at 460 -200 -200") ==
         "my.scene:2: the underside of the block is at z = -200, inside the table");
-  CHECK_NOTHROW(parse_description("start 1 2 3\nblock at 460 -200 -671.8\nblock at 0 -200 -200\n", "my.scene"));
+  CHECK_NOTHROW(
+      parse_description("start 1 2 3\nblock at 460 -200 -671.8\nblock at 0 -200 -200\n", "my.scene"));
   CHECK_NOTHROW(parse_description("start 1 2 3\nno table\nblock at 460 -200 -200\n", "my.scene"));
 }
 

@@ -33,9 +33,9 @@ TEST_CASE("shown: the range finder's fan meets what its rays meet") {
 TEST_CASE("shown: a surface has a line along its seam, which neither rays nor the tool meet") {
   Workcell workcell(scene("seam"));
   const SceneGeometry geometry = scene_geometry(workcell);
-  const auto capsules = std::count_if(geometry.shapes.begin(), geometry.shapes.end(), [](const BodyShape& shape) {
-    return shape.kind == ShapeKind::capsule && shape.size[0] < 0.001F;
-  });
+  const auto capsules = std::count_if(
+      geometry.shapes.begin(), geometry.shapes.end(),
+      [](const BodyShape& shape) { return shape.kind == ShapeKind::capsule && shape.size[0] < 0.001F; });
   CHECK(capsules >= 50);
   const mjModel& model = workcell.physics().model();
   for (int geom = 0; geom < model.ngeom; ++geom) {

@@ -274,8 +274,7 @@ TEST_CASE("VAL: a program is typed, changed and run") {
   CHECK(bench.machine.store.programs.at("PROG1") ==
         std::vector<std::string>{"do nothing", "COUNT = COUNT + 1", "TYPE 5"});
   // The first step is deleted, the second stays, one is put before the third, which is replaced.
-  CHECK(bench.type("EDIT PROG1\r") ==
-        "EDIT PROG1\r\n .PROGRAM PROG1\r\n   1  do nothing\r\n   1? ");
+  CHECK(bench.type("EDIT PROG1\r") == "EDIT PROG1\r\n .PROGRAM PROG1\r\n   1  do nothing\r\n   1? ");
   CHECK(bench.type("D\r") == "D\r\n   1  COUNT = COUNT + 1\r\n   1? ");
   CHECK(bench.type("\r") == "\r\n   2  TYPE 5\r\n   2? ");
   CHECK(bench.type("I DELAY 0.01\r") == "I DELAY 0.01\r\n   3  TYPE 5\r\n   3? ");

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -75,5 +76,8 @@ using EventSource = std::function<void(const std::function<void(const Event&)>&)
 EventSource events_of(const Trace& trace);
 /// Those of a spool, which outlives the source.
 EventSource events_of(const EventSpool& spool);
+
+/// As write_json() of a trace, of a run whose events come from `events`; of `tables` only the tables count.
+void write_json(const Trace& tables, const EventSource& events, std::ostream& out);
 
 }  // namespace pal::trace

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -87,9 +86,6 @@ struct Trace {
 
 /// Writes the JSON form. The same trace gives the same bytes.
 void write_json(const Trace& trace, std::ostream& out);
-/// The same of a run whose events come from `events`; of `tables` only the tables count.
-void write_json(const Trace& tables, const std::function<void(const std::function<void(const Event&)>&)>& events,
-                std::ostream& out);
 
 /// Reads the JSON form. Throws std::runtime_error that says what is wrong and where.
 Trace read_json(std::istream& in);
