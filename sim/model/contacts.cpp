@@ -110,8 +110,9 @@ std::optional<Collision> overlapping_part(const Physics& physics) {
   for (int i = 0; i < physics.data().ncon; ++i) {
     const mjContact& contact = physics.data().contact[i];
     if (contact.dist > -touching) continue;
-    if (loose(physics, contact.geom1)) return Collision{contact.geom1, contact.geom2};
+    // Of two parts the one that stands later in the scene.
     if (loose(physics, contact.geom2)) return Collision{contact.geom2, contact.geom1};
+    if (loose(physics, contact.geom1)) return Collision{contact.geom1, contact.geom2};
   }
   return std::nullopt;
 }

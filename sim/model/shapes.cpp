@@ -145,7 +145,7 @@ class ShapeMaker {
     const auto points = seam_of(thing_, fine);
     for (std::size_t i = 1; i < points.size(); ++i)
       line += fmt::format(
-          "<geom type=\"capsule\" fromto=\"{} {}\" size=\"0.0007\" mass=\"0\" group=\"1\" "
+          "<geom type=\"capsule\" fromto=\"{} {}\" size=\"0.0007\" group=\"1\" "
           "material=\"graphite\" "
           "{}/>",
           position(points[i - 1][0], points[i - 1][1], points[i - 1][2]),
