@@ -1,6 +1,7 @@
 #include "analyzer/analysis.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/slice_bound.hpp"
@@ -9,9 +10,10 @@
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/runs/zone_walk.hpp"
 #include "analyzer/verdict/confront.hpp"
-#include "analyzer/verdict/explain.hpp"
 #include "analyzer/verdict/refuted.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "analyzer/verdict/story.hpp"
+#include "analyzer/verdict/taken_as_lost.hpp"
 #include "analyzer/verdict/unread.hpp"
 
 namespace pal::analyzer {
@@ -33,6 +35,10 @@ std::size_t glance(const Problem& problem) {
 
 /// So many classes show most loops in which no time passes.
 constexpr std::size_t first_look = 5'000;
+
+void tell(const Options& options, const Analysis& analysis) {
+  if (options.known) options.known(analysis);
+}
 
 /// What the compositional analysis adds to an exact verdict.
 void complete(Verdict& verdict, Verdict bound) {
@@ -98,7 +104,7 @@ void look_by_walks(const Problem& problem, const Requirement& requirement, const
   if (found) confront(problem, requirement, std::move(*found), verdict);
 }
 
-/// Looks for runs where a bound is not known to be attained.
+/// Looks for runs where nothing is decided, and where a bound is not known to be attained.
 void search(const Problem& problem, const Requirement& requirement, const Options& options,
             Verdict& verdict) {
   const bool open = verdict.state == State::undecided || (verdict.state == State::holds && !verdict.exact);
@@ -107,18 +113,16 @@ void search(const Problem& problem, const Requirement& requirement, const Option
   if (verdict.state == State::undecided) look_for_long_run(problem, requirement, options, verdict);
 }
 
-/// What is decided is only attacked by a few runs.
-void attack(const Problem& problem, const Requirement& requirement, const Options& options,
-            Verdict& verdict) {
-  if (verdict.state != State::holds || verdict.exact) return;
-  RunSearchOptions few;
-  few.runs = few.drawn;
-  look_for_run(problem, requirement, options, few, verdict);
-}
-
 void search_all(const Problem& problem, const Options& options, Analysis& analysis) {
   for (std::size_t r = 0; r < analysis.verdicts.size(); ++r)
     search(problem, problem.requirements[r], options, analysis.verdicts[r]);
+}
+
+void search_undecided(const Problem& problem, const Options& options, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    if (analysis.verdicts[r].state == State::undecided)
+      search(problem, problem.requirements[r], options, analysis.verdicts[r]);
+  }
 }
 
 /// So many classes of slices are explored, whatever the limit.
@@ -188,7 +192,6 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
     const Options here = share_of(options, part);
     const Requirement& requirement = problem.requirements[r];
     Verdict& verdict = analysis.verdicts[r];
-    attack(problem, requirement, here, verdict);
     if (verdict.state != State::undecided) continue;
     look_for_long_run(problem, requirement, share_of(here, 0.25), verdict);
     const bool more = verdict.gave_up && brief.max_states > glance(problem);
@@ -201,8 +204,7 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
       look_for_run(problem, requirement, share_of(here, 0.3), {}, verdict);
     if (verdict.state == State::undecided) look_by_walks(problem, requirement, share_of(here, 0.3), verdict);
     if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.6), verdict);
-    // Also of a bound that decides: the run that comes near it is shown.
-    if (verdict.state != State::undecided) search(problem, requirement, here, verdict);
+    tell(options, analysis);
   }
 }
 
@@ -240,23 +242,48 @@ bool settled_load(const Verdict& bound) {
   return bound.measure == Requirement::Measure::load && bound.state == State::holds;
 }
 
+/// So many classes are explored for all of the requirements together that hold by a bound. A verdict ends the
+/// search: in a small skill they show for nothing whether a run attains the bound, and whether there is
+/// anything to measure.
+constexpr std::size_t most_of_held = 80'000;
+
+/// Less than that shows nothing.
+constexpr std::size_t least_of_held = 500;
+
+/// The classes of each requirement that holds by a bound, if so many of them do; 0: it is not explored.
+std::size_t glance_at_held(const Problem& problem, std::size_t held) {
+  const std::size_t whole = glance(problem);
+  const std::size_t share = whole * (most_of_held / brief_exploration) / std::max<std::size_t>(held, 1);
+  return share < least_of_held ? 0 : std::min(whole, share);
+}
+
 /// What a moment's exploration shows of every requirement.
 Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
                      const std::vector<Verdict>& bounds) {
+  enum class Kind { open, held, settled_load };
+  const auto kind_of = [&bounds](std::size_t r) {
+    return settled_load(bounds[r])           ? Kind::settled_load
+           : bounds[r].state == State::holds ? Kind::held
+                                             : Kind::open;
+  };
   Analysis all;
-  all.verdicts.resize(bounds.size());
-  for (const bool load : {false, true}) {
-    Options how = options;
-    how.max_states = std::min(options.max_states, load ? most_of_load : glance(problem));
+  all.verdicts = bounds;
+  for (Verdict& verdict : all.verdicts) verdict.gave_up = true;
+  for (const Kind kind : {Kind::open, Kind::held, Kind::settled_load}) {
     Problem part = problem;
     part.requirements.clear();
     std::vector<std::size_t> which;
     for (std::size_t r = 0; r < bounds.size(); ++r) {
-      if (settled_load(bounds[r]) != load) continue;
+      if (kind_of(r) != kind) continue;
       which.push_back(r);
       part.requirements.push_back(problem.requirements[r]);
     }
-    if (which.empty()) continue;
+    const std::size_t classes = kind == Kind::open   ? glance(problem)
+                                : kind == Kind::held ? glance_at_held(problem, which.size())
+                                                     : most_of_load;
+    if (which.empty() || classes == 0) continue;
+    Options how = options;
+    how.max_states = std::min(options.max_states, classes);
     Analysis shown = provers.exact(part, how);
     all.statistics += shown.statistics;
     for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
@@ -281,15 +308,101 @@ void say_ends(const Problem& problem, const Options& options, Analysis& analysis
   }
 }
 
+template <class Key, class Value>
+bool same(const Table<Key, Value>& one, const Table<Key, Value>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end());
+}
+
+/// Whether two requirements measure the same, perhaps with other limits.
+bool measure_the_same(const Requirement& one, const Requirement& other) {
+  return one.measure == other.measure && one.condition == other.condition && one.samples == other.samples &&
+         one.events == other.events && one.device == other.device && same(one.at, other.at) &&
+         same(one.phase.after, other.phase.after) && same(one.phase.during, other.phase.during) &&
+         one.processors == other.processors && one.in == other.in && one.code == other.code &&
+         one.at_least == other.at_least;
+}
+
+/// What is proved of a requirement holds for those that measure the same.
+void share_bounds(const Problem& problem, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    Verdict& verdict = analysis.verdicts[r];
+    if (verdict.state != State::undecided) continue;
+    for (std::size_t s = 0; s < analysis.verdicts.size() && verdict.state == State::undecided; ++s) {
+      const Verdict& other = analysis.verdicts[s];
+      if (s == r || !other.bound || !measure_the_same(problem.requirements[r], problem.requirements[s]))
+        continue;
+      const bool kept = verdict.at_least ? *other.bound >= verdict.limit : *other.bound <= verdict.limit;
+      if (!kept) continue;
+      Verdict shared = other;
+      shared.requirement = verdict.requirement;
+      shared.limit = verdict.limit;
+      shared.where = verdict.where;
+      shared.state = State::holds;
+      shared.statistics = verdict.statistics;
+      verdict = std::move(shared);
+    }
+  }
+}
+
+/// In rows longer than this, losses are first counted in shorter ones.
+constexpr int short_row = 8;
+
+/// How many of `in` in a row are lost at most, where so many of each shorter row (by its length) are.
+int most_lost(int in, const std::vector<std::pair<int, int>>& shorter) {
+  std::vector<int> most(static_cast<std::size_t>(in) + 1);
+  for (int length = 1; length <= in; ++length) {
+    int& here = most[static_cast<std::size_t>(length)];
+    here = length;
+    for (const auto& [row, lost] : shorter)
+      here = std::min(here, row >= length ? lost : lost + most[static_cast<std::size_t>(length - row)]);
+  }
+  return most.back();
+}
+
+/// A long row of losses consists of short ones, which are explored much sooner. Nothing: that does not show
+/// that the requirement holds.
+std::optional<Verdict> by_shorter_rows(const Provers& provers, const Problem& problem,
+                                       const Requirement& requirement, const Options& options) {
+  if (requirement.measure != Requirement::Measure::loss || requirement.in <= short_row) return std::nullopt;
+  Problem part = problem;
+  part.requirements = {requirement};
+  Options brief = options;
+  brief.max_states = std::min(options.max_states, glance(problem));
+  std::vector<std::pair<int, int>> shorter;
+  for (int row = 1; row <= short_row; row *= 2) {
+    part.requirements.front().in = row;
+    Verdict verdict = provers.exact(part, brief).verdicts.front();
+    if (verdict.gave_up || !verdict.bound || verdict.state == State::never) return std::nullopt;
+    const auto lost = static_cast<int>(verdict.bound->count());
+    shorter.emplace_back(row, lost);
+    const int most = most_lost(requirement.in, shorter);
+    if (most > requirement.limit) continue;
+    verdict.state = State::holds;
+    verdict.limit = Duration(requirement.limit);
+    verdict.bound = Duration(most);
+    verdict.exact = false;
+    verdict.witness.reset();
+    verdict.reasons.clear();
+    verdict.explanation = "Of any " + std::to_string(row) + " in a row at most " + std::to_string(lost) +
+                          " are lost, so of any " + std::to_string(requirement.in) + " at most " +
+                          std::to_string(most) + ".";
+    return verdict;
+  }
+  return std::nullopt;
+}
+
 Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options,
                                bool thorough) {
   const Analysis proofs = provers.compositional(problem, share_of(options, 0.6));
+  tell(options, proofs);
   Analysis analysis = look_at_all(provers, problem, share_of(options, 0.2), proofs.verdicts);
   std::vector<Verdict> bounds = confronted(proofs.verdicts, analysis);
   withdraw_refuted(bounds);
   for (std::size_t r = 0; r < bounds.size(); ++r) complete(analysis.verdicts[r], bounds[r]);
   say_ends(problem, share_of(options, 0.2), analysis);
+  tell(options, analysis);
   settle(provers, problem, options, bounds, analysis);
+  share_bounds(problem, analysis);
   if (thorough) search_all(problem, options, analysis);
   const auto go_on = [&options] { return !(options.stop && options.stop()); };
   if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
@@ -299,6 +412,7 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   // The runs that were found since may contradict bounds, also those that are not used.
   withdraw_refuted(confronted(std::move(bounds), analysis), analysis.verdicts);
   analysis.statistics.seconds += proofs.statistics.seconds;
+  analysis.never_lost = proofs.never_lost;
   return analysis;
 }
 
@@ -322,8 +436,12 @@ Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoi
   const bool thorough = choice == AnalysisChoice::thorough;
   if (thorough || choice == AnalysisChoice::automatic)
     return analyze_automatically(provers, problem, options, thorough);
-  Analysis analysis = choice == AnalysisChoice::exact ? provers.exact(problem, options)
-                                                      : provers.compositional(problem, options);
+  if (choice == AnalysisChoice::compositional) {
+    Analysis bounds = provers.compositional(problem, options);
+    search_undecided(problem, options, bounds);
+    return bounds;
+  }
+  Analysis analysis = provers.exact(problem, options);
   search_all(problem, options, analysis);
   return analysis;
 }
@@ -343,7 +461,7 @@ void say_unread(const Problem& problem, Analysis& analysis) {
 
 /// Bounds on the time that passes say nothing where it stands still. What has grown by then, and has no end,
 /// is not measured either.
-void withhold(Analysis& analysis) {
+void withhold(Analysis& analysis, const std::string& why) {
   for (Verdict& verdict : analysis.verdicts) {
     const bool grows = verdict.witness && verdict.witness->grows && !verdict.witness->failed;
     if (verdict.state == State::fails && !grows) continue;
@@ -352,7 +470,41 @@ void withhold(Analysis& analysis) {
     verdict.bound.reset();
     verdict.addends.clear();
     verdict.exact = false;
-    verdict.explanation = "a loop goes round for ever at one instant, so nothing is claimed about times";
+    verdict.explanation = why;
+  }
+}
+
+/// Of which nothing is known yet.
+Analysis undecided(const Problem& problem, const std::string& why) {
+  Analysis analysis;
+  for (const Requirement& requirement : problem.requirements) {
+    Verdict& verdict = analysis.verdicts.emplace_back();
+    verdict.requirement = requirement.name;
+    verdict.measure = requirement.measure;
+    verdict.limit = Duration(requirement.limit);
+    verdict.at_least = requirement.at_least;
+    verdict.where = requirement.where;
+    verdict.gave_up = true;
+    verdict.explanation = why;
+  }
+  return analysis;
+}
+
+/// Without memory the exploration ends, as at its other limits, and what is known is kept.
+Analysis explored_if_there_is_memory(const Problem& problem, const Options& options) {
+  try {
+    return analyze_exactly(problem, options);
+  } catch (const std::bad_alloc&) {
+    return undecided(problem,
+                     "The exploration ended before all runs had been seen: there was no more memory.");
+  }
+}
+
+/// Puts verdicts that are known beside those of the other requirements.
+void join(const std::vector<std::optional<Verdict>>& known, Analysis& analysis) {
+  for (std::size_t r = 0; r < known.size(); ++r) {
+    if (known[r])
+      analysis.verdicts.insert(analysis.verdicts.begin() + static_cast<std::ptrdiff_t>(r), *known[r]);
   }
 }
 
@@ -360,22 +512,48 @@ void withhold(Analysis& analysis) {
 
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   const Provers provers{
-      [](const Problem& of, const Options& how) { return analyze_exactly(of, how); },
+      [](const Problem& of, const Options& how) { return explored_if_there_is_memory(of, how); },
       [](const Problem& of, const Options& how) { return compositional::analyze(of, how); }};
   return analyze_with(provers, problem, choice, options);
 }
 
 Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
                       const Options& options) {
+  tell(options, undecided(problem, "The proof ended before anything was known."));
+  Problem open = problem;
+  open.requirements.clear();
+  std::vector<std::optional<Verdict>> by_rows;
+  for (const Requirement& requirement : problem.requirements) {
+    by_rows.push_back(choice == AnalysisChoice::automatic
+                          ? by_shorter_rows(provers, problem, requirement, options)
+                          : std::nullopt);
+    if (!by_rows.back()) open.requirements.push_back(requirement);
+  }
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
   ZenoSearch look = find_zeno_run(problem, {std::min(options.max_states, first_look), options.stop});
-  Analysis analysis = analyze_as(provers, problem, choice, options);
+  Options how = options;
+  if (options.known) {
+    how.known = [&](const Analysis& known) {
+      Analysis all = known;
+      join(by_rows, all);
+      options.known(all);
+    };
+  }
+  Analysis analysis = analyze_as(provers, open, choice, how);
+  join(by_rows, analysis);
   say_unread(problem, analysis);
-  const bool goes_on = !look.found && !look.excluded && options.max_states > first_look;
+  const bool goes_on = !look.found && !look.excluded && !look.suspected && options.max_states > first_look;
   if (goes_on) look = find_zeno_run(problem, {options.max_states, options.stop});
   analysis.zeno_run = std::move(look.found);
-  if (analysis.zeno_run) withhold(analysis);
+  if (analysis.zeno_run)
+    withhold(analysis, "a loop goes round for ever at one instant, so nothing is claimed about times");
+  if (look.suspected)
+    withhold(
+        analysis,
+        "a loop may go round for ever at one instant: no run shows that, and it could not be excluded, so "
+        "nothing is claimed about times");
   withdraw_refuted(analysis.verdicts);
+  set_taken_as_lost(problem, lost_events(problem, analysis.never_lost, options.stop), analysis.verdicts);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
   return analysis;
 }

@@ -1,3 +1,4 @@
+// A plan as text, for golden tests.
 #include <ostream>
 
 #include "codegen/plan.hpp"

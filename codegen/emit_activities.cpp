@@ -1,3 +1,4 @@
+// The header in which an activity finds its arguments, and its body by hand is declared.
 #include "codegen/emit.hpp"
 
 namespace pal::codegen {

@@ -1,3 +1,4 @@
+// The messages of a skill as C++ structures.
 #include <algorithm>
 
 #include "codegen/emit.hpp"

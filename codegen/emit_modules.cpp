@@ -1,3 +1,4 @@
+// The modules of a skill as coroutines.
 #include <algorithm>
 
 #include "codegen/emit.hpp"

@@ -1,3 +1,4 @@
+// The parameters of a skill with their ranges and units.
 #include <algorithm>
 
 #include "codegen/emit.hpp"

@@ -1,3 +1,4 @@
+// The class of the skill, which a dispatcher runs.
 #include <algorithm>
 
 #include "codegen/emit.hpp"

@@ -1,3 +1,4 @@
+// The tables of channels, conditions, devices and requirements that the runtime reads.
 #include <algorithm>
 
 #include "codegen/emit.hpp"

@@ -1,6 +1,6 @@
 // The sentences of PAL. docs/reference/language.md explains them; tests/golden has one of each.
 //
-// Every rule that the error strategy recovers in is named in pal/syntax/recovery.cpp.
+// Every rule with an END of its own is named in pal/syntax/first_mistake.cpp.
 parser grammar PalParser;
 
 options { tokenVocab = PalLexer; }

@@ -1,3 +1,4 @@
+// Tests and waits: does the cell have the sensor that they read?
 #include <fmt/format.h>
 
 #include "operations/check.hpp"

@@ -1,3 +1,4 @@
+// The drawing of an operation: icons without a way in or out, loops, ends that are not reached.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

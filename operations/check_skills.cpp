@@ -1,3 +1,4 @@
+// Each icon against the template of its skill: parameters, ranges, codes, locations.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,4 +1,5 @@
-// Passes the token through an operation, skill by skill.
+// Passes the token through an operation, skill by skill: where it goes next, and where it goes on after a
+// pause, a stop or a step.
 #pragma once
 
 #include <atomic>

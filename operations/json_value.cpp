@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/merge_conflict.hpp"
 
 namespace pal::operations {
 namespace {
@@ -178,6 +179,7 @@ std::optional<JsonValue> parse_json(const SourceManager& sources, FileId file, D
   if (nlohmann::json::sax_parse(Counting(begin, begin, &at), Counting(begin, begin + text.size(), nullptr),
                                 &builder))
     return builder.take();
+  if (report_merge_conflict(text, file, diagnostics)) return std::nullopt;
   diagnostics.report(Code::PAL1001, builder.error_place(), "this is not JSON: " + cause(builder.error()),
                      "correct what stands here or just before");
   return std::nullopt;

@@ -24,7 +24,8 @@ std::optional<Program> load(const FileSystem& files, SourceManager& sources, con
     const Wanted next = wanted[i];
     auto content = files.read(next.path);
     if (const auto* error = std::get_if<FileError>(&content)) {
-      diagnostics.report(Code::PAL0111, next.where, "cannot read '" + next.path + "': " + error->reason,
+      const SourceSpan where = next.where.valid() ? next.where : SourceSpan{sources.add(next.path, {}), 0, 0};
+      diagnostics.report(Code::PAL0111, where, "cannot read '" + next.path + "': " + error->reason,
                          "check the name and whether the file may be read");
       continue;
     }

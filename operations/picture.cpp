@@ -1,3 +1,4 @@
+// An operation drawn as SVG by Graphviz.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,5 +1,5 @@
 // Where clients ask and the cell works: one skill or operation at a time, for the client that has the
-// controls.
+// controls. Whether a command is allowed is decided here; where an operation goes on, by its executor.
 #pragma once
 
 #include <chrono>

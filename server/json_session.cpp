@@ -1,3 +1,4 @@
+// The dialogue with a client by JSON-RPC.
 #include <fmt/format.h>
 
 #include <optional>

@@ -1,3 +1,4 @@
+// A client that speaks lines, at a socket.
 #include <array>
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>

@@ -1,3 +1,4 @@
+// The dialogue with a client by lines (thesis, appendix A).
 #include <fmt/format.h>
 
 #include <algorithm>

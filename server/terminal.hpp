@@ -1,4 +1,4 @@
-// Terminals as the lines of the thesis come by them.
+// The pseudo-terminal or serial port by which `workcell serve` takes the lines of the thesis.
 #pragma once
 
 #include <string>

@@ -1,3 +1,4 @@
+// A client at a WebSocket.
 #include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>

@@ -167,8 +167,15 @@ struct Workcell::Parts {
     return ArmFault{ArmFault::Kind::following_error,
                     "the tool is " + millimetres(error) +
                         " from where it was told to be; the joint farthest off is joint " +
-                        std::to_string(joint + 1),
+                        std::to_string(joint + 1) + pressed_on(),
                     now};
+  }
+
+  // What is in the arm's way, if it was made to touch: "; the gripper's left finger presses on part 2".
+  std::string pressed_on() const {
+    const auto pressed = hardest_contact(physics);
+    return pressed ? "; " + contact_words(physics.model(), pressed->first, "presses on", pressed->second)
+                   : "";
   }
 
   // The set-point is where the encoders show the arm to be: nothing but gears, brakes and friction holds it.
@@ -301,6 +308,15 @@ Pose Workcell::set_point() const {
 
 Wrench Workcell::wrench() const {
   return parts_->wrench();
+}
+
+Wrench Workcell::tool_weight() const {
+  const Physics& physics = parts_->physics;
+  const Pose tip = tool_pose(encoder_joints(), parts_->tool);
+  const Eigen::Vector3d down = tip.linear().transpose() * -Eigen::Vector3d::UnitZ();
+  const ToolMass mass = physics.tool_mass();
+  const Eigen::Vector3d force = mass.weight * (mass.turn * down);
+  return {force, mass.centre.cross(force)};
 }
 
 MotionController& Workcell::motion() {

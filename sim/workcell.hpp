@@ -102,6 +102,8 @@ class Workcell final : public runtime::World {
   /// What the environment does to the tool, and the tool's weight: pressing gives a negative force along z.
   /// As of the last step.
   Wrench wrench() const;
+  /// What the tool's weight alone puts on that sensor where the encoders show the arm to be.
+  Wrench tool_weight() const;
   const std::vector<Sample>& log() const;
   /// Calls `listener` with each sample as it comes, as long as the answer lives.
   [[nodiscard]] std::shared_ptr<void> on_sample(std::function<void(const Sample&)> listener);

@@ -1,3 +1,4 @@
+// A trace read from JSON.
 #include <istream>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-// The form: "Trace Event Format" (Google, 2016). One process a processor, one more for the devices. Slices
-// are complete events ("X"), messages are flows between them, conditions are counters ("C"), and the rest are
-// instants ("i").
+// A trace written for trace viewers of browsers, as "Trace Event Format" (Google, 2016). One
+// process a processor, one more for the devices. Slices are complete events ("X"), messages are flows between
+// them, conditions are counters ("C"), and the rest are instants ("i").
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>

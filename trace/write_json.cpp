@@ -1,3 +1,4 @@
+// A trace written as JSON.
 #include <nlohmann/json.hpp>
 #include <ostream>
 

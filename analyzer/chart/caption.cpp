@@ -1,3 +1,4 @@
+// The caption of a chart: what is shown, and with which figures.
 #include "analyzer/chart/chart.hpp"
 #include "analyzer/chart/legend.hpp"
 #include "analyzer/chart/panel.hpp"

@@ -1,3 +1,4 @@
+// Dimension lines: an interval with its length, above or below what it measures.
 #include <algorithm>
 
 #include "analyzer/chart/chart.hpp"

@@ -1,3 +1,4 @@
+// A timeline as text, for golden tests.
 #include <limits>
 
 #include "analyzer/chart/timeline.hpp"

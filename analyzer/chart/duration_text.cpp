@@ -1,3 +1,4 @@
+// Times as people read them in a chart.
 #include "analyzer/chart/chart.hpp"
 
 namespace pal::analyzer::chart {

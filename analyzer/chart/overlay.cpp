@@ -1,3 +1,4 @@
+// A measured run laid over the proved one.
 #include <algorithm>
 #include <numeric>
 

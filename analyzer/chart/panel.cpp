@@ -121,7 +121,7 @@ void Panel::draw_names() {
     const Length processor_room = name_x - 130 - group_x;
     const bool whole = text_width(lane.processor, 110, true) <= processor_room;
     out_.text({name_x - 130, (top + bottom) / 2 + 38}, Anchor::end, whole ? "processor" : "processor long",
-              fitted(lane.processor, whole ? 110 : 90, processor_room), "processor " + lane.processor);
+              fitted(lane.processor, whole ? 110 : 90, processor_room, true), "processor " + lane.processor);
   }
   const std::vector<Waveform>& waves = layers_.front().timeline->waveforms;
   for (std::size_t i = 0; i < waves.size(); ++i) {

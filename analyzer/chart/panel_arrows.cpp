@@ -1,3 +1,4 @@
+// The arrows of messages between lanes.
 #include <algorithm>
 #include <cstdlib>
 

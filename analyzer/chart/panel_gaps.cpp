@@ -1,3 +1,4 @@
+// Pieces of time in which nothing of interest happens: left out, and marked.
 #include <algorithm>
 
 #include "analyzer/chart/chart.hpp"

@@ -1,3 +1,4 @@
+// The lanes of a chart: bars of threads, processors and devices.
 #include <algorithm>
 
 #include "analyzer/chart/chart.hpp"

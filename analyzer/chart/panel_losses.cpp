@@ -1,3 +1,4 @@
+// The marks of lost messages.
 #include <algorithm>
 
 #include "analyzer/chart/chart.hpp"

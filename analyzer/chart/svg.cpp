@@ -1,3 +1,4 @@
+// A timeline as SVG: its parts, put together.
 #include <numeric>
 
 #include "analyzer/chart/chart.hpp"

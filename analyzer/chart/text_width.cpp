@@ -36,15 +36,16 @@ Length text_width(std::string_view text, Length font_size, bool bold) {
   return (thousandths * font_size + 999) / 1000;
 }
 
-std::string fitted(std::string_view text, Length font_size, Length width) {
-  if (text_width(text, font_size) <= width) return std::string(text);
+std::string fitted(std::string_view text, Length font_size, Length width, bool bold) {
+  if (text_width(text, font_size, bold) <= width) return std::string(text);
   const std::string ellipsis = "\u2026";
-  const Length room = width - text_width(ellipsis, font_size);
+  const Length room = width - text_width(ellipsis, font_size, bold);
   std::size_t end = 0;
   Length thousandths = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     thousandths += advance(text[i]);
-    if (thousandths * font_size > room * 1000) break;
+    const Length so_far = bold ? thousandths + thousandths / 6 : thousandths;
+    if (so_far * font_size > room * 1000) break;
     if (i + 1 == text.size() || !continues(text[i + 1])) end = i + 1;
   }
   return end < 3 ? std::string() : std::string(text.substr(0, end)) + ellipsis;
@@ -59,7 +60,7 @@ std::vector<std::string> wrapped(std::string_view text, Length font_size, Length
     if (!lines.empty() && text_width(lines.back() + " " + word, font_size, bold) <= width) {
       lines.back() += " " + word;
     } else {
-      lines.push_back(fitted(word, font_size, width));
+      lines.push_back(fitted(word, font_size, width, bold));
     }
   }
   return lines;

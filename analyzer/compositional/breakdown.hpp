@@ -1,4 +1,4 @@
-// The breakdown of a bound into its addends.
+// The parts of a bound without a run, for `pal check --explain`.
 #pragma once
 
 #include "analyzer/compositional/measures/measures.hpp"

@@ -53,6 +53,19 @@ void judge(const Bound& bound, const Requirement& requirement, Verdict& verdict)
     verdict.explanation += " It covers the whole run, also what is not " + requirement.phase.text + ".";
 }
 
+Table<DeviceId, bool> never_lost(const View& view) {
+  Table<DeviceId, bool> kept(view.problem.devices.size());
+  for (const DeviceId d : kept.ids()) {
+    const Device& device = view.problem.devices[d];
+    if (!std::holds_alternative<pan::EventDevice>(device.behaviour) || !device.event.valid()) continue;
+    Requirement none;
+    none.measure = Measure::loss;
+    none.device = d;
+    kept[d] = event_loss_bound(view, none).known();
+  }
+  return kept;
+}
+
 /// Every step whose time some requirement may ask for.
 Table<StepId, bool> asked_for(const Problem& problem) {
   Table<StepId, bool> at(problem.steps.size());
@@ -91,6 +104,7 @@ Analysis analyze(const Problem& skill, const Options& options) {
       const Endurance endurance = endurance_of(problem, forest, behaviours, times);
       const Endurance::Threads& always = endurance.always;
       const View view{problem, forest, behaviours, times, always.reliable, always.lively, always.begun};
+      analysis.never_lost = never_lost(view);
       for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);

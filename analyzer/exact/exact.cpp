@@ -6,7 +6,7 @@
 #include "analyzer/exact/growth.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/load/load_account.hpp"
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "analyzer/verdict/story.hpp"
 
 namespace pal::analyzer {

@@ -10,6 +10,8 @@
 
 namespace pal::analyzer {
 
+struct Analysis;
+
 struct Options {
   /// Classes (age, response) or states (load) that one requirement may take; beyond that it is undecided.
   std::size_t max_states = 1'000'000;
@@ -24,6 +26,8 @@ struct Options {
   /// left until `deadline`.
   std::function<double()> clock;
   std::optional<double> deadline = {};  // by the clock: from then on `stop` says true
+  /// Called now and then by what chooses between analyses, with what is known of all requirements by now.
+  std::function<void(const Analysis&)> known = {};
   /// For the statistics: the most memory that the program took since it was last asked, in bytes.
   std::function<std::size_t()> peak_memory;
 };
@@ -38,6 +42,8 @@ struct Analysis {
   std::vector<Verdict> verdicts;  // in the order of Problem::requirements
   Statistics statistics;          // sums; the greatest peak
   std::optional<ZenoRun> zeno_run = {};
+  /// Devices that were proved to lose no event, by the compositional analysis; empty: it proved none.
+  Table<DeviceId, bool> never_lost = {};
 };
 
 /// Whether every run ends. Then a load, which is that of the long run, has no meaning. False also where

@@ -9,8 +9,11 @@
 namespace pal::analyzer {
 
 struct ZenoSearch {
-  /// A reachable cycle on which no time can pass.
+  /// A cycle on which no time passes. The concrete machine went round it: after a round everything is as it
+  /// was before.
   std::optional<ZenoRun> found = {};
+  /// There are such cycles of classes, but no run that goes round one of them is known.
+  bool suspected = false;
   /// Whether none exists, if none was found; otherwise a search with wider limits may find one.
   bool excluded = false;
 };

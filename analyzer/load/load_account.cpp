@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "pal/trace/slices.hpp"
 
 namespace pal::analyzer {

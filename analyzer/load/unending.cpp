@@ -83,7 +83,7 @@ class Follower {
       Nanoseconds least = Range::unbounded;
       for (std::size_t t = 0; t < concrete_run_.timers().size(); ++t) {
         const ConcreteRun::Timer& timer = concrete_run_.timers()[t];
-        if (!timer.active || timer.frozen) continue;
+        if (!timer.active || timer.frozen || timer.duration >= Range::unbounded) continue;
         const bool ours = slice_.timers[t];
         if (ours && static_cast<int>(t) != edge.timer) continue;
         const Nanoseconds left =
@@ -106,9 +106,13 @@ class Follower {
     std::vector<Nanoseconds> left;
     for (std::size_t t = 0; t < concrete_run_.timers().size(); ++t) {
       const ConcreteRun::Timer& timer = concrete_run_.timers()[t];
-      left.push_back(timer.active
-                         ? timer.duration - concrete_run_.worked(static_cast<int>(t), concrete_run_.now())
-                         : -1);
+      if (!timer.active) {
+        left.push_back(-1);
+      } else if (timer.duration >= Range::unbounded) {
+        left.push_back(Range::unbounded);
+      } else {
+        left.push_back(timer.duration - concrete_run_.worked(static_cast<int>(t), concrete_run_.now()));
+      }
     }
     return {concrete_run_.state(), std::move(left)};
   }
@@ -116,9 +120,10 @@ class Follower {
   const std::vector<ScriptedFiring>& script() const { return script_; }
 
  private:
+  /// What may wait as long as it likes does not come.
   void last(ConcreteRun::Timer& timer, Nanoseconds worked) const {
-    timer.duration = worst_ && timer.range.worst < Range::unbounded ? timer.range.worst
-                                                                    : std::max(timer.range.best, worked);
+    timer.duration = worst_ || timer.range.worst >= Range::unbounded ? timer.range.worst
+                                                                     : std::max(timer.range.best, worked);
   }
 
   /// Fires with choices that keep the run inside, and, if it is the slice's turn, take it to `target`.

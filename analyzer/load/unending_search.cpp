@@ -77,22 +77,44 @@ class Wanderer {
     return true;
   }
 
-  /// False: it cannot go on.
+  /// False: it cannot go on. What may wait as long as it likes, and would lead outside, does not come.
   bool go_on() {
+    for (;;) {
+      const std::vector<int> first = next();
+      if (first.empty()) return false;
+      if (std::any_of(first.begin(), first.end(), [&](int timer) { return fire(timer, due(timer)); }))
+        return true;
+      bool put_off = false;
+      for (const int t : first) {
+        ConcreteRun::Timer& timer = concrete_run_->timers()[static_cast<std::size_t>(t)];
+        if (timer.range.worst < Range::unbounded) continue;
+        timer.duration = Range::unbounded;
+        put_off = true;
+      }
+      if (!put_off) return false;
+    }
+  }
+
+  Nanoseconds left(int index) const {
+    return concrete_run_->timers()[static_cast<std::size_t>(index)].duration -
+           concrete_run_->worked(index, concrete_run_->now());
+  }
+  Nanoseconds due(int index) const { return concrete_run_->now() + left(index); }
+
+  /// The timers that may fire first, in any order; empty: none ever does.
+  std::vector<int> next() {
     std::vector<int> first;
     Nanoseconds least = Range::unbounded;
     for (std::size_t t = 0; t < concrete_run_->timers().size(); ++t) {
       const ConcreteRun::Timer& timer = concrete_run_->timers()[t];
-      if (!timer.active || timer.frozen) continue;
-      const Nanoseconds left =
-          timer.duration - concrete_run_->worked(static_cast<int>(t), concrete_run_->now());
-      if (left < least) first.clear();
-      if (left <= least) first.push_back(static_cast<int>(t));
-      least = std::min(least, left);
+      if (!timer.active || timer.frozen || timer.duration >= Range::unbounded) continue;
+      const Nanoseconds its = left(static_cast<int>(t));
+      if (its < least) first.clear();
+      if (its <= least) first.push_back(static_cast<int>(t));
+      least = std::min(least, its);
     }
     std::shuffle(first.begin(), first.end(), engine_);
-    return std::any_of(first.begin(), first.end(),
-                       [&](int timer) { return fire(timer, concrete_run_->now() + least); });
+    return first;
   }
 
   bool fire(int timer, Nanoseconds at) {

@@ -72,12 +72,9 @@ std::optional<Problem> ProblemBuilder::build() {
 
 Range ProblemBuilder::activity(const Activity& activity) {
   const std::string& module = network_.modules[activity.module.index()].name;
-  const ActivityTime* found = nullptr;
-  for (const ActivityTime& time : environment_.activities) {
-    if (time.activity != activity.name || !(time.module.empty() || time.module == module)) continue;
-    if (found == nullptr || found->module.empty()) found = &time;
-  }
-  if (found != nullptr) return {found->time.best.count(), found->time.worst.count()};
+  auto found = times_.find({activity.name, module});
+  if (found == times_.end()) found = times_.find({activity.name, ""});
+  if (found != times_.end()) return {found->second->time.best.count(), found->second->time.worst.count()};
   if (untimed_.insert(activity.name + " OF " + module).second) {
     auto& finding =
         diagnostics_.report(Code::PAL0725, environment_.where,
@@ -171,11 +168,10 @@ void ProblemBuilder::known_names() {
                           "the place of " + placement.thread + " is given twice", "remove one of them");
     }
     if (executed_.contains(placement.thread)) {
-      diagnostics_
-          .report(Code::PAL0723, placement.where,
-                  placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
-                  "leave the placement out")
-          .fix = {{placement.where, ""}};
+      // No edit: for another skill in this environment it may be one.
+      diagnostics_.report(Code::PAL0723, placement.where,
+                          placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
+                          "leave the placement out");
     } else if (modules.contains(module_of_thread(placement.thread)) && !threads.contains(placement.thread)) {
       diagnostics_.report(
           Code::PAL0723, placement.where,

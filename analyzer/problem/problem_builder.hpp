@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "analyzer/problem/compile.hpp"
 
@@ -18,7 +20,12 @@ class ProblemBuilder final : public TimesAndPlaces {
  public:
   ProblemBuilder(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics,
                  const SourceManager* sources)
-      : network_(network), environment_(environment), diagnostics_(diagnostics), sources_(sources) {}
+      : network_(network), environment_(environment), diagnostics_(diagnostics), sources_(sources) {
+    for (const pan::ActivityTime& time : environment_.activities) {
+      if (time.module.empty()) times_[{time.activity, time.module}] = &time;
+      times_.emplace(std::pair(time.activity, time.module), &time);
+    }
+  }
 
   std::optional<Problem> build();
 
@@ -82,6 +89,9 @@ class ProblemBuilder final : public TimesAndPlaces {
   Problem problem_;
   std::map<std::string, ProcessorId> processor_;
   std::set<std::string> executed_;
+  std::map<std::pair<std::string, std::string>, const pan::ActivityTime*> times_;  // by activity and module
+  std::map<std::pair<pan::ModuleId, pan::NodeId>, std::vector<StepId>>
+      steps_of_;  // by statement, if asked for
   std::set<std::string> untimed_;
 };
 

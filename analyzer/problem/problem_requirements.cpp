@@ -11,14 +11,19 @@ using namespace pan;
 Table<StepId, bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
                                              const pan::Requirement& requirement) {
   Table<StepId, bool> steps(problem_.steps.size());
-  bool any = false;
-  for (const StatementRef& ref : at) {
+  if (steps_of_.empty()) {
     for (const StepId s : problem_.steps.ids()) {
       const StatementId statement = problem_.steps[s].statement;
       if (!statement.valid()) continue;
       const Statement& known = problem_.statements[statement];
-      if (known.source_module == ref.module && known.source_node == ref.node) steps[s] = any = true;
+      steps_of_[{known.source_module, known.source_node}].push_back(s);
     }
+  }
+  bool any = false;
+  for (const StatementRef& ref : at) {
+    const auto found = steps_of_.find({ref.module, ref.node});
+    if (found == steps_of_.end()) continue;
+    for (const StepId s : found->second) steps[s] = any = true;
   }
   if (!any) {
     diagnostics_.report(

@@ -96,7 +96,7 @@ FiledWitness from_json(const Json& json) {
 
 std::string filed_text(const FiledWitness& witness) {
   std::string text;
-  for (const char letter : to_json(witness).dump(1)) {
+  for (const char letter : to_json(witness).dump(1, ' ', false, Json::error_handler_t::replace)) {
     text += letter;
     if (letter == '\n') text += "  ";  // it stands in a list in an object
   }

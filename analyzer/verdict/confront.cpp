@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "analyzer/verdict/story.hpp"
 
 namespace pal::analyzer {

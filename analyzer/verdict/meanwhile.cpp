@@ -1,3 +1,4 @@
+// What another thread did while one waited for it.
 #include "analyzer/verdict/narrator.hpp"
 
 #include <algorithm>

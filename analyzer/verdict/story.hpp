@@ -1,4 +1,5 @@
-// What the time of a measurement was spent on, read off the run that shows it.
+// The parts of a bound (`pal check --explain`, the notes of PAL0890), read off the run that shows it: what
+// the time was spent on.
 #pragma once
 
 #include <vector>

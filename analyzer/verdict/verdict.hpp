@@ -53,6 +53,13 @@ struct Statistics {
   Statistics& operator+=(const Statistics& other);
 };
 
+/// Events of a device that no thread takes in some run: so many of `in` in a row.
+struct LostEvents {
+  DeviceId device{};
+  int lost = 0;
+  int in = 1;
+};
+
 struct Verdict {
   using State = VerdictState;
   std::string requirement;
@@ -79,6 +86,9 @@ struct Verdict {
   /// They add up to the bound, to the nanosecond. Empty if there is no bound, or if it is a number (of
   /// losses). Also empty if the bound was found by looking at all runs and none is known to attain it.
   std::vector<Addend> addends;
+  /// Of a verdict that holds: events that get lost in some runs, and so delay nobody. Where they are kept, the
+  /// bound may be greater.
+  std::vector<LostEvents> taken_as_lost = {};
   SourceSpan where;
   Statistics statistics;
 };

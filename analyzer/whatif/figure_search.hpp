@@ -1,4 +1,5 @@
-// The search for the slack of one figure, or of several that grow in proportion.
+// The search for the slack of one figure, or of several that grow in proportion: by bounds alone, then by a
+// bracket for requirements and one for loads.
 #pragma once
 
 #include <optional>

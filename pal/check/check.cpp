@@ -129,9 +129,15 @@ class Checker {
   void check_unused(std::size_t index) {
     if (used_.contains(index)) return;
     const auto scope = check::scope_of(trees_, index, diagnostics_);
+    // What a file uses that a skill uses too, as an environment does, is not unused for that.
+    const auto& all = scope.modules.all();
+    const auto left = std::find_if(all.begin(), all.end(), [this](const auto* module) {
+      return std::none_of(used_.begin(), used_.end(),
+                          [&](std::size_t used) { return trees_[used].file == module->name.where.file; });
+    });
     used_.insert(scope.trees.begin(), scope.trees.end());
-    if (scope.modules.all().empty() || !complete(scope)) return;
-    const auto& first = *scope.modules.all().front();
+    if (left == all.end() || !complete(scope)) return;
+    const auto& first = **left;
     diagnostics_.report(
         Code::PAL0209, first.name.where,
         "no skill uses this module, so the names that it does not declare are trusted",

@@ -47,8 +47,11 @@ class SourceReader {
     auto& entry = opened_[identity];
     auto read = files_.read(path);
     if (const auto* error = std::get_if<FileError>(&read)) {
-      diagnostics_.report(Code::PAL0111, named_at, "cannot read " + shown(path) + ": " + error->reason,
-                          named_at.valid() ? "a file is looked for beside the one that names it" : "");
+      const bool by_uses = named_at.valid();
+      diagnostics_.report(Code::PAL0111, by_uses ? named_at : SourceSpan{sources_.add(path, {}), 0, 0},
+                          "cannot read " + shown(path) + ": " + error->reason,
+                          by_uses ? "a file is looked for beside the one that names it"
+                                  : "name a file that is there and may be read");
       return std::nullopt;
     }
     const auto file = sources_.add(path, std::get<std::string>(std::move(read)));

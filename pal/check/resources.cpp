@@ -194,8 +194,9 @@ std::string kind_text(Resource::Kind kind) {
 
 void check_listed(const pan::Network& network, const pan::Environment& environment,
                   Diagnostics& diagnostics) {
-  auto missing = missing_resources(needed_resources(network), environment);
-  std::erase_if(missing, [](const Resource& resource) { return resource.kind != Resource::Kind::listed; });
+  auto needed = needed_resources(network);
+  std::erase_if(needed, [](const Resource& resource) { return resource.kind != Resource::Kind::listed; });
+  const auto missing = missing_resources(needed, environment);
   if (missing.empty()) return;
   auto& finding =
       diagnostics.report(Code::PAL0740, environment.where,

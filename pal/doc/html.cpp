@@ -1,3 +1,4 @@
+// A document as HTML.
 #include <algorithm>
 #include <string_view>
 

@@ -1,3 +1,4 @@
+// A document as Markdown.
 #include <algorithm>
 #include <string_view>
 

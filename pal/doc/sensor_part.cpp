@@ -1,3 +1,4 @@
+// The part of a skill's document about its sensors.
 #include <algorithm>
 #include <utility>
 

@@ -146,6 +146,7 @@ class DotWriter {
       attributes.emplace_back("label",
                               "  " + (otherwise ? std::string("ELSE") : message(wait->channels[way])));
     }
+    if (guarded(i)) attributes.emplace_back("label", "  TRUE");
     std::string to = name(next);
     if (const auto block = flow_.block_ended_by(next)) {
       to = place_at_join(*block);
@@ -158,6 +159,12 @@ class DotWriter {
       attributes.emplace_back("weight", "8");
     }
     edge(from, to, attributes);
+  }
+
+  /// An UNTIL with conditions, whose two ways have names.
+  bool guarded(std::size_t i) const {
+    const auto* until = as<Until>(i);
+    return until != nullptr && until->guard.has_value();
   }
 
   const std::string& message(ChannelId id) const {
@@ -173,6 +180,7 @@ class DotWriter {
   /// Written from REPEAT to UNTIL, so that it is laid out beside the body; its arrow points back to REPEAT.
   void draw_loop_back(std::size_t until) {
     DotAttributes attributes = {{"pal_back", "true"}, {"dir", "back"}, {"style", "bold"}, {"weight", "0"}};
+    if (guarded(until)) attributes.emplace_back("label", "  FALSE");
     const std::size_t repeat = body_.nodes[until].mate.index();
     if (folds_.column(repeat) != folds_.column(until)) attributes.emplace_back("constraint", "false");
     edge(name(repeat), name(until), attributes);

@@ -1,4 +1,5 @@
-// What of a module's body is drawn, and which nodes follow each other beyond the flow itself.
+// What of a module's body is drawn, which nodes follow each other beyond the flow itself, and which stand in
+// one column.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// A statement of a network as people read it: "TXM( motion to MC1 )".
 #include <type_traits>
 
 #include "pal/pan/dump.hpp"

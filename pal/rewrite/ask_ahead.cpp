@@ -1,3 +1,4 @@
+// Moves a request to a sensor ahead of the wait for the robot.
 #include <algorithm>
 #include <optional>
 

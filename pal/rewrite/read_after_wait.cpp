@@ -1,3 +1,4 @@
+// Moves the reading of a condition behind the wait before it.
 #include <algorithm>
 #include <optional>
 

@@ -1,3 +1,4 @@
+// Moves the setting of a condition behind the wait that brings its message.
 #include <variant>
 
 #include "pal/rewrite/placing.hpp"

@@ -1,3 +1,4 @@
+// Findings as JSON.
 #include <nlohmann/json.hpp>
 
 #include "pal/support/diagnostic_code.hpp"

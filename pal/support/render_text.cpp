@@ -1,3 +1,4 @@
+// Findings as text, with the line of the source and a caret.
 #include <algorithm>
 #include <ostream>
 #include <string_view>
@@ -36,7 +37,7 @@ void write_place(const SourceSpan& where, const SourceManager& sources, char mar
   const auto last_byte = where.end > where.begin ? where.end - 1 : where.begin;
   const int last = sources.line_column(where.file, last_byte).line;
   const std::string gutter(std::to_string(last).size(), ' ');
-  out << gutter << "--> " << sources.name(where.file) << ':' << line << ':' << column << '\n';
+  out << gutter << "--> " << printable(sources.name(where.file)) << ':' << line << ':' << column << '\n';
 
   const auto text = sources.line_text(where.file, line);
   const auto start = static_cast<std::size_t>(text.data() - sources.text(where.file).data());
@@ -76,7 +77,7 @@ bool is_story(const Diagnostic& finding) {
 void write_note(const Note& note, bool brief, const SourceManager& sources, std::ostream& out) {
   out << "note: " << printable(note.text);
   if (note.where.valid() && brief)
-    out << " (" << sources.name(note.where.file) << ':'
+    out << " (" << printable(sources.name(note.where.file)) << ':'
         << sources.line_column(note.where.file, note.where.begin).line << ')';
   out << '\n';
   if (note.where.valid() && !brief) write_place(note.where, sources, '-', out);

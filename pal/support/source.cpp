@@ -44,7 +44,9 @@ LineColumn SourceManager::line_column(FileId file, std::uint32_t offset) const {
   const auto after = std::upper_bound(f.line_starts.begin(), f.line_starts.end(), bounded);
   const auto line = after - f.line_starts.begin();
   const std::size_t start = *(after - 1);
-  const auto before = std::string_view(f.text).substr(start, bounded - start);
+  auto before = std::string_view(f.text).substr(start, bounded - start);
+  // A byte order mark is no character of the text.
+  if (start == 0 && before.starts_with("\xEF\xBB\xBF")) before.remove_prefix(3);
   return {static_cast<int>(line), static_cast<int>(utf8::length(before)) + 1};
 }
 

@@ -23,7 +23,8 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     const auto end = std::min(text.find('\n'), text.size());
-    lines.push_back(text.substr(0, end));
+    const bool dos = end > 0 && text[end - 1] == '\r';
+    lines.push_back(text.substr(0, end - (dos ? 1 : 0)));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;

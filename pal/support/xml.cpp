@@ -1,30 +1,43 @@
 #include "pal/support/xml.hpp"
 
+#include "pal/support/utf8.hpp"
+
 namespace pal {
+namespace {
+
+/// Char of XML 1.0. The end of a line in the manner of DOS is left to text editors.
+bool may_stand(const utf8::Decoded& next) {
+  const char32_t c = next.code_point;
+  if (!next.valid || c == 0xFFFE || c == 0xFFFF) return false;
+  return c >= 0x20 || c == U'\n' || c == U'\t';
+}
+
+}  // namespace
 
 std::string xml_escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
+  while (!text.empty()) {
+    const auto next = utf8::decode(text);
+    switch (next.code_point) {
+      case U'&':
         result += "&amp;";
         break;
-      case '<':
+      case U'<':
         result += "&lt;";
         break;
-      case '>':
+      case U'>':
         result += "&gt;";
         break;
-      case '"':
+      case U'"':
         result += "&quot;";
         break;
       default:
-        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') {
+        if (may_stand(next))
+          result += text.substr(0, next.bytes);
+        else
           result += "\uFFFD";
-        } else {
-          result += c;
-        }
     }
+    text.remove_prefix(next.bytes);
   }
   return result;
 }

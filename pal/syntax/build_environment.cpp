@@ -1,3 +1,4 @@
+// The tree of an environment, made from what the grammar read.
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
@@ -116,8 +117,7 @@ pan::EventDevice Builder::event_device(Parser::EventDeviceContext* context) {
   for (auto* clause : context->eventClause()) {
     const auto once = [&](bool given) {
       if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them").fix = {
-            {span(clause), ""}};
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
     };
     if (clause->EVERY() != nullptr || clause->SPORADIC() != nullptr) {
       once(has_period);
@@ -151,8 +151,7 @@ pan::FrameDevice Builder::frame_device(Parser::FrameDeviceContext* context) {
   for (auto* clause : context->frameClause()) {
     const auto once = [&](bool given) {
       if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them").fix = {
-            {span(clause), ""}};
+        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
     };
     if (clause->EVERY() != nullptr) {
       once(has_period);

@@ -1,3 +1,4 @@
+// The tree of a skill template.
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"

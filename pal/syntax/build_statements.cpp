@@ -1,3 +1,4 @@
+// The tree of statements.
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"

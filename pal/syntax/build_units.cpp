@@ -1,3 +1,4 @@
+// The trees of files and modules.
 #include <utility>
 
 #include "pal/syntax/build.hpp"

@@ -1,3 +1,4 @@
+// A tree as text, for golden tests and --emit=tree.
 #include <ostream>
 #include <sstream>
 #include <string>

@@ -1,3 +1,4 @@
+// The text of a statement without what it has inside.
 #include <cctype>
 
 #include "pal/pan/dump.hpp"

@@ -69,6 +69,12 @@ std::vector<Change> candidates(const Mistake& mistake, const Tokens& tokens) {
   const auto at = mistake.at;
   const auto& all = tokens.all();
   const bool last = at + 1 == all.size();
+  // A word that is written twice.
+  for (const auto where : {at, at - 1}) {
+    const bool keyword = where < all.size() && all[where]->getType() < Parser::LEFT;
+    if (where == 0 || last || !keyword) continue;
+    if (all[where]->getType() == all[where - 1]->getType()) result.push_back({where, 1, {}});
+  }
   // A misspelled keyword.
   for (const auto where : {at, at - 1}) {
     if (where >= all.size() || all[where]->getType() != Parser::NAME) continue;
@@ -218,12 +224,77 @@ bool is_unit_of_time(const Change& change, const Tokens& tokens) {
   return change.added.front() == Parser::NAME && before != nullptr && before->getType() == Parser::NUMBER;
 }
 
+/// Words that begin a line of a template or an environment, or a unit of the file.
+bool begins_line(std::size_t type) {
+  switch (type) {
+    case Parser::USES:
+    case Parser::MESSAGE:
+    case Parser::CONDITION:
+    case Parser::DEVICE:
+    case Parser::SKILL:
+    case Parser::ENVIRONMENT:
+    case Parser::PARAMETER:
+    case Parser::COMPLETION:
+    case Parser::CONTINGENCY:
+    case Parser::REQUIREMENT:
+    case Parser::PROCESSOR:
+    case Parser::PLACE:
+    case Parser::COST:
+    case Parser::LATENCY:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What may be taken out of a text without changing what it says: a bracket or a divider that does not stand
+/// between figures, an end too many, and a word that is written twice.
+bool says_nothing(std::size_t at, const Tokens& tokens) {
+  const auto& all = tokens.all();
+  const auto type = all[at]->getType();
+  const bool twice = at > 0 && all[at - 1]->getType() == type && type < Parser::LEFT;
+  const bool between_figures = at > 0 && at + 1 < all.size() && all[at - 1]->getType() == Parser::NUMBER &&
+                               all[at + 1]->getType() == Parser::NUMBER;
+  switch (type) {
+    case Parser::COMMA:
+    case Parser::COLON:
+    case Parser::SEMICOLON:
+      return !between_figures;
+    case Parser::LEFT:
+    case Parser::RIGHT:
+    case Parser::END:
+    case Parser::END_CASE:
+    case Parser::END_CONCURRENT:
+    case Parser::END_WTM:
+    case Parser::BEGIN:
+      return true;
+    default:
+      return twice;
+  }
+}
+
+/// Whether a program may make the change: no figure, operator or name is lost, and no line begins within one.
+bool keeps_meaning(const Change& change, const Tokens& tokens) {
+  const auto& all = tokens.all();
+  if (change.removed == 0)
+    return !begins_line(change.added.front()) || tokens.first_on_line(all[change.at]) ||
+           all[change.at]->getType() == antlr4::Token::EOF;
+  for (std::size_t at = change.at; at < change.at + change.removed; ++at) {
+    const bool replaced =
+        !change.added.empty() && all[at]->getType() != Parser::NUMBER && all[at]->getType() != Parser::STRING;
+    if (!replaced && !says_nothing(at, tokens)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& tokens) {
   Diagnostic finding = mistake.finding;
   if (mistake.foreign || change.one_of_several) return finding;
   const auto* at = tokens.all()[change.at];
+  const bool safe = keeps_meaning(change, tokens);
+  if (change.removed == 0 && !safe) return finding;
   const bool is_known = std::none_of(change.added.begin(), change.added.end(), stands_for_many);
   if (change.removed == 0) {
     const bool missing_end = !finding.notes.empty();
@@ -245,10 +316,10 @@ Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& t
     return finding;
   }
   finding.where = tokens.span(at, tokens.all()[change.at + change.removed - 1]);
-  finding.fix = {{finding.where, words_of(change.added)}};
+  if (safe) finding.fix = {{finding.where, words_of(change.added)}};
   if (change.added.empty()) {
     if (change.at != mistake.at) finding.message = "unexpected " + spelling(*at);
-    finding.hint = "remove it";
+    finding.hint = safe ? "remove it" : "remove it, or correct what stands before it";
   } else {
     finding.message = "unexpected " + spelling(*at);
     finding.hint = "did you mean '" + words_of(change.added) + "'?";

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/merge_conflict.hpp"
 #include "pal/support/utf8.hpp"
+#include "pal/syntax/foreign_signs.hpp"
 #include "pal/syntax/tokens.hpp"
 
 namespace pal::syntax {
@@ -28,34 +31,8 @@ bool starts_with_any(std::string_view line, std::initializer_list<std::string_vi
                      [&](std::string_view beginning) { return line.starts_with(beginning); });
 }
 
-bool is_marker(std::string_view line, char sign) {
-  constexpr std::size_t length = 7;
-  return line.size() >= length && line.find_first_not_of(sign) >= length && line[0] == sign &&
-         (line.size() == length || line[length] == ' ');
-}
-
 SourceSpan span_of(FileId file, std::size_t begin, std::size_t end) {
   return {file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
-}
-
-/// The lines that a merge left behind: one finding at the first of them, however many there are.
-bool report_conflict(std::string_view text, FileId file, Diagnostics& diagnostics) {
-  Diagnostic* finding = nullptr;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = end_of_line(text, begin);
-    const std::string_view line = text.substr(begin, end - begin);
-    if (finding == nullptr) {
-      if (is_marker(line, '<'))
-        finding = &diagnostics.report(
-            Code::PAL0119, span_of(file, begin, end), "a conflict of a merge is left in this file",
-            "keep the lines that you want, and remove those that begin with <<<<<<<, "
-            "======= and >>>>>>>");
-    } else if (finding->notes.size() < 2 && (is_marker(line, '=') || is_marker(line, '>'))) {
-      finding->notes.push_back({span_of(file, begin, end), "it goes on here"});
-    }
-    begin = std::min(text.find('\n', end), text.size() - 1) + 1;
-  }
-  return finding != nullptr;
 }
 
 bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics) {
@@ -69,19 +46,26 @@ bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics)
   return true;
 }
 
-/// Latin letters without their marks; what else there is becomes '_'.
+bool is_dash(std::string_view sign) {
+  static const std::set<std::string_view> dashes{"‐", "‑", "–", "—", "−"};
+  return dashes.contains(sign);
+}
+
+/// Latin letters without their marks, and a plain hyphen for a dash; what else there is becomes '_'.
 std::string plain(std::string_view name) {
   static const std::map<std::string_view, std::string_view> letters{
-      {"à", "a"}, {"á", "a"}, {"â", "a"}, {"ã", "a"}, {"ä", "a"}, {"å", "a"}, {"ç", "c"},
-      {"è", "e"}, {"é", "e"}, {"ê", "e"}, {"ë", "e"}, {"ì", "i"}, {"í", "i"}, {"î", "i"},
-      {"ï", "i"}, {"ñ", "n"}, {"ò", "o"}, {"ó", "o"}, {"ô", "o"}, {"õ", "o"}, {"ö", "o"},
-      {"ø", "o"}, {"ù", "u"}, {"ú", "u"}, {"û", "u"}, {"ü", "u"}, {"ß", "ss"}};
+      {"à", "a"}, {"á", "a"}, {"â", "a"},  {"ã", "a"}, {"ä", "a"}, {"å", "a"}, {"ç", "c"}, {"è", "e"},
+      {"é", "e"}, {"ê", "e"}, {"ë", "e"},  {"ì", "i"}, {"í", "i"}, {"î", "i"}, {"ï", "i"}, {"ñ", "n"},
+      {"ò", "o"}, {"ó", "o"}, {"ô", "o"},  {"õ", "o"}, {"ö", "o"}, {"ø", "o"}, {"ù", "u"}, {"ú", "u"},
+      {"û", "u"}, {"ü", "u"}, {"ß", "ss"}, {"µ", "u"}, {"μ", "u"}};
   std::string result;
   for (std::size_t at = 0; at < name.size();) {
     const std::size_t bytes = utf8::decode(name.substr(at)).bytes;
     const std::string_view letter = name.substr(at, bytes);
     const auto found = letters.find(letter);
-    result += found != letters.end() ? found->second : bytes == 1 ? letter : "_";
+    const bool may_stay = bytes == 1 && (std::isalnum(static_cast<unsigned char>(letter[0])) != 0 ||
+                                         letter == "_" || letter == "-");
+    result += found != letters.end() ? found->second : may_stay ? letter : is_dash(letter) ? "-" : "_";
     at += bytes;
   }
   return result;
@@ -105,6 +89,7 @@ class Reader {
  private:
   /// What begins at token `at`; gives its last token.
   std::size_t read_at(std::size_t at) {
+    if (const auto last = foreign(at)) return *last;
     switch (all_[at]->getType()) {
       case Lexer::OPEN_STRING:
         return open_text(at);
@@ -133,6 +118,16 @@ class Reader {
                         "is this file PAL?");
     result_.parseable = false;
     return nullptr;
+  }
+
+  std::optional<std::size_t> foreign(std::size_t at) {
+    auto sign = foreign_sign(tokens_, text_, at);
+    if (!sign) return std::nullopt;
+    if (auto* finding = report(sign->is_stray ? Code::PAL0102 : Code::PAL0101, sign->where,
+                               std::move(sign->message), std::move(sign->hint)))
+      finding->fix = std::move(sign->fix);
+    for (Rereading& each : sign->rereadings) result_.rereadings.push_back(std::move(each));
+    return sign->last;
   }
 
   std::size_t open_text(std::size_t at) {
@@ -179,15 +174,25 @@ class Reader {
     return std::nullopt;
   }
 
+  /// The last token of the word that begins at `at`: names, and what no name may have.
+  std::size_t end_of_word(std::size_t at) const {
+    std::size_t last = at;
+    while (touch(last) && (is(last + 1, Lexer::NAME) || is(last + 1, Lexer::NUMBER) || is_in_word(last + 1)))
+      ++last;
+    while (last > at && is(last, Lexer::STRAY) && !is_letter(last)) --last;
+    return last;
+  }
+
+  bool has_stray(std::size_t first, std::size_t last) const {
+    for (std::size_t at = first; at <= last; ++at)
+      if (is(at, Lexer::STRAY)) return true;
+    return false;
+  }
+
   /// A name with letters that no name may have; told once for each name.
   std::optional<std::size_t> name_with_strays(std::size_t at) {
-    std::size_t last = at;
-    bool has_stray = false;
-    while (last + 1 < all_.size() && touch(last) && (is(last + 1, Lexer::NAME) || is_letter(last + 1))) {
-      ++last;
-      has_stray = has_stray || all_[last]->getType() == Lexer::STRAY;
-    }
-    if (!has_stray) return std::nullopt;
+    const std::size_t last = end_of_word(at);
+    if (!has_stray(at, last)) return std::nullopt;
     return name(at, last);
   }
 
@@ -197,20 +202,25 @@ class Reader {
     const std::string meant = plain(written);
     result_.has_errors = true;
     if (told_.insert(written).second) {
+      const bool sure = meant.find('_') == std::string::npos || written.find('_') != std::string::npos;
+      const std::string letters = "names have the letters a to z, digits, '_' and '-'";
       if (auto* finding = report(Code::PAL0102, where, "'" + written + "' has letters that no name may have",
-                                 "names have the letters a to z, digits, '_' and '-': write " + meant))
-        finding->fix = everywhere(written, where, meant);
+                                 sure ? letters + ": write " + meant : letters))
+        if (sure) finding->fix = everywhere(written, meant);
     }
     result_.rereadings.push_back({first, last, Lexer::NAME, meant});
     return last;
   }
 
-  /// The edits that replace a name at each of its places.
-  std::vector<Edit> everywhere(const std::string& written, SourceSpan first, const std::string& meant) const {
+  /// The edits that replace a word at each of its places.
+  std::vector<Edit> everywhere(const std::string& written, const std::string& meant) const {
     std::vector<Edit> edits;
-    for (std::size_t at = first.begin; at != std::string_view::npos;
-         at = text_.find(written, at + written.size()))
-      edits.push_back({span_of(first.file, at, at + written.size()), meant});
+    for (std::size_t at = 0; at + 1 < all_.size(); ++at) {
+      if ((!is(at, Lexer::NAME) && !is_letter(at)) || (at > 0 && touch(at - 1) && is_in_word(at - 1)))
+        continue;
+      const SourceSpan where = tokens_.span(all_[at], all_[end_of_word(at)]);
+      if (source(where) == written) edits.push_back({where, meant});
+    }
     return edits;
   }
 
@@ -238,18 +248,14 @@ class Reader {
 
   /// Anything else.
   std::size_t run(std::size_t at) {
-    if (is_letter(at) && touch(at) && is(at + 1, Lexer::NAME)) {
-      const auto last = name_with_strays(at + 1);
-      if (last) result_.rereadings.pop_back();
-      return name(at, last.value_or(at + 1));
-    }
+    if (is_letter(at) && touch(at) && (is(at + 1, Lexer::NAME) || is_letter(at + 1)))
+      return name(at, end_of_word(at));
     std::size_t last = at;
     while (touch(last) && is(last + 1, Lexer::STRAY)) ++last;
-    const SourceSpan where = tokens_.span(all_[at], all_[last]);
-    if (auto* finding =
-            report(Code::PAL0102, where, last == at ? "unexpected character" : "unexpected characters",
-                   "remove it; a comment begins with #"))
-      finding->fix = {{where, ""}};
+    // It is not known what was meant, so that no edit is offered.
+    report(Code::PAL0102, tokens_.span(all_[at], all_[last]),
+           last == at ? "unexpected character" : "unexpected characters",
+           "write in its place what PAL has for it; a comment begins with #");
     result_.rereadings.push_back({at, last, 0, {}});
     return last;
   }
@@ -267,7 +273,24 @@ class Reader {
   bool is_letter(std::size_t at) const {
     if (!is(at, Lexer::STRAY)) return false;
     const std::string_view letter = source(tokens_.span(all_[at]));
-    return letter.size() == 2 && static_cast<unsigned char>(letter[0]) >= 0xC3;
+    if (letter == "µ") return true;
+    return letter.size() == 2 && static_cast<unsigned char>(letter[0]) >= 0xC3 && letter != "×" &&
+           letter != "÷";
+  }
+  /// What a word goes on with although no name may have it: also a dash, and a sign that is no operator.
+  bool is_in_word(std::size_t at) const {
+    if (!is(at, Lexer::STRAY)) return false;
+    if (is_letter(at)) return true;
+    static const std::set<std::string_view> dividers{"&", "|", "!", "<", ">", "{", "}", "'", "“",  "”",
+                                                     "„", "«", "»", "‘", "’", "≠", "≤", "≥", "·",  "×",
+                                                     "÷", "²", "³", "°", "…", "¬", "∧", "∨", "\\", ";"};
+    const std::string_view sign = source(tokens_.span(all_[at]));
+    return !dividers.contains(sign) && !is_space(sign);
+  }
+  static bool is_space(std::string_view sign) {
+    return sign == "\u00A0" || sign == "\u00AD" || sign == "\u3000" || sign.starts_with("\xE2\x80")
+               ? !is_dash(sign)
+               : false;
   }
 
   const Tokens& tokens_;
@@ -283,7 +306,8 @@ class Reader {
 }  // namespace
 
 Strays read_strays(const Tokens& tokens, std::string_view text, Diagnostics& diagnostics) {
-  if (report_markup(text, tokens.file(), diagnostics) || report_conflict(text, tokens.file(), diagnostics))
+  if (report_markup(text, tokens.file(), diagnostics) ||
+      report_merge_conflict(text, tokens.file(), diagnostics))
     return {false, true, {}};
   return Reader(tokens, text, diagnostics).read();
 }

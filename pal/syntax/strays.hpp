@@ -14,12 +14,15 @@ namespace pal::syntax {
 
 class Tokens;
 
-/// Tokens [first, last] are read as one token of this type and text; type 0: they are left out.
+/// Tokens [first, last] are read as one token of this type and text; type 0: they are left out. A word may be
+/// read before that token.
 struct Rereading {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t type = 0;
   std::string text;
+  std::size_t before = 0;  // its type; 0: there is none
+  std::string before_text{};
 };
 
 struct Strays {

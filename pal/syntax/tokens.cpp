@@ -72,6 +72,12 @@ void Tokens::reread(const std::vector<Rereading>& rereadings) {
       result.push_back(std::make_unique<antlr4::CommonToken>(tokens[i].get()));
       continue;
     }
+    if (next->before != 0) {
+      auto token = std::make_unique<antlr4::CommonToken>(tokens[next->first].get());
+      token->setType(next->before);
+      token->setText(next->before_text);
+      result.push_back(std::move(token));
+    }
     if (next->type != 0) {
       auto token = std::make_unique<antlr4::CommonToken>(tokens[next->first].get());
       token->setType(next->type);

@@ -9,6 +9,8 @@
 
 #include "pal/support/file_system.hpp"
 #include "programs/pal/options/command_line.hpp"
+#include "programs/pal/session/colour.hpp"
+#include "programs/pal/session/proof.hpp"
 
 using pal::program::ExitStatus;
 
@@ -27,11 +29,16 @@ ExitStatus delivered(ExitStatus status) {
 int main(int count, char** arguments) {
   const pal::DiskFileSystem files;
   try {
-    return static_cast<int>(
+    const bool out = ::isatty(STDOUT_FILENO) == 1, err = ::isatty(STDERR_FILENO) == 1;
+    const auto status = static_cast<int>(
         delivered(pal::program::run(std::vector<std::string>(arguments + 1, arguments + count),
-                                    {std::cout, std::cerr, files, ::isatty(STDOUT_FILENO) == 1})));
+                                    {std::cout, std::cerr, files, out, pal::program::wants_colour(out),
+                                     pal::program::wants_colour(err)})));
+    if (pal::program::is_proof_left()) ::_exit(status);  // it still uses what would be cleared up
+    return status;
   } catch (const std::bad_alloc&) {
-    std::cerr << "pal: there is not enough memory; with --max-states N a proof gives up sooner\n";
+    std::cerr << "pal: there is not enough memory; with --max-memory SIZE or --max-states N a proof gives up "
+                 "sooner\n";
     return static_cast<int>(ExitStatus::usage);
   } catch (const std::exception& error) {
     std::cerr << "pal: internal error: " << error.what()

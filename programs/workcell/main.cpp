@@ -1,3 +1,4 @@
+// The program workcell.
 #include <unistd.h>
 
 #include <iostream>

@@ -11,6 +11,10 @@ namespace pal::runtime::drivers {
 /// only during a session.
 class Driver : public Device {
  public:
+  /// The station's first skill, whichever devices it uses, is about to begin: the arm has not moved yet. True
+  /// if the device can do something only now; time then goes on until ready(). A device in trouble is in the
+  /// way of those skills alone that use it.
+  virtual bool commission() { return false; }
   /// A skill that uses this device is about to begin. Brings the device to where a session may start, for
   /// example by a dialogue that opens it. Time goes on until ready(). trouble() says what went wrong.
   virtual void prepare() {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include "runtime/drivers/apart.hpp"
 #include "runtime/executives/real_time/clock.hpp"
@@ -172,6 +173,20 @@ std::string Station::pass_until(const std::function<std::string()>& unfinished, 
   return name;
 }
 
+// Once, before the first skill.
+void Station::commission(const RunOptions& options) {
+  if (std::exchange(commissioned_, true)) return;
+  std::vector<Driver*> busy;
+  for (Driver* driver : drivers_)
+    if (driver->commission()) busy.push_back(driver);
+  pass_until(
+      [&] {
+        const auto at = std::find_if_not(busy.begin(), busy.end(), [](auto* d) { return d->ready(); });
+        return at == busy.end() ? std::string() : (*at)->name();
+      },
+      options);
+}
+
 void Station::make_ready(const Skill& skill, const RunOptions& options) {
   const std::vector<Driver*> used = drivers_for(skill, true);
   const std::vector<Driver*> unused = drivers_for(skill, false);
@@ -202,6 +217,7 @@ Outcome Station::run(Skill& skill, std::span<const ParameterValue> parameters,
   if (running_) return refused(skill, "another skill is running; a station runs one at a time");
   const Raised running(running_);
   try {
+    commission(options.run);
     make_ready(skill, options.run);
     begun_ = timeline_.now() + Time(1);
     if (options.begin) begun_ = std::max(begun_, options.begin(begun_));

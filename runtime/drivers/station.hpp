@@ -52,8 +52,8 @@ class Station {
   Timeline& timeline() { return timeline_; }
   Time now() const { return timeline_.now(); }
 
-  /// Drivers are prepared before a skill that uses them, and released before one that does not. They outlive
-  /// the station's last use.
+  /// Drivers are commissioned before the station's first skill, prepared before a skill that uses them, and
+  /// released before one that does not. They outlive the station's last use.
   void add(Driver& driver);
   /// A device that is not a driver is there only as long as the skill.
   void add(Device& device);
@@ -78,6 +78,7 @@ class Station {
 
   void pass_to(Time when);
   void go_to(Time when, const RunControl* control = nullptr);
+  void commission(const RunOptions& options);
   void make_ready(const Skill& skill, const RunOptions& options);
   std::string pass_until(const std::function<std::string()>& unfinished, const RunOptions& options);
   std::vector<Driver*> drivers_for(const Skill& skill, bool used) const;
@@ -90,6 +91,7 @@ class Station {
   std::vector<Device*> devices_;  // the drivers, too
   Time begun_{};
   bool running_ = false;
+  bool commissioned_ = false;
 };
 
 }  // namespace pal::runtime::drivers

@@ -1,5 +1,5 @@
-// The virtual processors: which thread runs where (docs/reference/execution-model.md, Threads and
-// processors).
+// The virtual processors: which of the ready threads runs where, by priority and then by order
+// (docs/reference/execution-model.md, Threads and processors).
 #pragma once
 
 #include <cstdint>

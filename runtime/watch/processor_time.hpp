@@ -1,3 +1,4 @@
+// How much processor time a thread has had, for measurements.
 #pragma once
 
 #include "pal/runtime/device.hpp"

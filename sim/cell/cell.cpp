@@ -23,10 +23,20 @@ namespace {
 ForceTorqueEmulatorOptions sensor_options(const CellOptions& cell, const MachineOptions& machine) {
   ForceTorqueEmulatorOptions options;
   options.seed = cell.seed;
-  if (!machine.noise) options.force_noise = options.torque_noise = 0, options.z_step = 1;
+  if (machine.noise) {
+    options.most_offset = 1.5, options.most_torque_offset = 0.08;
+    options.most_drift = 0.01, options.most_torque_drift = 0.0005;
+  } else {
+    options.force_noise = options.torque_noise = 0, options.z_step = 1;
+  }
   if (cell.times == runtime::CostPolicy::worst) options.shortest_conversion = options.longest_conversion;
   if (cell.times == runtime::CostPolicy::best) options.longest_conversion = options.shortest_conversion;
   return options;
+}
+
+runtime::drivers::force_torque::Load axes_of(const Wrench& wrench) {
+  return {wrench.force.x(),  wrench.force.y(),  wrench.force.z(),
+          wrench.torque.x(), wrench.torque.y(), wrench.torque.z()};
 }
 
 GripperEmulatorOptions gripper_options(const CellOptions& cell) {
@@ -128,7 +138,9 @@ struct Cell::Parts {
               station.timeline(), link, [this] { return workcell.wrench(); }, sensor);
         },
         [&](runtime::drivers::Link& link) {
-          return std::make_unique<runtime::drivers::ForceTorqueDriver>(station.timeline(), link);
+          runtime::drivers::ForceTorqueDriverOptions driver;
+          driver.tool_weight = [this] { return axes_of(workcell.tool_weight()); };
+          return std::make_unique<runtime::drivers::ForceTorqueDriver>(station.timeline(), link, driver);
         });
     attach(*force_torque->driver, force_torque->wire);
   }

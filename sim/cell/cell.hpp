@@ -65,8 +65,8 @@ class Cell {
   /// The sensors that sense() can read.
   std::vector<SensorSpec> sensors() const;
   /// Reads a sensor between skills, by its device's line or at a fixed sensor's next measurement; time
-  /// passes. The force-torque sensor counts from the load under which it was started last, by a skill or by
-  /// its first reading. Stopped by `control`, which may be null. Never throws for what devices do.
+  /// passes. The force-torque sensor counts from free air, without the tool's weight. Stopped by `control`,
+  /// which may be null. Never throws for what devices do.
   struct Sensed {
     std::optional<double> value;
     std::string problem;  // why there is no value

@@ -1,4 +1,4 @@
-// The set-point generator: corrections become joint set-points, interpolated over 28 ms each.
+// The set-point generator: corrections become joint set-points, interpolated over 28 ms each, or are refused.
 #pragma once
 
 #include <array>

@@ -37,8 +37,17 @@ ForceTorqueEmulator::ForceTorqueEmulator(runtime::drivers::Timeline& timeline, r
       options_(options),
       timing_(options.seed, 2),
       noise_(options.seed, 3) {
+  draw_gauges();
   link_.connect(this);
   boot();
+}
+
+void ForceTorqueEmulator::draw_gauges() {
+  Random random(options_.seed, 8);
+  for (std::size_t i = 0; i < axes; ++i) {
+    offset_[i] = (2 * random.unit() - 1) * (i < 3 ? options_.most_offset : options_.most_torque_offset);
+    drift_[i] = (2 * random.unit() - 1) * (i < 3 ? options_.most_drift : options_.most_torque_drift);
+  }
 }
 
 ForceTorqueEmulator::~ForceTorqueEmulator() {
@@ -181,11 +190,13 @@ Time ForceTorqueEmulator::conversion() {
 
 ForceTorqueEmulator::Values ForceTorqueEmulator::convert() {
   const Wrench load = load_();
+  const double minutes = std::chrono::duration<double, std::ratio<60>>(timeline_.now()).count();
   Values values{};
   for (std::size_t i = 0; i < axes; ++i) {
     const auto row = static_cast<Eigen::Index>(i % 3);
     values[i] = i < 3 ? load.force[row] + options_.force_noise * noise_.normal()
                       : load.torque[row] + options_.torque_noise * noise_.normal();
+    values[i] += offset_[i] + drift_[i] * minutes;
   }
   return values;
 }

@@ -29,7 +29,12 @@ struct ForceTorqueEmulatorOptions {
   // torques.
   double force_noise = 0.05;    // N
   double torque_noise = 0.003;  // N*m
-  int z_step = 2;               // counts: the force along z is half as fine as the others
+  // The gauges show something under no load, and that drifts. Both are drawn evenly, for each axis.
+  double most_offset = 0;         // N
+  double most_torque_offset = 0;  // N*m
+  double most_drift = 0;          // N a minute
+  double most_torque_drift = 0;   // N*m a minute
+  int z_step = 2;                 // counts: the force along z is half as fine as the others
 };
 
 /// Speaks the protocol of docs/workcell/force-torque.md: CV, CD A, CD B, SB, SU, SZ, QR, QS, an empty line,
@@ -69,6 +74,7 @@ class ForceTorqueEmulator final : public runtime::drivers::LinkUser {
   void busy_for(runtime::Time time, std::function<void()> then);
   runtime::Time conversion();
   Values convert();
+  void draw_gauges();
   Reading read();
   std::vector<std::uint8_t> record();
   /// Both give back how long it takes until these bytes have left.
@@ -82,6 +88,8 @@ class ForceTorqueEmulator final : public runtime::drivers::LinkUser {
   Random timing_;
   Random noise_;
   runtime::Time slower_by_{};
+  Values offset_{};  // at time 0
+  Values drift_{};   // a minute
 
   std::deque<std::uint8_t> input_;  // not looked at yet
   std::string line_;                // typed so far

@@ -73,6 +73,21 @@ Grip grip(const Physics& physics) {
   return {force[0], force[1], held[0] >= 0 && held[0] == held[1]};
 }
 
+std::optional<Collision> hardest_contact(const Physics& physics) {
+  std::optional<Collision> found;
+  double most = 20;
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    const bool one = role(physics, contact.geom1) == Role::cell,
+               other = role(physics, contact.geom2) == Role::cell;
+    const double force = normal_force(physics, i);
+    if (one == other || force <= most) continue;
+    most = force;
+    found.emplace(contact.geom1, contact.geom2);
+  }
+  return found;
+}
+
 std::optional<Collision> CollisionWatch::look(const Physics& physics) {
   std::optional<Collision> found;
   std::vector<Collision> still;

@@ -25,6 +25,9 @@ Grip grip(const Physics& physics);
 /// A pair of shapes of which one is of the arm and was not made to touch the other.
 using Collision = std::pair<int, int>;
 
+/// The contact of the arm with something else that presses hardest, if it presses with more than 20 N.
+std::optional<Collision> hardest_contact(const Physics& physics);
+
 /// Finds collisions. Collisions that exist at a call of forgive() do not count until the parts have
 /// separated. So an arm can be moved away from what it hit.
 class CollisionWatch {

@@ -1,3 +1,4 @@
+// Surfaces that are given by heights.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,3 +1,4 @@
+// MuJoCo's messages in the words of a scene's author.
 #include <regex>
 
 #include "sim/model/mjcf_file.hpp"

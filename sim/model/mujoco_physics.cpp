@@ -78,6 +78,19 @@ void Physics::place(const Joints& q) {
   if (loaded_.tool == ToolKind::gripper)
     for (const FingerIndex& finger : index_.fingers) data_->qpos[finger.position] = gripper_opening / 2e3;
   mj_forward(loaded_.model.get(), data_.get());
+  tool_mass_ = weigh_tool();
+}
+
+ToolMass Physics::weigh_tool() const {
+  const int body = model().site_bodyid[index_.sensor];
+  const Pose sensor = site_pose(index_.sensor);
+  const Eigen::Vector3d centre = Eigen::Map<const Eigen::Vector3d>(data().subtree_com + 3 * body);
+  ToolMass mass;
+  mass.weight =
+      model().body_subtreemass[body] * Eigen::Map<const Eigen::Vector3d>(model().opt.gravity).norm();
+  mass.centre = sensor.inverse() * (base_pose().inverse() * centre);
+  mass.turn = sensor.linear().transpose() * site_pose(index_.tip).linear();
+  return mass;
 }
 
 void Physics::step(const Joints& torques, const std::array<double, 2>& fingers) {

@@ -42,9 +42,17 @@ struct ModelIndex {
   int base = 0;                             // body
   int wrist = 0;                            // site
   int tip = 0;                              // site
+  int sensor = 0;                           // site
   int pad_joint = -1;                       // of the tool pad alone
   std::array<FingerIndex, 2> fingers{};     // of the gripper alone
   std::vector<Role> roles;                  // of each geom
+};
+
+/// What hangs on the force-torque sensor, as the arm was placed last: in the sensor's frame.
+struct ToolMass {
+  double weight = 0;                                   // N
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    // m
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // from the tip's axes to the sensor's
 };
 
 class GraspFriction;
@@ -78,13 +86,16 @@ class Physics {
   Pose site_pose(int site) const;
   /// Where the robot's base stands in the world that MuJoCo counts from, the floor.
   Pose base_pose() const;
+  const ToolMass& tool_mass() const { return tool_mass_; }
 
  private:
+  ToolMass weigh_tool() const;
   void check_warnings() const;
 
   LoadedScene loaded_;
   std::unique_ptr<mjData, DeleteData> data_;
   ModelIndex index_;
+  ToolMass tool_mass_;
   std::unique_ptr<GraspFriction> grasp_;
   std::vector<mjtNum> wanted_, inertial_;  // room for load(), one figure a degree of freedom
 };

@@ -84,6 +84,7 @@ ModelIndex find_names(const mjModel& model, ToolKind tool, const Scene& scene) {
   index.base = require(model, scene, mjOBJ_BODY, "body", "base");
   index.wrist = require(model, scene, mjOBJ_SITE, "site", "wrist");
   index.tip = require(model, scene, mjOBJ_SITE, "site", "tip");
+  index.sensor = require(model, scene, mjOBJ_SITE, "site", "sensor");
   if (tool == ToolKind::pad) index.pad_joint = require(model, scene, mjOBJ_JOINT, "joint", "pad");
   if (tool == ToolKind::gripper)
     index.fingers = {find_finger(model, scene, "finger left", "pad left"),

@@ -1,3 +1,4 @@
+// A scene file as a description of the cell.
 #include <algorithm>
 #include <charconv>
 #include <cmath>

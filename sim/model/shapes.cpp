@@ -1,3 +1,4 @@
+// The shapes that a scene may have.
 #include <fmt/format.h>
 
 #include <cmath>

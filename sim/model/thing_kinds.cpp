@@ -1,3 +1,4 @@
+// The kinds of thing that a scene may place: plates, parts, posts.
 #include "sim/model/scene_description.hpp"
 
 namespace pal::sim {

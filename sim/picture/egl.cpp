@@ -1,3 +1,4 @@
+// An OpenGL context without a window, by EGL.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 

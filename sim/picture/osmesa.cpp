@@ -1,3 +1,4 @@
+// An OpenGL context in memory, by OSMesa.
 #include <GL/osmesa.h>
 
 #include <vector>

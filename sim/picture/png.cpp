@@ -1,3 +1,4 @@
+// Pictures as PNG files.
 #include <png.h>
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// The plots of a run's forces and positions.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The monitor's commands.
+// The monitor's commands: which there are, how far they may be shortened, and the refusal of others.
 #include <algorithm>
 #include <cstdio>
 

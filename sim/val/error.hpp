@@ -1,4 +1,4 @@
-// What VAL answers when it cannot carry out a command.
+// The form in which VAL shows an error: thrown where a command is read or carried out.
 #pragma once
 
 #include <string>

@@ -25,8 +25,18 @@ namespace {
 using namespace follow_edge;
 
 constexpr int lost_after = 5;  // profiles
-constexpr double strays_from =
-    3;  // mm beside where the edge is expected; along an edge it is seen within 1 mm
+// mm beside where the edge is expected; along an edge it is seen within 1 mm. A tool that is as far from
+// where it should be above the edge cannot tell it from another one.
+constexpr double strays_from = 3;
+// The thesis's law looks at every second profile while it aligns, and may be several mm off.
+constexpr double strays_from_literal = 6;
+// mm and deg: so near the edge the tool begins to go along it.
+constexpr double beside_edge = 1, square_to_it = 2;
+// Profiles within which the tool must come nearer to the edge by `nearer` mm while it aligns.
+constexpr int patience = 60;
+constexpr double nearer = 0.3;
+// mm in a cycle: what turning about the edge may add to the range finder's way.
+constexpr double most_swing = 3.5;
 constexpr double interpreting = 3;  // ms from a profile's end until the skill knows the edge, in the mean
 constexpr double part = 0.25;       // of what is missing that is corrected in a cycle
 constexpr double cycles_a_profile =
@@ -64,7 +74,13 @@ class Method final : public SM1Activities {
     last_at_ = -1;
     unseen_ = 0;
     strays_ = 0;
-    law_.start({parameters.translation, parameters.rotation}, parameters.history, parameters.standoff * 10);
+    aligned_ = false;
+    off_ = 0;
+    least_off_ = 1e9;
+    since_nearer_ = 0;
+    far_off_ = 0;
+    most_turn_ = std::min(parameters.rotation, most_swing / (parameters.standoff * 10) / degree);
+    law_.start({parameters.translation, most_turn_}, parameters.history, parameters.standoff * 10);
   }
 
   Motion track(const Edge& edge) override {
@@ -74,8 +90,7 @@ class Method final : public SM1Activities {
       last_at_ = edge.at;
       if (edge.seen) see(edge);
     }
-    Motion motion = parameters_.literal ? about_the_edge(law_.take(), way()) : towards_edge();
-    if (!parameters_.literal) motion.dx = way();
+    const Motion motion = about_the_edge(parameters_.literal ? law_.take() : towards_edge(), way());
     last_way_ = way();
     gone_ += last_way_;
     if (parameters_.distance * 10 - gone_ < 1e-9) gone_ = parameters_.distance * 10;
@@ -90,7 +105,8 @@ class Method final : public SM1Activities {
 
   bool decide_pc_lost(const Edge& edge) override {
     unseen_ = edge.seen ? 0 : unseen_ + 1;
-    return unseen_ >= lost_after || strays_ >= lost_after;
+    return unseen_ >= lost_after || strays_ >= lost_after || far_off_ >= lost_after ||
+           since_nearer_ >= patience;
   }
   bool decide_pc_end() override { return gone_ >= parameters_.distance * 10; }
 
@@ -114,9 +130,9 @@ class Method final : public SM1Activities {
     return motion.empty() ? Eigen::Isometry3d::Identity() : motion.at(instant);
   }
 
-  // Along the edge in this cycle: nothing before the edge was seen, or while the thesis's law still aligns.
+  // Along the edge in this cycle: nothing while the tool still aligns.
   double way() const {
-    if (parameters_.literal ? !law_.aligned() : map_.empty()) return 0;
+    if (parameters_.literal ? !law_.aligned() : !aligned_) return 0;
     return std::min(parameters_.track, parameters_.distance * 10 - gone_);
   }
 
@@ -126,10 +142,24 @@ class Method final : public SM1Activities {
     const Eigen::Isometry3d pose = pose_at(edge.at);
     const double slope = edge.slope * degree;
     const Eigen::Vector3d point = pose * Eigen::Vector3d(0, edge.y, edge.z);
+    watch(edge);
     strays_ = strays(point, pose.linear().col(0)) ? strays_ + 1 : 0;
     if (strays_ > 0) return;
     map_.add(point, pose.linear() * Eigen::Vector3d(0, std::cos(slope), std::sin(slope)));
     if (parameters_.literal) law_.see(edge.y, edge.z, edge.slope, gone_);
+  }
+
+  // How far off the tool is, as a profile shows it. A tool that aligns must come nearer; one that goes along
+  // the edge must stay near.
+  void watch(const Edge& edge) {
+    off_ = std::hypot(edge.y, edge.z - parameters_.standoff * 10);
+    const bool was_aligned = parameters_.literal ? law_.aligned() : aligned_;
+    aligned_ = aligned_ || (off_ <= beside_edge && std::abs(edge.slope) <= square_to_it);
+    const double most = parameters_.literal ? strays_from_literal : strays_from;
+    far_off_ = was_aligned && off_ > most ? far_off_ + 1 : 0;
+    ++since_nearer_;
+    const double missing = off_ + std::abs(edge.slope);
+    if (was_aligned || missing < least_off_ - nearer) since_nearer_ = 0, least_off_ = missing;
   }
 
   // Whether a point belongs to another edge. Where an edge ends, the range finder sees others beside it. The
@@ -140,29 +170,30 @@ class Method final : public SM1Activities {
     return expected && (expected->point - point).norm() > strays_from;
   }
 
-  // What is missing between where all motions so far lead and where the edge is expected there.
-  Motion towards_edge() const {
-    Motion motion;
+  // What is missing at the edge between where all motions so far lead and where the edge is expected there.
+  EdgeCorrection towards_edge() const {
+    EdgeCorrection missing;
     const Eigen::Vector3d heading = goal_.linear().col(0);
-    const auto place = map_.at(goal_.translation(), heading);
-    if (!place) return motion;
+    const Eigen::Vector3d before = goal_ * Eigen::Vector3d(0, 0, parameters_.standoff * 10);
+    const auto place = map_.at(before, heading);
+    if (!place) return missing;
     Eigen::Matrix3d wanted;
     const Eigen::Vector3d depth = place->along.cross(place->across).normalized();
     wanted << place->along, depth.cross(place->along), depth;
-    const Eigen::Vector3d tip = place->point - parameters_.standoff * 10 * depth;
-    const Eigen::Vector3d off = goal_.linear().transpose() * (tip - goal_.translation());
+    const Eigen::Vector3d off = goal_.linear().transpose() * (place->point - before);
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(goal_.linear().transpose() * wanted));
     const Eigen::Vector3d about = turn.axis() * turn.angle() / degree;
-    motion.dy = limited(part * off.y(), parameters_.translation);
-    motion.dz = limited(part * off.z(), parameters_.translation);
-    motion.rx = limited(part * about.x(), parameters_.rotation);
-    motion.ry = limited(part * about.y(), parameters_.rotation);
-    motion.rz = limited(part * about.z(), parameters_.rotation);
-    return motion;
+    missing.y = limited(part * off.y(), parameters_.translation);
+    missing.z = limited(part * off.z(), parameters_.translation);
+    missing.rx = limited(part * about.x(), most_turn_);
+    missing.ry = limited(part * about.y(), most_turn_);
+    missing.rz = limited(part * about.z(), most_turn_);
+    return missing;
   }
 
-  // The thesis's tool (appendix F.2) has its tip at the edge, a standoff away from the range finder: it turns
-  // about that.
+  // As in the thesis (appendix F.2) the tip is at the edge, a standoff away from the range finder, and the
+  // tool turns about that. A turn about the range finder would take the tool off the edge: by 1.75 mm for
+  // half a degree at 200 mm.
   Motion about_the_edge(const EdgeCorrection& correction, double along) const {
     Motion at_edge;
     at_edge.dx = along;
@@ -196,6 +227,12 @@ class Method final : public SM1Activities {
   double last_at_ = -1;
   int unseen_ = 0;  // profiles without an edge, one after the other
   int strays_ = 0;  // profiles with another edge, one after the other
+  bool aligned_ = false;
+  double off_ = 0;        // mm, as the newest profile shows it
+  double least_off_ = 0;  // mm and deg together, while the tool aligns
+  int since_nearer_ = 0;  // profiles
+  int far_off_ = 0;       // profiles, one after the other
+  double most_turn_ = 0;  // deg in a cycle
   LiteralLaw law_;
 };
 

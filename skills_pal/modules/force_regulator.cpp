@@ -18,8 +18,8 @@ constexpr double way_sliding = 0.5;
 constexpr double way_standing = 0.2;
 constexpr double near = 0.8;      // N: greater errors are taken away without looking
 constexpr double good = 0.04;     // N: a smaller error is good enough, at first
-constexpr double hold = 0.17;     // N: and is left alone until it is greater than this
-constexpr double modesty = 0.15;  // each try that leads over the target raises `good` by this part of it
+constexpr double hold = 0.09;     // N: and is left alone until it is greater than this
+constexpr double modesty = 0.05;  // each try that leads over the target raises `good` by this part of it
 constexpr int blind_cycles = 4;   // after a motion: it is on its way, and the arm comes to rest
 constexpr int look_cycles = 8;    // whose forces are averaged
 // Parts of the way to the target that a try goes. They differ, as equal ones lead to and fro between two

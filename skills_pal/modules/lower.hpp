@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "skills_pal/modules/gripper.hpp"
 #include "skills_pal/modules/listing.hpp"
@@ -29,6 +30,12 @@ class Lowering : public Listing<Interface, Command> {
  public:
   using Base::Base;
 
+  void start(const ArgumentOf<&Interface::start>& parameters) override {
+    Base::start(parameters);
+    hanging_ = 0;
+    held_ = false;
+  }
+
   // Apart from the way there: what the tool meets here stands at the place.
   void list_step() override {
     height_ = this->parameters().feel ? std::max(0.0, height_ - step) : 0;
@@ -47,10 +54,23 @@ class Lowering : public Listing<Interface, Command> {
         .add(Verb::depart_straight, this->parameters().approach);
   }
 
-  bool decide_pc_holding(const Grip& grip) override { return grip.holding; }
+  // What hangs in the fingers pulls. What presses already is no weight: the first step will show it.
+  void weigh(const Zforce& force) override { hanging_ = std::min(force.value, 0.0); }
+  // The skill has asked whether the fingers hold something, and they do not.
+  void complain() override {
+    throw std::runtime_error(held_ ? "the part slipped out of the fingers on the way"
+                                   : "the fingers hold nothing to put down");
+  }
+
+  bool decide_pc_holding(const Grip& grip) override {
+    held_ = held_ || grip.holding;
+    return grip.holding;
+  }
   bool decide_pc_down() override { return height_ <= 0; }
   // At the place the part may press: that is what it is put down on.
-  bool decide_pc_blocked(const Zforce& force) override { return height_ > 0 && force.value >= contact; }
+  bool decide_pc_blocked(const Zforce& force) override {
+    return height_ > 0 && force.value - hanging_ >= contact;
+  }
 
  protected:
   /// The way there ends above the place, by the parameter `approach`: the first step goes down from that.
@@ -60,6 +80,8 @@ class Lowering : public Listing<Interface, Command> {
   static constexpr double step = 14;    // mm
   static constexpr double contact = 5;  // N: more than the tool's weight shifts by when it comes to rest
   double height_ = 0;                   // mm above the place, as it was commanded
+  double hanging_ = 0;                  // N, not positive: what the part in the fingers pulls with
+  bool held_ = false;                   // the fingers held the part when the skill began
 };
 
 /// CM4.

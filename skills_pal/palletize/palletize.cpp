@@ -1,7 +1,5 @@
 #include "skills_pal/palletize/palletize.hpp"
 
-#include <stdexcept>
-
 #include "palletize_skill.hpp"
 #include "skills_pal/modules/lower.hpp"
 
@@ -32,7 +30,6 @@ class Method final : public Lowering<SM1Activities, Command, place> {
         .add(Verb::approach, next, parameters().approach);
   }
 
-  void complain() override { throw std::runtime_error("the fingers hold nothing to put down"); }
   bool decide_pc_full() override { return parameters().placed >= parameters().rows * parameters().columns; }
 };
 

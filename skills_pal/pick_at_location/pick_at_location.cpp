@@ -43,13 +43,23 @@ class Return final : public Listing<CM4Activities, Command> {
   }
 };
 
+class Open final : public Listing<CM5Activities, Command> {
+ public:
+  using Listing::Listing;
+
+  void list_open() override {
+    list().begin();
+    list().add(Verb::open_hand);
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<runtime::Skill> pick_at_location_skill() {
   auto list = std::make_shared<Method::List>();
-  return make_listing<Method, SM2Activities, SM3Activities>(make_pick_at_location, list,
-                                                            std::make_unique<GripSensor<LS3Activities>>(),
-                                                            std::make_unique<Return>(list));
+  return make_listing<Method, SM2Activities, SM3Activities>(
+      make_pick_at_location, list, std::make_unique<GripSensor<LS3Activities>>(),
+      std::make_unique<Return>(list), std::make_unique<Open>(list));
 }
 
 }  // namespace pal::skills

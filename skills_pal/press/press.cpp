@@ -22,8 +22,9 @@ using namespace press;
 constexpr double contact_at_rest = 1.0;   // N
 constexpr double contact_a_speed = 0.03;  // N s/mm
 constexpr double greatest_step = 0.8;     // mm in a cycle, while the force is regulated
+constexpr double jump = 0.3;              // N: more than the sensor's noise, so the tool has slipped
 // s in which it must come into its band and stay there, beyond the time asked for
-constexpr double settling_limit = 10;
+constexpr double settling_limit = 15;
 
 class Method final : public SM1Activities {
  public:
@@ -51,7 +52,7 @@ class Method final : public SM1Activities {
   Motion regulate(const Zforce& force) override {
     ++cycles_;
     const bool within = std::abs(force.value - parameters_.force) <= parameters_.band;
-    settled_ = within && (settled_ || regulator_.holds());
+    settled_ = within && regulator_.holds() && std::abs(force.value - parameters_.force) <= jump;
     in_band_ = settled_ ? in_band_ + 1 : 0;
     if (cycles_ * alter_period > settling_limit + parameters_.time)
       throw std::runtime_error(
@@ -81,7 +82,7 @@ class Method final : public SM1Activities {
   double contact_ = 0;  // N
   bool touched_ = false;
   bool stopped_ = false;
-  // In the band since the regulator left the force alone: the time asked for has begun.
+  // In the band, and the regulator leaves the force alone: the time asked for goes on.
   bool settled_ = false;
   int cycles_ = 0;   // since the tool touched
   int in_band_ = 0;  // cycles since then

@@ -1,7 +1,9 @@
 #include "skills_pal/rub/rub.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <stdexcept>
 
@@ -23,7 +25,11 @@ constexpr double counts = 20;      // a newton
 constexpr int landed_cycles = 10;  // in the band, without a break: the tool has landed
 constexpr int cycles_to_speed =
     20;  // a slope that begins at once is felt 60 ms later, one that begins slowly is learned
-constexpr double farthest = 20;  // mm: the surface is within that
+constexpr double farthest = 20;                         // mm: the surface is within that
+constexpr double contact = 0.4;                         // N: less is felt in the air, too
+constexpr int most_in_air = 5;                          // cycles: a surface that goes on is met again by then
+constexpr int calm_cycles = 5;                          // in the band at the end of the way, without a motion
+constexpr double landing_limit = 10, ending_limit = 2;  // s
 
 class Method final : public SM1Activities {
  public:
@@ -37,14 +43,16 @@ class Method final : public SM1Activities {
     along_y_ = std::sin(angle);
     regulator_.start((hardest_ + softest_) / 2, parameters.stiffness, parameters.vertical);
     gone_ = sunk_ = 0;
-    in_band_ = sliding_ = 0;
+    in_band_ = sliding_ = landing_ = in_air_ = ending_ = calm_ = 0;
     stopped_ = failed_ = false;
   }
 
   Motion slide(const Zforce& force) override {
+    if (gone_ >= parameters_.distance * 10) return come_to_rest(force.value);
+    if (sliding_ > 0) stay_on_the_surface(force.value);
     Motion motion;
-    const double step = parameters_.band_rule ? parameters_.speed : start_slowly(force.value);
-    motion.dz = parameters_.band_rule ? band_rule(force.value) : regulator_.next(force.value, sliding_ > 0);
+    const double step = start_slowly(force.value);
+    motion.dz = towards_band(force.value, sliding_ > 0);
     motion.ry = regulator_.turn();
     // The end is set, not summed up to: sums of steps miss it by a rounding error.
     const double distance = parameters_.distance * 10;
@@ -64,7 +72,7 @@ class Method final : public SM1Activities {
   bool decide_pc_stop(const Zforce& force) override {
     return stopped_ = stopped_ || force.greatest * counts >= parameters_.stop_force;
   }
-  bool decide_pc_end() override { return gone_ >= parameters_.distance * 10; }
+  bool decide_pc_end() override { return calm_ >= calm_cycles; }
 
  private:
   static void refuse(const Parameters& parameters) {
@@ -85,22 +93,63 @@ class Method final : public SM1Activities {
                       parameters.stiffness);
   }
 
+  double towards_band(double force, bool sliding) {
+    return parameters_.band_rule ? band_rule(force) : regulator_.next(force, sliding);
+  }
+  bool within(double force) const { return force >= softest_ && force <= hardest_; }
+
+  // At the end of the way the tool stands. The skill ends when it presses as asked after its last motion.
+  Motion come_to_rest(double force) {
+    if (++ending_ * alter_period > ending_limit) {
+      std::array<char, 120> text{};
+      std::snprintf(text.data(), text.size(),
+                    "at the end of the way the tool presses with %.1f N: not in its band", force);
+      throw std::runtime_error(text.data());
+    }
+    Motion motion;
+    calm_ = within(force) ? calm_ + 1 : 0;
+    if (calm_ > 0) {
+      regulator_.follow(force, 0);
+    } else {
+      motion.dz = towards_band(force, false);
+      motion.ry = regulator_.turn();
+    }
+    return motion;
+  }
+
+  void stay_on_the_surface(double force) {
+    in_air_ = force < contact ? in_air_ + 1 : 0;
+    if (in_air_ >= most_in_air)
+      throw std::runtime_error("the surface has ended: nothing was felt for 140 ms");
+  }
+
   // The thesis's rule (5.4.2).
   double band_rule(double force) const {
     if (force > hardest_) return -parameters_.vertical;
     return force < softest_ ? parameters_.vertical : 0;
   }
 
-  // Nothing along the surface until the tool has landed on it; then evenly up to the speed.
+  // Nothing along the surface until the tool has landed on it; then evenly up to the speed. The thesis's rule
+  // slides as soon as it touches.
   double start_slowly(double force) {
-    if (sliding_ == 0) {
-      in_band_ = force >= softest_ && force <= hardest_ ? in_band_ + 1 : 0;
-      sunk_ = std::max(sunk_, regulator_.gone());
-      if (sunk_ > farthest) throw std::runtime_error("no surface within 20 mm");
-      if (in_band_ < landed_cycles) return 0;
-    }
+    if (sliding_ == 0 && !landed(force)) return 0;
     sliding_ = std::min(sliding_ + 1, cycles_to_speed);
-    return parameters_.speed * sliding_ / cycles_to_speed;
+    return parameters_.band_rule ? parameters_.speed : parameters_.speed * sliding_ / cycles_to_speed;
+  }
+
+  bool landed(double force) {
+    if (force >= contact) ++landing_;
+    if (parameters_.band_rule) {
+      sunk_ += band_rule(force);
+      in_band_ = landing_ > 0 ? landed_cycles : 0;
+    } else {
+      sunk_ = std::max(sunk_, regulator_.gone());
+      in_band_ = force >= std::max(softest_, contact) && force <= hardest_ ? in_band_ + 1 : 0;
+    }
+    if (sunk_ > farthest) throw std::runtime_error("no surface within 20 mm");
+    if (landing_ * alter_period > landing_limit)
+      throw std::runtime_error("the tool does not come to rest in its band: is the stiffness right?");
+    return in_band_ >= landed_cycles;
   }
 
   Parameters parameters_;
@@ -111,6 +160,10 @@ class Method final : public SM1Activities {
   double sunk_ = 0;  // mm, most towards the surface before the tool landed
   int in_band_ = 0;  // cycles, before the tool slides
   int sliding_ = 0;  // cycles, no more than cycles_to_speed
+  int landing_ = 0;  // cycles since it touched, before it slides
+  int in_air_ = 0;   // cycles, one after the other
+  int ending_ = 0;   // cycles at the end of the way
+  int calm_ = 0;     // of those, in the band without a motion
   bool stopped_ = false, failed_ = false;
 };
 

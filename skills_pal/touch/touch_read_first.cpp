@@ -1,3 +1,4 @@
+// The activities of touch in the order of the thesis, which reads the condition too early.
 #include "skills_pal/modules/alter.hpp"
 #include "skills_pal/modules/retreat.hpp"
 #include "skills_pal/modules/z_force.hpp"

@@ -1,4 +1,4 @@
-// Figures of operations and of the run-time system (docs/internals/benchmarks.md): benchmark_operations [ROW
+// Figures of operations and of the server (docs/internals/benchmarks.md): benchmark_operations [ROW
 // …]
 #include <fmt/format.h>
 #include <time.h>

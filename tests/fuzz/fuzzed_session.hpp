@@ -1,4 +1,4 @@
-// A session of the run-time system, fed with any bytes.
+// A session of the server, fed with any bytes.
 #pragma once
 
 #include <cstdlib>

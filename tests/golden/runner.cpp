@@ -19,6 +19,7 @@
 #include "programs/pal/options/command_line.hpp"
 #include "programs/pal/session/proof.hpp"
 #include "programs/pal/session/selection.hpp"
+#include "programs/pal/session/unchecked.hpp"
 
 namespace {
 
@@ -62,7 +63,10 @@ Outcome check(const std::string& file) {
   pal::program::read(selection, console, session);
   if (!session.diagnostics.has_errors()) {
     const auto limits = limits_in(session.sources.text(pal::FileId(0)));
-    pal::program::report_unmet(pal::program::prove(session, limits), false, session);
+    const auto proofs = pal::program::prove(session, limits);
+    pal::program::report_unmet(proofs, false, session);
+    if (first.starts_with("# --require-verdicts"))
+      pal::program::report_unchecked(pal::program::unchecked(session, proofs, false, false), session);
   }
   pal::render_text(session.diagnostics.sorted(), session.sources, out);
   return {out.str(), session.diagnostics.has_errors()};

@@ -65,7 +65,7 @@ TEST_CASE("meets nothing and goes back to where it began") {
   Cell cell;
   const auto outcome = cell.run(skill, {{"reach", 10}, {"approach-speed", speed}});
   CHECK(outcome.code == 1);
-  CHECK(outcome.reason == "Nothing was met; the tool is back where it began.");
+  CHECK(outcome.reason == "No force as great as the threshold was met; the tool is back where it began.");
   CHECK(cell.tool.target() == Approx(0).margin(1e-9));
   CHECK(cell.tool.furthest == Approx(10));
   CHECK(outcome.duration >

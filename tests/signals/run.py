@@ -96,6 +96,19 @@ def check_one_signal(pal, which):
         assert "witnesses" in json.loads((folder / "runs.json").read_text())
 
 
+def check_bounds_are_kept(pal):
+    """The bounds, which come first, are reported whatever the exploration is at."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "drivers.pal").write_text(specification())
+        arguments = ["check", "drivers.pal", "--analysis", "thorough", "--max-states", "1000000000", "--format", "json"]
+        begin = time.monotonic()
+        status, report = interrupted(pal, folder, [signal.SIGINT], arguments)
+        assert time.monotonic() - begin < 30, "bounds are kept: the signal was not obeyed"
+        rows = json.loads(report)["requirements"]
+        assert status == 0 and all(row["verdict"] == "holds" for row in rows), f"bounds are kept: status {status}"
+
+
 def check_simulation(pal):
     """What the runs made by then show is said."""
     with tempfile.TemporaryDirectory() as name:
@@ -130,7 +143,7 @@ def check_full_output(pal):
 
 
 def check_little_memory(pal):
-    """It says so, and leaves no half of a file."""
+    """The exploration ends, and what is known by then is reported."""
     def limited():
         resource.setrlimit(resource.RLIMIT_AS, (600 << 20, 600 << 20))
     if subprocess.run([pal, "--version"], capture_output=True, preexec_fn=limited).returncode != 0:
@@ -139,16 +152,32 @@ def check_little_memory(pal):
         folder = pathlib.Path(name)
         (folder / "drivers.pal").write_text(specification())
         made = subprocess.run([pal, *CHECK], cwd=folder, capture_output=True, text=True, preexec_fn=limited, timeout=120)
-        assert made.returncode == 2, f"little memory: status {made.returncode}"
-        assert "not enough memory" in made.stderr, f"little memory: {made.stderr}"
-        assert made.stdout == "" and not (folder / "runs.json").exists(), "little memory: something was written"
+        assert made.returncode == 3, f"little memory: status {made.returncode}: {made.stderr}"
+        rows = json.loads(made.stdout)["requirements"]
+        assert len(rows) == len(PERIODS), "little memory: a requirement is missing"
+        assert "witnesses" in json.loads((folder / "runs.json").read_text()), "little memory: no runs were written"
+
+
+def check_memory_limit(pal):
+    """An exploration takes no more than it may, and bounds are known whatever it may take."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "drivers.pal").write_text(specification().replace("AT MOST 100 ms", "AT MOST 8 ms"))
+        made = subprocess.run([pal, "check", "drivers.pal", "--analysis", "thorough", "--format", "json", "--max-memory", "150MB"],
+                              cwd=folder, capture_output=True, text=True, timeout=120)
+        peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        rows = json.loads(made.stdout)["requirements"]
+        assert all(row["bound_ns"] is not None for row in rows), "memory limit: a bound is missing"
+        assert peak < 600, f"memory limit: {peak:.0f} MB"
 
 
 def main():
     pal = sys.argv[1]
     check_full_output(pal)
+    check_memory_limit(pal)  # first: it asks for the greatest memory of all programs by then
     for which in (signal.SIGINT, signal.SIGTERM):
         check_one_signal(pal, which)
+    check_bounds_are_kept(pal)
     check_simulation(pal)
     check_two_signals(pal)
     check_little_memory(pal)

@@ -3,7 +3,7 @@
 
 #include "analyzer/compositional/measures/measures.hpp"
 #include "analyzer/load/fraction.hpp"
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 
 namespace pal::analyzer::compositional {
 

@@ -31,14 +31,17 @@ ExcludedWork::ExcludedWork(const AnalysisContext& context, std::shared_ptr<const
                            const std::function<bool()>& stop)
     : context_(context),
       nodes_on_(context.problem.processors.size()),
+      workers_on_(context.problem.processors.size()),
       place_(context.forest.nodes.size()),
       after_(context.forest.nodes.size()),
       order_(std::move(order)),
       never_together_(never_together(context.problem, context.forest, stop)) {
   for (const NodeId n : place_.ids()) {
-    std::vector<NodeId>& here = nodes_on_[context.thread_of(n).processor];
+    const Thread& thread = context.thread_of(n);
+    std::vector<NodeId>& here = nodes_on_[thread.processor];
     place_[n] = here.size();
     here.push_back(n);
+    if (context.segment(n).worst > 0) workers_on_[thread.processor].push_back({n, thread.priority});
   }
   for (const NodeId n : place_.ids()) {
     const ProcessorId processor = context_.thread_of(n).processor;
@@ -82,16 +85,20 @@ bool ExcludedWork::is_before(NodeId before, const Bits& set) const {
 
 std::vector<NodeId> ExcludedWork::of(NodeId node, bool done_before_next, bool in_turn) const {
   const Thread& mine = context_.thread_of(node);
+  const auto is_after = [&](NodeId first, NodeId second) {
+    const Bits& after = after_[first];
+    if (after.empty()) return comes_later(first, second);
+    return (after[place_[second] / 64] >> place_[second] % 64 & 1) != 0;
+  };
   std::vector<NodeId> excluded;
   std::vector<NodeId> over;       // before the node is released
   std::vector<NodeId> apart;      // never at the same time as the node
   std::vector<NodeId> recurring;  // counts, and may come again
-  for (const NodeId other : nodes_on_[mine.processor]) {
-    if (other == node || context_.segment(other).worst == 0) continue;
-    if (context_.thread_of(other).priority < mine.priority) continue;
-    if (comes_later(node, other)) {
+  for (const auto& [other, priority] : workers_on_[mine.processor]) {
+    if (other == node || priority < mine.priority) continue;
+    if (is_after(node, other)) {
       excluded.push_back(other);
-    } else if (contains(order_->later[other], node)) {
+    } else if (is_after(other, node)) {
       over.push_back(other);
     } else if (never_overlap(node, other, done_before_next, in_turn)) {
       apart.push_back(other);

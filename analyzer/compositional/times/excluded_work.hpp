@@ -41,8 +41,16 @@ class ExcludedWork {
   /// The nodes of a processor that are among these.
   Bits set_of(ProcessorId processor, const std::vector<NodeId>& nodes) const;
 
+  /// A node that takes time, with what tells whether it counts: all nodes of a processor are gone through for
+  /// each of them.
+  struct Worker {
+    NodeId node{};
+    int priority = 0;
+  };
+
   AnalysisContext context_;
   Table<ProcessorId, std::vector<NodeId>> nodes_on_;
+  Table<ProcessorId, std::vector<Worker>> workers_on_;
   Table<NodeId, std::size_t> place_;  // in nodes_on_
   Table<NodeId, Bits> after_;         // those of its processor that are released only after it is done
   std::shared_ptr<const Order> order_;

@@ -1,4 +1,5 @@
-// All runs of one module, with its blocks and the modules it executes, as far as conditions are concerned.
+// All runs of one module, as far as conditions are concerned: which arm of a CASE is taken, the first that
+// holds, and which are never taken. Its blocks and the modules that it executes belong to it.
 #pragma once
 
 #include <cstdint>

@@ -54,7 +54,6 @@ class Once {
     auto& finding =
         diagnostics_.report(Code::PAL0711, where, what_ + shown + " is given twice", "remove one of them");
     finding.notes.push_back({first->second, "it is also given here"});
-    finding.fix = {{where, ""}};
   }
 
  private:

@@ -1,3 +1,4 @@
+// Requests for one answer in two blocks at once.
 #include <map>
 
 #include "pal/check/report.hpp"

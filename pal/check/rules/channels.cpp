@@ -1,3 +1,4 @@
+// Messages that no module sends or takes, and requests that no module answers.
 #include <string>
 #include <vector>
 

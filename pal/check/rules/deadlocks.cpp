@@ -1,3 +1,4 @@
+// Deadlocks and lost messages, as findings.
 #include <string>
 
 #include "pal/check/deadlock/explore.hpp"

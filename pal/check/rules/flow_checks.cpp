@@ -1,3 +1,4 @@
+// Statements that are never reached, and loops that spin.
 #include <string>
 #include <vector>
 
@@ -44,11 +45,15 @@ class FlowCheck {
   void report_unreached(std::size_t index) {
     const auto& node = nodes_[index];
     const auto* cause = index > 0 ? &nodes_[index - 1] : nullptr;
-    const bool ended = cause != nullptr && std::holds_alternative<pan::Complete>(cause->content);
-    if (ended && std::holds_alternative<pan::Complete>(node.content)) {
-      auto& finding = diagnostics_.report(Code::PAL0505, node.where,
-                                          "the skill has sent its completion already", "remove it");
-      finding.fix = {{node.where, ""}};
+    const auto* first = cause == nullptr ? nullptr : std::get_if<pan::Complete>(&cause->content);
+    const auto* second = std::get_if<pan::Complete>(&node.content);
+    const bool ended = first != nullptr;
+    if (ended && second != nullptr) {
+      const bool same = first->code == second->code;
+      auto& finding =
+          diagnostics_.report(Code::PAL0505, node.where, "the skill has sent its completion already",
+                              same ? "remove it" : "remove the one that is not meant");
+      if (same) finding.fix = {{node.where, ""}};
       finding.notes.push_back({cause->where, "it ends here"});
       return;
     }

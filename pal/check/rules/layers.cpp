@@ -1,3 +1,4 @@
+// Which kinds of module may communicate (thesis, figure 3.3).
 #include <set>
 #include <string>
 #include <utility>

@@ -1,3 +1,4 @@
+// The start of the skill and its completions; contingency methods that nothing executes.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -74,11 +75,9 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
     const bool for_faults = completion.kind == pan::Completion::Kind::error && !has_error;
     has_error = has_error || for_faults;
     if (for_faults || sent.contains(completion.code)) continue;
-    diagnostics
-        .report(Code::PAL0612, completion.where,
-                "nothing sends completion " + std::to_string(completion.code),
-                "send it where the skill ends in this way, or remove it")
-        .fix = {{completion.where, ""}};
+    diagnostics.report(Code::PAL0612, completion.where,
+                       "nothing sends completion " + std::to_string(completion.code),
+                       "send it where the skill ends in this way, or remove it");
   }
 }
 

@@ -1,3 +1,4 @@
+// Modules that begin with something other than a wait.
 #include <string>
 
 #include "pal/check/report.hpp"

@@ -1,3 +1,4 @@
+// pal atc: the run of a requirement as a chart.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -91,9 +92,32 @@ bool is_of(const trace::Trace& measured, const Proof& proof, const AtcOptions& o
   return false;
 }
 
+/// What the name of the output says of its form is what is written. Otherwise says so.
+bool fits_its_name(const std::string& output, ChartFormat format, std::ostream& err) {
+  const bool page = output.ends_with(".html") || output.ends_with(".htm");
+  for (const char* ending :
+       {".png", ".pdf", ".jpg", ".jpeg", ".gif", ".eps", ".ps", ".webp", ".json", ".txt", ".md"}) {
+    if (!output.ends_with(ending)) continue;
+    const std::string stem = output.substr(0, output.rfind('.'));
+    err << fmt::format("pal: cannot write {}: a chart is SVG or HTML\nhint: write -o {}.svg", output, stem);
+    if (output.ends_with(".png")) err << fmt::format(", then rsvg-convert -o {} {}.svg", output, stem);
+    if (output.ends_with(".pdf")) err << fmt::format(", then rsvg-convert -f pdf -o {} {}.svg", output, stem);
+    err << "\n";
+    return false;
+  }
+  if (page == (format == ChartFormat::html) || (!page && !output.ends_with(".svg"))) return true;
+  err << fmt::format("pal: cannot write {}: --format {} writes {}\n", output, page ? "svg" : "html",
+                     page ? "a picture, SVG" : "a page, HTML");
+  return false;
+}
+
 }  // namespace
 
-ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
+ExitStatus draw_atc(const AtcOptions& given, const Console& console) {
+  AtcOptions options = given;
+  const bool page = options.output.ends_with(".html") || options.output.ends_with(".htm");
+  if (options.format == ChartFormat::by_name) options.format = page ? ChartFormat::html : ChartFormat::svg;
+  if (!fits_its_name(options.output, options.format, console.err)) return ExitStatus::usage;
   Session session;
   const Interruption interruption;  // till all is written
   limit_checks(options.limits, session);
@@ -114,13 +138,14 @@ ExitStatus draw_atc(const AtcOptions& options, const Console& console) {
     console.err << "pal: a chart needs times: give an environment with --environment FILE\n";
     return ExitStatus::usage;
   }
-  const auto what = choose(proofs, options.requirement, console.err);
+  auto what = choose(proofs, options.requirement, console.err);
   if (!what) return ended(proofs) ? ExitStatus::not_met : ExitStatus::usage;
   std::optional<trace::Trace> measured;
   if (!options.measured.empty()) {
     measured = read_trace(options.measured, console);
     if (!measured || !is_of(*measured, *what->proof, options, console)) return ExitStatus::usage;
   }
+  if (options.no_list) what->shown.options.explanation.clear();
   const std::string& skill = what->proof->problem.skill;
   const std::string& requirement = what->proof->problem.requirements[what->index].name;
   std::string path = options.output;

@@ -1,3 +1,4 @@
+// pal check: findings, verdicts, and the exit status that they make.
 #include <ostream>
 #include <sstream>
 
@@ -11,7 +12,9 @@
 #include "programs/pal/reports/sarif.hpp"
 #include "programs/pal/reports/statistics.hpp"
 #include "programs/pal/reports/witness.hpp"
+#include "programs/pal/session/colour.hpp"
 #include "programs/pal/session/interruption.hpp"
+#include "programs/pal/session/unchecked.hpp"
 #include "programs/pal/session/write.hpp"
 
 namespace pal::program {
@@ -34,10 +37,26 @@ void emit_pan(const check::Specification& specification, std::ostream& out) {
   for (const pan::Environment& environment : specification.environments) pan::dump(environment, out);
 }
 
-void say_what_was_not_proved(const Session& session, std::ostream& err) {
-  if (session.specification.skills.empty() || !session.specification.environments.empty()) return;
-  err << "pal: no environment, so no times: what needs them was not checked (give one with --environment "
-         "FILE)\n";
+/// Of a report in text. The rows of the table have the reasons of each requirement.
+void say_what_was_not_checked(const std::vector<Unchecked>& not_checked, bool any_verdict, bool without_times,
+                              std::ostream& err) {
+  if (not_checked.empty() || without_times) return;
+  const Unchecked& first = not_checked.front();
+  if (any_verdict) {
+    err << "pal: " << subject_of(first) << " was not checked: " << first.reason;
+    if (not_checked.size() > 1) err << "; nor " << not_checked.size() - 1 << " more";
+    err << " (--require-verdicts makes this an error)\n";
+    return;
+  }
+  err << "pal: no time was checked: " << first.reason << " (" << first.hint
+      << "; --without-times checks everything but times)\n";
+}
+
+ExitStatus status_of(const std::vector<Proof>& proofs, const std::vector<Unchecked>& not_checked,
+                     const CheckOptions& options) {
+  if (!all_hold(proofs)) return ExitStatus::not_met;
+  if (options.require_verdicts && !not_checked.empty()) return ExitStatus::not_met;
+  return has_verdicts(proofs) || options.without_times ? ExitStatus::all_hold : ExitStatus::not_met;
 }
 
 /// What went wrong, or nothing.
@@ -60,32 +79,44 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
   std::vector<Proof> proofs;
-  if (!session.diagnostics.has_errors()) {
+  if (!session.diagnostics.has_errors() && !options.without_times) {
     ProofLimits limits = options.limits;
     limits.peak_memory = options.statistics;
     limits.addends = options.explain || options.format == Format::json;
     proofs = prove(session, limits);
   }
-  const ExitStatus found = status_of_findings(session);
+  const std::vector<Unchecked> not_checked =
+      unchecked(session, proofs, session.diagnostics.has_errors(), options.without_times);
+  const bool raised = options.warnings_as_errors && raise_warnings(session);
+  ExitStatus found = status_of_findings(session);
+  if (raised && found == ExitStatus::all_hold) found = ExitStatus::wrong_specification;
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, options.explain || options.format != Format::text, session);
+  if (options.require_verdicts && !wrong) report_unchecked(not_checked, session);
 
-  const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
+  const ExitStatus status = wrong ? found : status_of(proofs, not_checked, options);
+  const bool any_verdict = has_verdicts(proofs);
   if (options.format == Format::json) {
-    console.out << json(proofs, session, options.statistics);
+    console.out << json(proofs, not_checked, session, options.statistics);
   } else if (options.format == Format::sarif) {
-    console.out << sarif(session, status);
+    console.out << sarif(session, not_checked, options.require_verdicts, any_verdict, status);
   } else if (options.format == Format::junit) {
-    console.out << junit(proofs, session);
-  } else if (options.quiet) {
-    show_findings(session, console);
+    console.out << junit(proofs, not_checked, options.require_verdicts, session);
   } else {
     show_findings(session, console);
-    if (!wrong) say_what_was_not_proved(session, console.err);
-    write_table(proofs, options.explain, console.out);
+    if (!wrong) say_what_was_not_checked(not_checked, any_verdict, options.without_times, console.err);
+    if (!options.quiet) {
+      std::ostringstream table;
+      write_table(proofs, options.explain, table);
+      if (!wrong) write_unchecked(not_checked, table);
+      console.out << (console.colour_out ? coloured_table(table.str()) : table.str());
+    }
   }
   if (options.statistics && options.format == Format::text) write_statistics(proofs, console.err);
-  if (!options.witness.empty() && !wrong) {
+  if (!options.witness.empty() && wrong) {
+    console.err << "pal: no witnesses were written, since nothing was proved; if there is a file "
+                << options.witness << ", it is of an earlier check\n";
+  } else if (!options.witness.empty()) {
     if (const auto problem = write_witnesses(options.witness, proofs, session)) {
       console.err << "pal: " << *problem << "\n";
       return ExitStatus::usage;

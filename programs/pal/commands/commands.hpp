@@ -24,7 +24,10 @@ struct CheckOptions {
   Format format = Format::text;
   Stage emit = Stage::none;
   bool explain = false;
-  bool quiet = false;  // of what holds nothing is said
+  bool quiet = false;               // of what holds nothing is said
+  bool without_times = false;       // nothing that needs times is checked, and that is no fault
+  bool require_verdicts = false;    // a requirement without a verdict is an error
+  bool warnings_as_errors = false;  // a warning is an error
   bool statistics = false;
   std::string witness;  // where to write the witnesses
 };
@@ -76,17 +79,19 @@ struct PanOptions {
 };
 ExitStatus draw_pan(const PanOptions& options, const Console& console);
 
-enum class ChartFormat { svg, html };
+/// by_name: HTML if the output is called so, else SVG.
+enum class ChartFormat { by_name, svg, html };
 
 struct AtcOptions {
   Selection selection;
   ProofLimits limits;
-  ChartFormat format = ChartFormat::svg;
+  ChartFormat format = ChartFormat::by_name;
   std::string requirement;  // empty: the most interesting
   std::string output;       // empty: SKILL.REQUIREMENT.svg, or SKILL.html
   std::string measured;     // a trace to lay over, or to be one of the page's runs
   std::string trace;        // where to write the trace of the worst run
   bool chrome = false;      // … in the form of trace viewers
+  bool no_list = false;     // the list of what the time is spent on is left out
 };
 ExitStatus draw_atc(const AtcOptions& options, const Console& console);
 

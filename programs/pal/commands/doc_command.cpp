@@ -1,3 +1,4 @@
+// pal doc: the template of a skill as a document.
 #include <filesystem>
 #include <ostream>
 

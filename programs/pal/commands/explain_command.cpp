@@ -1,8 +1,11 @@
+// pal explain: the page of a finding.
 #include <ostream>
+#include <sstream>
 
 #include "pal/explain/codes.hpp"
 #include "pal/explain/reference.hpp"
 #include "programs/pal/commands/commands.hpp"
+#include "programs/pal/session/colour.hpp"
 
 namespace pal::program {
 namespace {
@@ -42,7 +45,10 @@ ExitStatus explain_code(const ExplainOptions& options, const Console& console) {
   }
   for (const std::string& text : options.codes) {
     if (&text != &options.codes.front()) console.out << "\n";
-    explain::write_page(*explain::find_code(text), console.out);
+    std::ostringstream page;
+    explain::write_page(*explain::find_code(text), page);
+    console.out << (console.terminal || console.colour_out ? terminal_page(page.str(), console.colour_out)
+                                                           : page.str());
   }
   return ExitStatus::all_hold;
 }

@@ -1,3 +1,4 @@
+// pal fmt: the canonical layout.
 #include <ostream>
 #include <set>
 

@@ -1,3 +1,4 @@
+// pal generate: C++ of a skill that is right and meets its requirements.
 #include <fmt/format.h>
 
 #include <ostream>

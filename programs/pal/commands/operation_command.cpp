@@ -1,3 +1,4 @@
+// pal operation check and format.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,6 +15,7 @@
 #include "programs/pal/reports/check_report.hpp"
 #include "programs/pal/reports/sarif.hpp"
 #include "programs/pal/session/interruption.hpp"
+#include "programs/pal/session/unchecked.hpp"
 
 namespace pal::program {
 namespace {
@@ -123,16 +125,18 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   const ExitStatus found = status_of_findings(session);
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, options.format != Format::text, session);
+  const std::vector<Unchecked> not_checked =
+      options.skills.empty() ? std::vector<Unchecked>() : unchecked(session, proofs, wrong, false);
   const ExitStatus status = wrong ? found : all_hold(proofs) ? ExitStatus::all_hold : ExitStatus::not_met;
 
   if (options.format == Format::sarif) {
-    console.out << sarif(session, status);
+    console.out << sarif(session, not_checked, false, has_verdicts(proofs), status);
   } else if (options.format == Format::json) {
-    auto document = nlohmann::ordered_json::parse(json(proofs, session));
+    auto document = nlohmann::ordered_json::parse(json(proofs, not_checked, session));
     document["operations"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < ways.size(); ++i)
       document["operations"].push_back(json(programs[i], ways[i]));
-    console.out << document.dump(2) << "\n";
+    console.out << document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   } else {
     show_findings(session, console);
     if (!wrong && options.skills.empty())

@@ -1,3 +1,4 @@
+// pal operation storyboard: an execution as a picture.
 #include <ostream>
 
 #include "operations/load.hpp"

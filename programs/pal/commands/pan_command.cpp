@@ -1,3 +1,4 @@
+// pal pan: modules as graphs.
 #include <fmt/format.h>
 
 #include <ostream>
@@ -37,6 +38,13 @@ void add_units(const pan::Network& network, const PanOptions& options, syntax::T
   }
 }
 
+/// Whether the output is called like a picture, not like a folder.
+bool names_a_file(const std::string& output) {
+  for (const char* ending : {".svg", ".dot", ".gv", ".png", ".pdf", ".jpg", ".html", ".eps"})
+    if (output.ends_with(ending)) return true;
+  return false;
+}
+
 ExitStatus no_module(const PanOptions& options, const Console& console) {
   console.err << (options.module.empty()
                       ? "pal: there is no module with a body to draw\n"
@@ -69,6 +77,21 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
   for (const pan::Network& network : session.specification.skills) add_pictures(network, options, files);
   for (const pan::Network& network : session.specification.sketches) add_pictures(network, options, files);
   if (files.empty()) return no_module(options, console);
+  if (names_a_file(options.output)) {
+    const std::string wanted = options.dot ? ".dot" : ".svg";
+    if (!options.output.ends_with(wanted) || files.size() != 1) {
+      console.err << fmt::format(
+          "pal: cannot write {}: {}\nhint: -o takes a folder for the drawings of all modules, or with "
+          "--module "
+          "NAME a file that ends in {}\n",
+          options.output,
+          files.size() != 1 ? fmt::format("there are {} modules to draw", files.size())
+                            : "the drawing is " + std::string(options.dot ? "DOT" : "SVG"),
+          wanted);
+      return ExitStatus::usage;
+    }
+    files.front().path = options.output;
+  }
   return write_and_list(files, inputs_of(session), console);
 }
 

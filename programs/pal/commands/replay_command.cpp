@@ -1,3 +1,4 @@
+// pal replay: witnesses confirmed without the analysis.
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/reports/witness.hpp"
 

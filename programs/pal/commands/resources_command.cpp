@@ -1,3 +1,4 @@
+// pal resources: what a skill needs, and what the workcell lacks.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -128,7 +129,8 @@ ExitStatus show_resources(const ResourcesOptions& options, const Console& consol
       write_table(comparison, environments, console.out);
     }
   }
-  if (options.format == Format::json) console.out << document.dump(2) << "\n";
+  if (options.format == Format::json)
+    console.out << document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   return all ? ExitStatus::all_hold : ExitStatus::wrong_specification;
 }
 

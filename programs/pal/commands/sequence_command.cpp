@@ -1,3 +1,4 @@
+// pal sequence: runs into deadlocks as message sequence charts.
 #include <fmt/format.h>
 
 #include <algorithm>

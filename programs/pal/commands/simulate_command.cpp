@@ -1,3 +1,4 @@
+// pal simulate: random runs, and what they show.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// pal whatif: slacks, remedies, placements.
 #include <algorithm>
 #include <iterator>
 #include <ostream>

@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <ostream>
 
 #include "pal/support/nearest.hpp"
 #include "programs/pal/commands/commands.hpp"
+#include "programs/pal/options/completion.hpp"
 #include "programs/pal/options/shared_options.hpp"
 #include "programs/pal/options/subcommands.hpp"
 
@@ -18,6 +20,36 @@ ExitStatus run_operation(const CLI::App& operation, const OperationOptions& chec
   if (operation.got_subcommand("check")) return check_operation(check, console);
   if (operation.got_subcommand("storyboard")) return tell_operation(tell, console);
   return format_operation(format, console);
+}
+
+/// The options of the innermost command that was given.
+std::vector<std::string> options_of(CLI::App& app) {
+  CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().back();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command->get_options(std::function<bool(CLI::Option*)>()))
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// Says what is meant by an option that there is not, if that is plain.
+void suggest_options(CLI::App& app, const std::vector<std::string>& arguments, std::ostream& err) {
+  const std::vector<std::string> known = options_of(app);
+  for (const std::string& argument : arguments) {
+    if (argument == "--") return;
+    if (!argument.starts_with("--")) continue;
+    const std::string name = argument.substr(0, argument.find('='));
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (const auto close = nearest(name, known)) err << "hint: did you mean '" << *close << "'?\n";
+  }
+}
+
+/// `help`, and `help COMMAND …`, as the option --help has it.
+std::vector<std::string> without_help_command(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+  return arguments;
 }
 
 /// Says which commands there are, if the first argument is meant as one and is none.
@@ -35,7 +67,8 @@ bool is_known_command(CLI::App& app, const std::vector<std::string>& arguments, 
 
 }  // namespace
 
-ExitStatus run(const std::vector<std::string>& arguments, const Console& console) {
+ExitStatus run(const std::vector<std::string>& given, const Console& console) {
+  const std::vector<std::string> arguments = without_help_command(given);
   CLI::App app{"PAL: robot skills that meet their deadlines, proved", "pal"};
   app.set_version_flag("--version", "pal " PAL_VERSION);
   app.require_subcommand(1);
@@ -68,12 +101,16 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   OperationOptions operation_check, operation_tell, operation_format;
   add_operation(app, operation_check, operation_tell, operation_format);
 
+  std::string shell;
+  add_completion(app, shell);
+
   if (!is_known_command(app, arguments, console.err)) return ExitStatus::usage;
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
     const int status = app.exit(error, console.out, console.err);
+    if (status != 0) suggest_options(app, arguments, console.err);
     return status == 0 ? ExitStatus::all_hold : ExitStatus::usage;
   }
   if (app.got_subcommand("check")) return check(check_options, console);
@@ -89,6 +126,10 @@ ExitStatus run(const std::vector<std::string>& arguments, const Console& console
   if (app.got_subcommand("operation"))
     return run_operation(*app.get_subcommand("operation"), operation_check, operation_tell, operation_format,
                          console);
+  if (app.got_subcommand("completion")) {
+    console.out << completion_script(app, shell);
+    return ExitStatus::all_hold;
+  }
   if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);
 }

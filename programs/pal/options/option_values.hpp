@@ -4,10 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "pal/support/time.hpp"
 
 namespace pal::program {
+
+/// Begins the name of a validator that says which words an option takes; it checks nothing itself.
+constexpr std::string_view choices_prefix = "choices: ";
 
 /// One of the words of `values`.
 template <typename Value>
@@ -22,7 +26,10 @@ CLI::Option* add_choice(CLI::App& command, const char* name, Value& value,
     for (const auto& each : values) known += (known.empty() ? "" : ", ") + each.first;
     throw CLI::ValidationError(name, "'" + word + "' is none of " + known);
   };
-  return command.add_option_function<std::string>(name, choose, description);
+  std::string words(choices_prefix);
+  for (const auto& each : values) words += each.first + " ";
+  return command.add_option_function<std::string>(name, choose, description)
+      ->check(CLI::Validator([](const std::string&) { return std::string(); }, "", words));
 }
 
 /// Also refuses a number below 0, which would otherwise become a large one.

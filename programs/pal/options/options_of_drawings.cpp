@@ -9,7 +9,9 @@ void add_pan(CLI::App& app, PanOptions& options) {
   CLI::App* command = app.add_subcommand("pan", "Draws modules as Process Activity Networks");
   add_selection(*command, options.selection);
   command->add_option("-m,--module", options.module, "only this module")->type_name("NAME");
-  command->add_option("-o,--output", options.output, "folder for SKILL.MODULE.pan.svg")
+  command
+      ->add_option("-o,--output", options.output,
+                   "folder for SKILL.MODULE.pan.svg; with --module also a file")
       ->type_name("FOLDER")
       ->capture_default_str();
   command->add_flag("--dot", options.dot, "write Graphviz DOT instead of SVG");
@@ -37,10 +39,13 @@ void add_atc(CLI::App& app, AtcOptions& options) {
       ->add_option("-o,--output", options.output,
                    "the picture (SKILL.REQUIREMENT.svg), or the page (SKILL.html)")
       ->type_name("FILE");
+  auto* no_list = command->add_flag("--no-list", options.no_list,
+                                    "leave out the list of what the time is spent on, and its marks");
   command
       ->add_option("--measured", options.measured,
                    "lay the run of this trace over the proved one; in a page it is one of the runs")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(no_list);
   command->add_option("--trace", options.trace, "also write the worst run as a trace")->type_name("FILE");
   command->add_flag("--chrome", options.chrome,
                     "write the trace in Chrome's trace-event form, as Perfetto opens it");

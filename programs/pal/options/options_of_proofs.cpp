@@ -49,6 +49,13 @@ void add_check(CLI::App& app, CheckOptions& options) {
   auto* explain = command->add_flag("--explain", options.explain, "print what adds up to each bound");
   command->add_flag("--quiet", options.quiet, "print only findings, and nothing if all holds")
       ->excludes(explain);
+  auto* without_times = command->add_flag("--without-times", options.without_times,
+                                          "check everything but times, and prove no requirement");
+  command
+      ->add_flag("--require-verdicts", options.require_verdicts,
+                 "make it an error if a requirement was not checked, or a skill has none")
+      ->excludes(without_times);
+  command->add_flag("--warnings-as-errors", options.warnings_as_errors, "make each warning an error");
   command->add_flag("--statistics", options.statistics,
                     "print states, classes, seconds and peak memory of each requirement and of all");
   command->footer(statuses_of_proofs);

@@ -26,9 +26,14 @@ void add_max_errors(CLI::App& command, std::size_t& most) {
 }
 
 void add_selection(CLI::App& command, Selection& selection) {
-  command.add_option("files", selection.files, "PAL files with the skills")->required()->type_name("FILE");
   command
-      .add_option("-e,--environment", selection.environments, "PAL file with an environment; may be repeated")
+      .add_option("files", selection.files,
+                  "PAL files with the skills, folders with them, or - (standard input)")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option("-e,--environment", selection.environments,
+                  "PAL file, or folder, with an environment; may be repeated")
       ->type_name("FILE")
       ->take_all();
   command.add_option("-s,--skill", selection.skill, "only the skill of this name")->type_name("NAME");
@@ -43,6 +48,13 @@ void add_limits(CLI::App& command, ProofLimits& limits, const char* timeout) {
                   "give up a requirement after this many states (undecided)")
       ->capture_default_str()
       ->check(whole_number());
+  command
+      .add_option(
+          "--max-memory", limits.max_memory,
+          "explore no further once the program takes so much memory: 500MB, 4GB; without it half of what "
+          "the machine, its container or a ulimit gives")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
   add_timeout(command, limits.seconds, timeout == nullptr ? usual_timeout : timeout);
   command.add_option("--threads", limits.threads, "number of threads; 0: one for each core")
       ->capture_default_str()

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/session/measure_text.hpp"
 
 namespace pal::program {
@@ -55,7 +56,7 @@ void write_arithmetic(const analyzer::Verdict& verdict, std::ostream& out) {
 }
 
 std::string arithmetic_json(const analyzer::Verdict& verdict) {
-  return rows_of(verdict.addends).dump();
+  return json_text(rows_of(verdict.addends));
 }
 
 }  // namespace pal::program

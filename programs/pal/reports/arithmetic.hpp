@@ -1,4 +1,4 @@
-// The additions that make up bounds.
+// The additions that make up bounds, as `pal check --explain` prints them.
 #pragma once
 
 #include <iosfwd>

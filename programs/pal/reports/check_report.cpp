@@ -8,6 +8,7 @@
 
 #include "pal/support/render.hpp"
 #include "programs/pal/reports/arithmetic.hpp"
+#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/reports/statistics.hpp"
 
 namespace pal::program {
@@ -33,6 +34,23 @@ std::string method_text(const analyzer::Verdict& verdict) {
   return verdict.method == analyzer::Method::exact ? "" : "  (compositional)";
 }
 
+nlohmann::ordered_json json(const Unchecked& row) {
+  nlohmann::ordered_json object;
+  object["name"] = row.requirement;
+  object["skill"] = row.skill;
+  object["environment"] = row.environment;
+  object["measure"] = row.measure;
+  object["limit_ns"] = row.limit.count();
+  object["bound_ns"] = nullptr;
+  object["attained_ns"] = nullptr;
+  object["exact"] = false;
+  object["analysis"] = nullptr;
+  object["verdict"] = "not checked";
+  object["addends"] = nlohmann::ordered_json::array();
+  object["reason"] = row.reason;
+  return object;
+}
+
 }  // namespace
 
 void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out) {
@@ -54,7 +72,19 @@ void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& o
   }
 }
 
-std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics) {
+void write_unchecked(const std::vector<Unchecked>& not_checked, std::ostream& out) {
+  std::string heading;
+  for (const Unchecked& row : not_checked) {
+    if (row.skill.empty()) continue;  // said by the command
+    const std::string now = row.environment.empty() ? row.skill : row.skill + " in " + row.environment;
+    if (now != heading) out << now << "\n";
+    heading = now;
+    out << "  not checked  " << (row.requirement.empty() ? "" : row.requirement + ": ") << row.reason << "\n";
+  }
+}
+
+std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>& not_checked,
+                 const Session& session, bool statistics) {
   nlohmann::ordered_json document;
   document["format_version"] = 1;
   document["diagnostics"] =
@@ -76,13 +106,30 @@ std::string json(const std::vector<Proof>& proofs, const Session& session, bool 
       row["exact"] = verdict.exact;
       row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
+      row["taken_as_lost"] = nlohmann::ordered_json::array();
+      for (const analyzer::LostEvents& lost : verdict.taken_as_lost) {
+        const analyzer::Device& device = proof.problem.devices[lost.device];
+        row["taken_as_lost"].push_back({{"device", device.name},
+                                        {"message", proof.problem.channels[device.event].message},
+                                        {"lost", lost.lost},
+                                        {"in", lost.in}});
+      }
       row["addends"] = nlohmann::ordered_json::parse(arithmetic_json(verdict));
       if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
       document["requirements"].push_back(std::move(row));
     }
   }
+  for (const Unchecked& row : not_checked) {
+    if (!row.requirement.empty()) document["requirements"].push_back(json(row));
+  }
+  document["not_checked"] = nlohmann::ordered_json::array();
+  for (const Unchecked& row : not_checked)
+    document["not_checked"].push_back({{"name", row.requirement},
+                                       {"skill", row.skill},
+                                       {"environment", row.environment},
+                                       {"reason", row.reason}});
   if (statistics) document["statistics"] = nlohmann::ordered_json::parse(json(sum_of(proofs)));
-  return document.dump(2) + "\n";
+  return json_text(document, 2) + "\n";
 }
 
 }  // namespace pal::program

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/unchecked.hpp"
 
 namespace pal::program {
 
@@ -13,10 +14,16 @@ namespace pal::program {
 /// of the bound stand below it.
 void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out);
 
+/// A line for each of them, with the reason.
+void write_unchecked(const std::vector<Unchecked>& not_checked, std::ostream& out);
+
 /// {"diagnostics": [...], "not_kept", "requirements": [{name, skill, environment, measure, limit_ns,
 /// bound_ns, attained_ns, exact, analysis, verdict, addends}]} (docs/reference/command-line.md), with what
 /// they took if `statistics`. A figure that is not known is null. Of a load, both figures are nanoseconds of
 /// work a second.
-std::string json(const std::vector<Proof>& proofs, const Session& session, bool statistics = false);
+///
+/// Those of `not_checked` follow, with the verdict "not checked" and a `reason`.
+std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>& not_checked,
+                 const Session& session, bool statistics = false);
 
 }  // namespace pal::program

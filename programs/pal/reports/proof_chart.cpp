@@ -8,7 +8,7 @@
 #include "analyzer/chart/options.hpp"
 #include "analyzer/chart/timeline.hpp"
 #include "analyzer/runs/simulate.hpp"
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "programs/pal/reports/chart_caption.hpp"
 #include "programs/pal/reports/loss_run.hpp"
 

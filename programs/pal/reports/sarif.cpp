@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "programs/pal/reports/json_text.hpp"
 
 namespace pal::program {
 namespace {
@@ -31,13 +33,14 @@ std::string uri_of(const std::string& path) {
 
 class Log {
  public:
-  Log(const SourceManager& sources, const std::vector<Code>& rules) : sources_(sources), rules_(rules) {}
+  Log(const Session& session, const std::vector<Code>& rules)
+      : session_(session), sources_(session.sources), rules_(rules) {}
 
   Json result(const Diagnostic& finding) const {
     Json result = head(finding.code, name(finding.severity), finding.message, finding.where);
     if (!finding.hint.empty()) result["message"]["text"] = finding.message + "\nhint: " + finding.hint;
     for (std::size_t i = 0; i < finding.notes.size(); ++i) {
-      Json related = location(finding.notes[i].where);
+      Json related = location(finding.notes[i].where.valid() ? finding.notes[i].where : finding.where);
       related["id"] = i;
       related["message"]["text"] = finding.notes[i].text;
       result["relatedLocations"].push_back(std::move(related));
@@ -51,8 +54,10 @@ class Log {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       Json artifact;
       artifact["location"] = artifact_location(FileId(i));
-      artifact["length"] = sources_.text(FileId(i)).size();
-      artifact["encoding"] = "UTF-8";
+      if (!is_unread(FileId(i), session_)) {
+        artifact["length"] = sources_.text(FileId(i)).size();
+        artifact["encoding"] = "UTF-8";
+      }
       artifact["sourceLanguage"] = sources_.name(FileId(i)).ends_with(".json") ? "json" : "pal";
       list.push_back(std::move(artifact));
     }
@@ -66,8 +71,7 @@ class Log {
     result["ruleIndex"] = std::find(rules_.begin(), rules_.end(), code) - rules_.begin();
     result["level"] = level;
     result["message"]["text"] = message;
-    result["locations"] = Json::array();
-    if (where.valid()) result["locations"].push_back(location(where));
+    result["locations"].push_back(location(where));
     return result;
   }
 
@@ -89,10 +93,11 @@ class Log {
     return region;
   }
 
-  /// Without a place an object that says nothing, which is allowed.
-  Json location(const SourceSpan& where) const {
+  /// Code hosts refuse a result that has no place in a file.
+  Json location(SourceSpan where) const {
     Json location = Json::object();
-    if (!where.valid()) return location;
+    if (!where.valid() && sources_.size() == 0) return location;
+    if (!where.valid()) where = {FileId(0), 0, 0};
     location["physicalLocation"]["artifactLocation"] = artifact_location(where.file);
     location["physicalLocation"]["region"] = region(where);
     return location;
@@ -117,54 +122,68 @@ class Log {
     return fix;
   }
 
+  const Session& session_;
   const SourceManager& sources_;
   const std::vector<Code>& rules_;
 };
 
-std::string_view meaning(ExitStatus status) {
+std::string_view meaning(ExitStatus status, bool any_verdict, bool all_checked) {
   switch (status) {
     case ExitStatus::all_hold:
-      return "every requirement that was checked holds";
+      return !any_verdict  ? "no requirement was checked, as was asked for"
+             : all_checked ? "every requirement holds"
+                           : "every requirement that was checked holds; some were not checked";
     case ExitStatus::wrong_specification:
       return "the specification is wrong";
     case ExitStatus::usage:
       return "a file could not be read";
     case ExitStatus::not_met:
-      return "some requirement fails or is undecided";
+      return any_verdict ? "some requirement fails, is undecided or was not checked"
+                         : "no requirement was checked";
   }
   return "";
 }
 
-Json invocation(ExitStatus status) {
+Json notification(const char* level, std::string text) {
+  Json notification;
+  notification["level"] = level;
+  notification["message"]["text"] = std::move(text);
+  return notification;
+}
+
+Json invocation(ExitStatus status, std::string_view meaning) {
   Json invocation;
   // It did what it was asked to unless it could not read a file (3.20.14).
   invocation["executionSuccessful"] = status != ExitStatus::usage;
   invocation["exitCode"] = static_cast<int>(status);
-  invocation["exitCodeDescription"] = meaning(status);
+  invocation["exitCodeDescription"] = meaning;
   return invocation;
 }
 
 }  // namespace
 
-std::string sarif(const Session& session, ExitStatus status) {
+std::string sarif(const Session& session, const std::vector<Unchecked>& not_checked, bool required,
+                  bool any_verdict, ExitStatus status) {
   const auto findings = session.diagnostics.sorted();
   std::vector<Code> rules;  // those that occur
   for (const Diagnostic& finding : findings) {
     if (std::find(rules.begin(), rules.end(), finding.code) == rules.end()) rules.push_back(finding.code);
   }
-  const Log log(session.sources, rules);
+  const Log log(session, rules);
   Json run;
   Json& driver = run["tool"]["driver"];
   driver["name"] = "pal";
   driver["version"] = PAL_VERSION;
   driver["rules"] = Json::parse(sarif_rules(rules));
-  run["invocations"].push_back(invocation(status));
-  if (const auto not_kept = session.diagnostics.not_kept().sum(); not_kept != 0) {
-    Json notification;
-    notification["level"] = "warning";
-    notification["message"]["text"] = std::to_string(not_kept) + " further findings are not in this log";
-    run["invocations"].back()["toolExecutionNotifications"].push_back(std::move(notification));
-  }
+  run["invocations"].push_back(invocation(status, meaning(status, any_verdict, not_checked.empty())));
+  Json& invoked = run["invocations"].back();
+  if (const auto not_kept = session.diagnostics.not_kept().sum(); not_kept != 0)
+    invoked["toolExecutionNotifications"].push_back(
+        notification("warning", std::to_string(not_kept) + " further findings are not in this log"));
+  for (const Unchecked& row : not_checked)
+    invoked["toolExecutionNotifications"].push_back(notification(
+        required ? "error" : "warning",
+        subject_of(row) + (row.skill.empty() ? " was checked: " : " was not checked: ") + row.reason));
   run["columnKind"] = "unicodeCodePoints";
   run["artifacts"] = log.artifacts();
   run["results"] = Json::array();
@@ -173,8 +192,7 @@ std::string sarif(const Session& session, ExitStatus status) {
   document["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   document["version"] = "2.1.0";
   document["runs"].push_back(std::move(run));
-  // A file name may hold any bytes.
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(document, 2) + "\n";
 }
 
 }  // namespace pal::program

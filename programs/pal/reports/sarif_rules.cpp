@@ -1,7 +1,9 @@
+// The rules of a SARIF log: a row for each code of a finding.
 #include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "pal/explain/page.hpp"
+#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/reports/sarif.hpp"
 
 namespace pal::program {
@@ -28,6 +30,9 @@ Json rule(Code code) {
   rule["name"] = identifier(title(code));
   rule["shortDescription"]["text"] = title(code);
   rule["fullDescription"]["text"] = page.summary;
+  std::string anchor(name(code));
+  for (char& c : anchor) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  rule["helpUri"] = PAL_DOCUMENTATION_URL "/reference/diagnostics.md#" + anchor;
   rule["help"]["text"] = "pal explain " + std::string(name(code));
   rule["help"]["markdown"] = page.markdown;
   rule["defaultConfiguration"]["level"] = name(severity(code));
@@ -39,7 +44,7 @@ Json rule(Code code) {
 std::string sarif_rules(const std::vector<Code>& codes) {
   auto rules = Json::array();
   for (const Code code : codes) rules.push_back(rule(code));
-  return rules.dump();
+  return json_text(rules);
 }
 
 }  // namespace pal::program

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyzer/verdict/verdict.hpp"
+#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/session/measure_text.hpp"
 
 namespace pal::program {
@@ -102,7 +103,7 @@ std::string json(const std::vector<Simulated>& simulations) {
     for (std::size_t r = 0; r < simulated.seen.size(); ++r) made["requirements"].push_back(row(simulated, r));
     document["simulations"].push_back(std::move(made));
   }
-  return document.dump(2) + "\n";
+  return json_text(document, 2) + "\n";
 }
 
 }  // namespace pal::program

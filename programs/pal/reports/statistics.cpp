@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "programs/pal/reports/json_text.hpp"
+
 namespace pal::program {
 namespace {
 
@@ -42,7 +44,7 @@ std::string json(const analyzer::Statistics& statistics) {
                                        {"classes", statistics.classes},
                                        {"seconds", statistics.seconds},
                                        {"peak_bytes", statistics.peak_memory}};
-  return members.dump();
+  return json_text(members);
 }
 
 }  // namespace pal::program

@@ -1,6 +1,7 @@
 // The answer for programs.
 #include <nlohmann/json.hpp>
 
+#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/reports/whatif_answer.hpp"
 
 namespace pal::program {
@@ -111,7 +112,7 @@ std::string json(const std::vector<WhatIfAnswer>& answers) {
     for (const auto& on : answer.placements) row["placements"].push_back(placements_row(answer, on));
     document["what_if"].push_back(std::move(row));
   }
-  return document.dump(2) + "\n";
+  return json_text(document, 2) + "\n";
 }
 
 }  // namespace pal::program

@@ -13,7 +13,9 @@ struct Console {
   std::ostream& out;
   std::ostream& err;
   const FileSystem& files;
-  bool terminal = false;  // `out` is watched: a long search may show its progress
+  bool terminal = false;    // `out` is watched: a long search may show its progress
+  bool colour_out = false;  // colours go to `out`
+  bool colour_err = false;  // colours go to `err`
 };
 
 /// The text of a file with runs that the command line names; says on `console.err` why it cannot be read.

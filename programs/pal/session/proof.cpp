@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 #include "pal/check/resources.hpp"
@@ -17,6 +22,73 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
+
+/// Set by prove(), and asked at the end of the program, by the same thread.
+bool proof_left = false;
+
+/// An analysis in a thread of its own: Ctrl-C is obeyed at once, whatever the analysis is at.
+class Attempt : public std::enable_shared_from_this<Attempt> {
+ public:
+  Attempt(analyzer::Problem problem, analyzer::AnalysisChoice choice, analyzer::Options options)
+      : problem_(std::move(problem)), choice_(choice), options_(std::move(options)) {}
+
+  const analyzer::Problem& problem() const { return problem_; }
+
+  /// What is known after it has ended, or soon after Ctrl-C.
+  analyzer::Analysis run() {
+    using namespace std::chrono_literals;
+    constexpr auto look = 20ms;
+    constexpr auto patience = 60ms;
+    constexpr auto patience_for_a_first_word = 2s;  // what has been explored by then may say something
+    std::thread([self = shared_from_this()] { self->work(); }).detach();
+    std::optional<Clock::time_point> asked;
+    std::unique_lock lock(mutex_);
+    while (!done_.wait_for(lock, look, [this] { return ended_; })) {
+      if (!Interruption::asked_for()) continue;
+      if (!asked) asked = Clock::now();
+      const bool any =
+          std::any_of(known_.verdicts.begin(), known_.verdicts.end(),
+                      [](const analyzer::Verdict& verdict) { return verdict.bound.has_value(); });
+      const auto waited = Clock::now() - *asked;
+      if (waited < patience || known_.verdicts.empty() || (!any && waited < patience_for_a_first_word))
+        continue;
+      proof_left = true;
+      return known_;
+    }
+    if (thrown_) std::rethrow_exception(thrown_);
+    return std::move(known_);
+  }
+
+ private:
+  void work() {
+    analyzer::Options options = options_;
+    options.known = [this](const analyzer::Analysis& analysis) {
+      const std::lock_guard lock(mutex_);
+      known_ = analysis;
+    };
+    std::optional<analyzer::Analysis> made;
+    std::exception_ptr thrown;
+    try {
+      made = analyzer::analyze(problem_, choice_, options);
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    if (made) known_ = std::move(*made);
+    thrown_ = thrown;
+    ended_ = true;
+    done_.notify_all();
+  }
+
+  const analyzer::Problem problem_;
+  const analyzer::AnalysisChoice choice_;
+  const analyzer::Options options_;
+  std::mutex mutex_;
+  std::condition_variable done_;
+  bool ended_ = false;
+  analyzer::Analysis known_;
+  std::exception_ptr thrown_;
+};
 
 }  // namespace
 
@@ -35,7 +107,10 @@ analyzer::Options options_of(const ProofLimits& limits) {
   options.addends = limits.addends;
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
-  options.stop = end_after(limits.seconds, limits.begun);
+  const std::size_t memory = limits.max_memory > 0 ? limits.max_memory : memory_there_is() / 2;
+  options.stop = [end = end_after(limits.seconds, limits.begun), memory] {
+    return end() || takes_more(memory);
+  };
   if (limits.seconds > 0) options.deadline = std::max(0.0, limits.seconds - seconds_since(limits.begun));
   return options;
 }
@@ -58,13 +133,19 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
     for (const pan::Environment& environment : session.specification.environments) {
       auto problem = problem_of(skill, environment, session);
       if (!problem) continue;
-      analyzer::Analysis analysis = analyzer::analyze(*problem, limits.analysis, options);
       const bool explored =
           limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
-      proofs.push_back({std::move(*problem), std::move(analysis), explored, options.stop()});
+      const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
+      analyzer::Analysis analysis = attempt->run();
+      proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || proof_left),
+                        Interruption::asked_for()});
     }
   }
   return proofs;
+}
+
+bool is_proof_left() {
+  return proof_left;
 }
 
 bool all_hold(const std::vector<Proof>& proofs) {

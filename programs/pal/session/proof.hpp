@@ -21,10 +21,12 @@ struct Proof {
   analyzer::Analysis analysis;  // verdicts[i] is on problem.requirements[i]
   bool explored = true;         // by the exact analysis, which more time and states may help
   bool ended = false;           // by --timeout or Ctrl-C, as far as it had come
+  bool ended_by_user = false;   // by Ctrl-C
 };
 
 struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
+  std::size_t max_memory = 0;          // bytes; 0: half of what there is (memory_there_is)
   double seconds = 0;                  // of everything together; 0: as long as it takes
   std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();  // when they began
   analyzer::AnalysisChoice analysis = analyzer::AnalysisChoice::thorough;  // a drawing needs the worst run
@@ -56,6 +58,13 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits);
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);
 
+/// What the verdict of a requirement that holds counts as lost, in a sentence; empty: nothing.
+std::string taken_as_lost_text(const Proof& proof, std::size_t index);
+
+/// Whether a proof was left alone after Ctrl-C, because it did not end at once. It still works, so the
+/// program must end without clearing up.
+bool is_proof_left();
+
 /// Adds the finding that time stands still in some run (PAL0821).
 void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session);
 
@@ -66,5 +75,8 @@ bool look_for_zeno_run(const analyzer::Problem& problem, Session& session);
 /// which statement uses a value of which age or answers how late. It also says what the time was spent on:
 /// the longest parts, or the `whole_story`.
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session);
+
+/// The same of one requirement; nothing if it holds.
+void report_unmet(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics);
 
 }  // namespace pal::program

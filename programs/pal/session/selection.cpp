@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include "pal/check/measured.hpp"
 #include "pal/check/read_sources.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/render.hpp"
+#include "programs/pal/session/colour.hpp"
 
 namespace pal::program {
 namespace {
@@ -38,6 +40,17 @@ bool choose(std::vector<Thing>& things, const std::string& name, const char* kin
   return false;
 }
 
+/// A file; all PAL files of a folder and those below it; or for "-" the standard input.
+void add_files(const std::string& path, const Console& console, std::vector<std::string>& paths) {
+  if (path == "-") {
+    paths.emplace_back("/dev/stdin");
+  } else if (const auto below = console.files.list(path, ".pal"); below && !below->empty()) {
+    paths.insert(paths.end(), below->begin(), below->end());
+  } else {
+    paths.push_back(path);
+  }
+}
+
 /// Measured times are no part of the specification. False, with a message, if the files have none.
 bool compare_measured(const std::vector<std::string>& paths, const Console& console, Session& session) {
   if (paths.empty()) return true;
@@ -53,8 +66,10 @@ bool compare_measured(const std::vector<std::string>& paths, const Console& cons
 
 bool read(const Selection& selection, const Console& console, Session& session) {
   session.max_errors = selection.max_errors;
-  std::vector<std::string> paths = selection.files;
-  paths.insert(paths.end(), selection.environments.begin(), selection.environments.end());
+  std::vector<std::string> paths;
+  for (const std::vector<std::string>* given : {&selection.files, &selection.environments}) {
+    for (const std::string& path : *given) add_files(path, console, paths);
+  }
   const std::vector<syntax::Tree> trees =
       check::read_sources(console.files, session.sources, paths, session.diagnostics);
   session.specification = check::check(trees, session.diagnostics, session.stop);
@@ -65,13 +80,35 @@ bool read(const Selection& selection, const Console& console, Session& session) 
          compare_measured(selection.measured, console, session);
 }
 
+bool is_unread(FileId file, const Session& session) {
+  // A file that another one uses is reported there; one that the command line names, at its own beginning.
+  const auto& all = session.diagnostics.all();
+  return session.sources.text(file).empty() &&
+         std::any_of(all.begin(), all.end(), [&](const Diagnostic& finding) {
+           return finding.code == Code::PAL0111 && finding.where.valid() && finding.where.file == file;
+         });
+}
+
+bool raise_warnings(Session& session) {
+  Diagnostics raised;
+  bool any = session.diagnostics.not_kept().warnings != 0;
+  for (const Diagnostic& finding : session.diagnostics.all()) {
+    Diagnostic& again = raised.report(finding.code, finding.where, finding.message, finding.hint);
+    again.notes = finding.notes;
+    again.fix = finding.fix;
+    if (again.severity != Severity::warning) continue;
+    again.severity = Severity::error;
+    any = true;
+  }
+  if (session.diagnostics.not_kept().sum() == 0) session.diagnostics = std::move(raised);
+  return any;
+}
+
 ExitStatus status_of_findings(const Session& session) {
   if (!session.diagnostics.has_errors()) return ExitStatus::all_hold;
-  // A file that another one uses is named at that place; one without a place was named on the command line.
-  const auto& all = session.diagnostics.all();
-  const bool unreadable = std::any_of(all.begin(), all.end(), [](const Diagnostic& finding) {
-    return finding.code == Code::PAL0111 && !finding.where.valid();
-  });
+  bool unreadable = false;
+  for (std::size_t file = 0; file < session.sources.size(); ++file)
+    unreadable = unreadable || is_unread(FileId(file), session);
   return unreadable ? ExitStatus::usage : ExitStatus::wrong_specification;
 }
 
@@ -80,7 +117,7 @@ void show_findings(const Session& session, const Console& console) {
   std::ostringstream text;
   render_text(session.diagnostics.sorted(), session.sources, text,
               {session.max_errors, session.diagnostics.not_kept()});
-  console.err << text.str();
+  console.err << (console.colour_err ? coloured_findings(text.str()) : text.str());
 }
 
 }  // namespace pal::program

@@ -45,6 +45,12 @@ bool read(const Selection& selection, const Console& console, Session& session);
 /// else `wrong_specification`. `all_hold` if there are no errors.
 ExitStatus status_of_findings(const Session& session);
 
+/// Whether the command line names this file and it could not be read.
+bool is_unread(FileId file, const Session& session);
+
+/// Makes each warning so far an error, if all findings were kept. Whether there is any.
+bool raise_warnings(Session& session);
+
 /// Renders the findings as text to `console.err`.
 void show_findings(const Session& session, const Console& console);
 

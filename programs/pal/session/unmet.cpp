@@ -3,7 +3,7 @@
 #include <string>
 
 #include "analyzer/exact/zeno_run.hpp"
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
 #include "programs/pal/session/measure_text.hpp"
@@ -67,6 +67,7 @@ const analyzer::Reason* wait_between_set_and_read(const analyzer::Verdict& verdi
 /// What may decide a requirement that is undecided.
 std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
   if (proof.analysis.zeno_run) return "give something in the loop a time";
+  if (proof.ended_by_user) return "ended by you; let the proof go on, or limit it with --timeout";
   if (proof.explored)
     return "allow more with --max-states or --timeout, or make the skill or its times simpler";
   if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
@@ -92,8 +93,14 @@ std::string hint_of(const Proof& proof, std::size_t index) {
     case Measure::interval:
       return verdict.at_least ? "wait for something that comes no sooner"
                               : "shorten what lies between two passes";
-    case Measure::loss:
-      return "ask for the next one before working on the last";
+    case Measure::loss: {
+      const analyzer::Device& device = proof.problem.devices[proof.problem.requirements[index].device];
+      return std::holds_alternative<pan::EventDevice>(device.behaviour)
+                 ? "take each event before the next can come, by a module with less to do for it, or let "
+                   "them "
+                   "come less often"
+                 : "ask for the next one before working on the last";
+    }
     case Measure::duration:
       return "shorten what lies between the start and the completion";
     case Measure::age:
@@ -112,23 +119,34 @@ std::string hint_of(const Proof& proof, std::size_t index) {
 }
 
 /// What is required says nothing about any run.
-void report_never(const Proof& proof, std::size_t index, Session& session) {
+void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  session.diagnostics.report(
-      Code::PAL0816, verdict.where,
-      "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
-          proof.problem.environment,
-      verdict.measure == Measure::load
-          ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
-            "DURATION"
-          : "name a statement, an event or a completion that comes about in some run");
+  diagnostics.report(Code::PAL0816, verdict.where,
+                     "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
+                         proof.problem.environment,
+                     verdict.measure == Measure::load
+                         ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
+                           "DURATION"
+                         : "name a statement, an event or a completion that comes about in some run");
+}
+
+/// Events that no thread takes are lost in PAL, and delay nobody. Elsewhere they may be kept.
+void report_taken_as_lost(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
+  const std::string text = taken_as_lost_text(proof, index);
+  if (text.empty()) return;
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  diagnostics.report(
+      Code::PAL0824, verdict.where, text,
+      "say how many may be lost (LOSS OF " +
+          proof.problem.devices[verdict.taken_as_lost.front().device].name +
+          " AT MOST … IN …), or take each in time; if the real sender keeps them, the bound is too low");
 }
 
 // Lines of a story that fit on a screen with what else is said, and parts of one whole.
 constexpr std::size_t most_lines = 14;
 constexpr std::size_t most_parts = 4;
 
-std::int64_t length(const analyzer::Reason& reason) {
+std::int64_t time_of(const analyzer::Reason& reason) {
   return reason.to - reason.from;
 }
 
@@ -139,7 +157,7 @@ std::string indent(int depth) {
 Note note_of(const analyzer::Reason& reason, const analyzer::Problem& problem, int depth) {
   const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
   return {place_of(problem, reason),
-          indent(depth) + to_text(Duration(length(reason))) + ": " + who + reason.what};
+          indent(depth) + to_text(Duration(time_of(reason))) + ": " + who + reason.what};
 }
 
 /// All of them, in the order in which they happened, each with what is inside it.
@@ -155,14 +173,14 @@ void add_story(const std::vector<analyzer::Reason>& reasons, const analyzer::Pro
 bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem& problem, int depth,
                  Diagnostic& finding) {
   std::stable_sort(reasons.begin(), reasons.end(), [](const analyzer::Reason& a, const analyzer::Reason& b) {
-    return length(a) > length(b);
+    return time_of(a) > time_of(b);
   });
   const std::size_t most = reasons.size() <= most_parts + 1 ? reasons.size() : most_parts;
   std::int64_t together = 0;
   bool more = false;
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (i >= most) {
-      together += length(reasons[i]);
+      together += time_of(reasons[i]);
       continue;
     }
     finding.notes.push_back(note_of(reasons[i], problem, depth));
@@ -179,11 +197,11 @@ bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem&
   return true;
 }
 
-void report(const Proof& proof, std::size_t index, bool whole_story, Session& session) {
+void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding = session.diagnostics.report(
+  Diagnostic& finding = diagnostics.report(
       fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
       "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
           " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
@@ -218,6 +236,19 @@ void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& 
     finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
 }
 
+std::string taken_as_lost_text(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  std::string lost;
+  for (const analyzer::LostEvents& each : verdict.taken_as_lost) {
+    const analyzer::Device& device = proof.problem.devices[each.device];
+    lost += (lost.empty() ? "" : ", and ") + std::to_string(each.lost) + " of " + std::to_string(each.in) +
+            " in a row of " + proof.problem.channels[device.event].message + " of " + device.name;
+  }
+  if (lost.empty()) return {};
+  return "'" + verdict.requirement + "' holds in " + proof.problem.environment +
+         " with lost events, which delay nothing: runs lose " + lost;
+}
+
 bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {
   constexpr std::size_t classes = 5'000;
   if (!analyzer::fits_exploration(problem)) return false;
@@ -226,14 +257,18 @@ bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {
   return found.has_value();
 }
 
+void report_unmet(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics) {
+  const State state = proof.analysis.verdicts[index].state;
+  if (state == State::never) report_never(proof, index, diagnostics);
+  if (state == State::fails || state == State::undecided) report(proof, index, whole_story, diagnostics);
+  report_taken_as_lost(proof, index, diagnostics);
+}
+
 void report_unmet(const std::vector<Proof>& proofs, bool whole_story, Session& session) {
   for (const Proof& proof : proofs) {
     if (proof.analysis.zeno_run) report_zeno_run(proof.problem, *proof.analysis.zeno_run, session);
-    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
-      const State state = proof.analysis.verdicts[i].state;
-      if (state == State::never) report_never(proof, i, session);
-      if (state == State::fails || state == State::undecided) report(proof, i, whole_story, session);
-    }
+    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i)
+      report_unmet(proof, i, whole_story, session.diagnostics);
   }
 }
 

@@ -1,3 +1,4 @@
+// workcell list: skills with their parameters, scenes.
 #include <fmt/format.h>
 
 #include <ostream>

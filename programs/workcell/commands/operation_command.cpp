@@ -1,3 +1,4 @@
+// workcell operation run: an operation in a workcell of its own.
 #include <fmt/format.h>
 
 #include <charconv>

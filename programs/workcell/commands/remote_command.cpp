@@ -1,3 +1,4 @@
+// workcell operation at a server: run, step, pause, stop, resume, state, watch.
 #include <fmt/format.h>
 
 #include <filesystem>

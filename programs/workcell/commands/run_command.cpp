@@ -1,3 +1,4 @@
+// workcell run: one skill in one scene, with its reports. Refuses what --set gives wrongly.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// workcell serve: a workcell for clients.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// workcell serve-port: one emulated device behind a port.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -312,6 +312,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
 ExitStatus run_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
                        std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
   CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
+  app.set_version_flag("--version", "workcell " PAL_VERSION);
   app.require_subcommand(1);
   app.footer(
       "Exit status: 0 done, 1 a wrong scene, skill or parameter, 2 wrong usage or a file problem,\n"
@@ -341,8 +342,13 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
 
   refuse_empty_values(app);
 
+  std::vector<std::string> words = arguments;
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
   // CLI11 takes the arguments from the back.
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  std::vector<std::string> reversed(words.rbegin(), words.rend());
   try {
     app.parse(reversed);
   } catch (const CLI::ParseError& problem) {

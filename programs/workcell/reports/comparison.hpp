@@ -1,4 +1,4 @@
-// Compares the arm with the proof: two orders of one skill, swept over the same phases.
+// From two sweeps: by how much one order of a skill presses harder, measured, and as the ages predict.
 #pragma once
 
 #include <optional>

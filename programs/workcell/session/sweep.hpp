@@ -1,4 +1,4 @@
-// The same skill many times, over the phases of its clocks.
+// The same skill many times (`workcell run --sweep`), over the phases of its clocks.
 #pragma once
 
 #include <optional>

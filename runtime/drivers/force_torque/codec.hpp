@@ -22,6 +22,8 @@ inline constexpr double counts_per_newton_metre = 333.33;
 /// The end of the sensor's range, in counts: 65 N, 5 N*m. The value of an overloaded axis stays there.
 inline constexpr int greatest_force = 1300;
 inline constexpr int greatest_torque = 1667;
+inline constexpr double force_range = 65;  // N
+inline constexpr double torque_range = 5;  // N*m
 
 struct Record {
   bool overload = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 namespace pal::runtime::drivers {
@@ -29,10 +30,15 @@ ForceTorqueDriver::ForceTorqueDriver(Timeline& timeline, Link& link, ForceTorque
   waiting_.reserve(8);
 }
 
+bool ForceTorqueDriver::commission() {
+  prepare();
+  return true;
+}
+
 void ForceTorqueDriver::prepare() {
   try_again();
   // A record of the last session may still be on its way, and its bytes could pass for a prompt.
-  start(codec_.asking() ? Step::drain : Step::boot);
+  start(codec_.asking() ? Step::drain : started_ ? Step::look : Step::boot);
 }
 
 void ForceTorqueDriver::start(Step step) {
@@ -49,10 +55,11 @@ void ForceTorqueDriver::start(Step step) {
       return command(step, "CD B");
     case Step::axes:
       return command(step, "CV 3F");
-    case Step::bias:
-      return command(step, "SB");
     case Step::discard:  // the first record after a start means nothing
       return ask_for_record(options_.prompt_within);
+    case Step::look:
+      zero_.begin_look();
+      return ask_for_record(options_.record_within);
   }
 }
 
@@ -94,6 +101,7 @@ void ForceTorqueDriver::arrived(Bytes bytes) {
       case Codec::Progress::more:
         break;
       case Codec::Progress::garbled:
+        if (step_ == Step::look && started_) return start_again();
         return fail(codec_.problem());
       case Codec::Progress::done:
         arrived_in_time();
@@ -108,7 +116,7 @@ void ForceTorqueDriver::answered() {
       if (serving_) return deliver();
       return;  // the session that asked is over
     case Step::drain:
-      return start(Step::boot);
+      return start(started_ ? Step::look : Step::boot);
     case Step::boot:
       if (timeline().now() >= booted_ + options_.boot_takes) return start(Step::binary);
       codec_.boot();  // its bytes have been sent: only the prompt is awaited again
@@ -116,19 +124,50 @@ void ForceTorqueDriver::answered() {
     case Step::binary:
       return start(Step::axes);
     case Step::axes:
-      return start(Step::bias);
-    case Step::bias:
       return start(Step::discard);
     case Step::discard:
+      return start(Step::look);
+    case Step::look:
+      zero_.look(without_weight());
+      if (!zero_.looked_enough()) return ask_for_record(options_.record_within);
+      started_ = true;
+      if (std::string problem = zero_.end_look(); !problem.empty()) return fail(std::move(problem));
       return start(Step::none);
   }
 }
 
+force_torque::Load ForceTorqueDriver::without_weight() const {
+  force_torque::Load load = codec_.record().values();
+  if (!options_.tool_weight) return load;
+  const force_torque::Load weight = options_.tool_weight();
+  for (std::size_t i = 0; i < load.size(); ++i) load[i] -= weight[i];
+  return load;
+}
+
+// The sensor has lost its power meanwhile, or its line was cut. Its zero is that of the gauges, and is kept.
+void ForceTorqueDriver::start_again() {
+  arrived_in_time();
+  codec_.forget();
+  started_ = false;
+  start(Step::boot);
+}
+
 void ForceTorqueDriver::deliver() {
-  const std::array<double, force_torque::axes> wrench = codec_.record().values();
+  force_torque::Load wrench = zero_.take_off(without_weight());
+  bool overload = codec_.record().overload;
+  for (std::size_t i = 0; i < wrench.size(); ++i) {
+    const double range = i < 3 ? force_torque::force_range : force_torque::torque_range;
+    const int count = codec_.record().counts[i];
+    // An axis at its end stays there, whatever is taken off.
+    if (std::abs(count) >= (i < 3 ? force_torque::greatest_force : force_torque::greatest_torque))
+      wrench[i] = count > 0 ? range : -range;
+    const double inside = std::clamp(wrench[i], -range, range);
+    overload = overload || inside != wrench[i];
+    wrench[i] = inside;
+  }
   std::array<double, force_torque::axes + 1> record{};
   std::copy(wrench.begin(), wrench.end(), record.begin());
-  record.back() = codec_.record().overload ? 1 : 0;
+  record.back() = overload ? 1 : 0;
 
   const std::size_t request = waiting_.front();
   waiting_.erase(waiting_.begin());
@@ -143,14 +182,15 @@ void ForceTorqueDriver::deliver() {
 }
 
 void ForceTorqueDriver::late() {
-  if (step_ != Step::drain) return LinkedDriver::late();
-  codec_.forget();  // the start will show whether the sensor answers
-  start(Step::boot);
+  // The start will show whether the sensor answers.
+  if (step_ == Step::drain || (step_ == Step::look && started_)) return start_again();
+  LinkedDriver::late();
 }
 
 void ForceTorqueDriver::give_up() {
   codec_.forget();
   step_ = Step::none;
+  started_ = false;
   serving_ = false;
   waiting_.clear();
 }

@@ -6,6 +6,7 @@ Completions stand in the templates, skills_pal/*/*.pal. Runs are test cases that
 
   endings.py ROOT           fails if a completion has no run, a run is of no completion, or the table is old
   endings.py ROOT --write   writes the table
+  endings.py ROOT --physics FILE    puts the table that skill_endings wrote to FILE into the page's second part
   endings.py --self-test
 """
 import re
@@ -18,6 +19,35 @@ INTRODUCTION = """# How each skill ends
 This page lists every completion of every template, with the test cases in physics that end with it. These
 tests check the code, and the arm afterwards. `tests/run/skills/endings.py . --write` writes the table from
 the templates and the tests. A test fails when a completion has no run.
+
+"""
+
+
+PHYSICS = "## What completions say, and what physics shows\n"
+ABOUT_PHYSICS = PHYSICS + """
+The program `skill_endings` runs skills and holds each completion against what the simulator knows: forces at
+rest, where the tool and the parts are, what the fingers hold. It runs each skill's defaults in every shipped
+scene in which they make sense, and each parameter at both ends of its range; skills that press also begin in
+contact. Each seed is another machine, too, and another height above what is met. The program ends with 1 if
+what a completion says is not so, and writes **false** in that row. A share of the rows runs with the tests.
+
+| completion | is so if |
+| --- | --- |
+| touch 0 | the tool presses and stands; it never overloads the sensor |
+| touch 1, press 1 | the tool is within 0.2 mm of where it began; no force reached the threshold |
+| press 0 | the true force was within the band and 0.25 N for the whole time, and is at rest |
+| press 2, rub 1 | the stop force was met, and nothing touches any more |
+| rub 0 | the way is gone within 1 mm, without 0.2 s in the air; the force at rest is in the band within 0.25 N |
+| standoff 0, align 0 | the nearest point, the surface's normal, by rays from where the tool stands |
+| follow-edge 0 | never more than 4 mm from where the tool should be above the seam; 7 mm by the thesis's law |
+| follow-edge 1 | more than 2.5 mm off, or the seam has ended below the tool |
+| moves 0 | within 0.2 mm of the goal; 1: within 0.2 mm of where it began |
+| pick 0, 3 | both pads press on one loose part, or on none, 0.3 s after the end |
+| place 0, palletize 0 | a part within 2 mm of the place, the fingers open |
+| all others | the arm stands still, 0.8 s after the end |
+
+"1 of 1: 0": how many of the runs ended with which code. The table below has one seed a row; the program runs
+five if not told otherwise. Reasons are cut.
 
 """
 
@@ -90,8 +120,15 @@ def main(arguments):
     wrong = problems(wanted, found)
     if not wanted:
         wrong.append(f"no template below {root}/skills_pal")
-    text = table(wanted, found)
-    if "--write" in arguments:
+    page = (root / TABLE).read_text() if (root / TABLE).is_file() else ""
+    physics = page[page.index(PHYSICS):] if PHYSICS in page else ""
+    if "--physics" in arguments:
+        rows = Path(arguments[arguments.index("--physics") + 1]).read_text()
+        if "**false**" in rows:
+            wrong.append("a row of the table in physics is false")
+        physics = ABOUT_PHYSICS + rows
+    text = table(wanted, found) + ("\n" + physics if physics else "")
+    if "--write" in arguments or "--physics" in arguments:
         (root / TABLE).write_text(text)
     elif not (root / TABLE).is_file() or (root / TABLE).read_text() != text:
         wrong.append(f"{TABLE} is old: tests/run/skills/endings.py . --write")

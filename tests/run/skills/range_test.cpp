@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/run/skills/support/physical_run.hpp"
+#include "tests/run/skills/support/seam.hpp"
 
 using namespace pal;
 using namespace pal::test;
@@ -76,7 +77,7 @@ TEST_CASE("standoff ends with its error completion where there is no range finde
 TEST_CASE(
     "standoff, align and follow-edge: the range finder is unplugged on the way, completion 2, and the tool "
     "stands still") {
-  const std::string fault = "at 800 ms range-finder unplug";
+  const std::string fault = "at 1200 ms range-finder unplug";
   const auto stopped = [](const workcell::SessionResult& result) {
     const auto& last = result.log.back();
     const double moved = (last.tool - result.log.front().tool).norm() +
@@ -95,12 +96,21 @@ TEST_CASE(
   CHECK(stopped(follow));
 }
 
+namespace {
+
+// What the range finder looks at from the standoff of 200 mm, mm.
+Eigen::Vector3d at_edge(const sim::Sample& sample) {
+  return 1e3 * (sample.tool + sample.tool_turn * Eigen::Vector3d(0, 0, 0.2));
+}
+
+}  // namespace
+
 TEST_CASE("follow-edge goes the distance, completion 0") {
   const auto result =
       run({.skill = "follow-edge", .scene = "seam", .parameters = {{"distance", 3}, {"track", 0.6}}});
   CAPTURE(result.outcome.reason);
   CHECK(end_of(result.outcome) == "follow-edge 0");
-  CHECK((result.log.back().tool - result.log.front().tool).x() * 1e3 == Approx(30).margin(3));
+  CHECK((at_edge(result.log.back()) - at_edge(result.log.front())).x() == Approx(30).margin(3));
 }
 
 TEST_CASE("follow-edge makes up for motions that came too late, and goes the distance") {
@@ -113,13 +123,35 @@ TEST_CASE("follow-edge makes up for motions that came too late, and goes the dis
     CAPTURE(result.outcome.reason);
     CHECK(end_of(result.outcome) == "follow-edge 0");
     not_made = motions_not_made(result.outcome.trace);
-    return Eigen::Vector3d(1e3 * result.log.back().tool);
+    return at_edge(result.log.back());
   };
   int usually = 0, slowly = 0;
   const Eigen::Vector3d usual = end_with("", usually);
   const Eigen::Vector3d slow = end_with("at 0 ms SM1:72 takes 3.6 ms", slowly);
   CHECK(slowly >= usually + 5);  // 3 mm of the way
   CHECK((slow - usual).norm() < 0.5);
+}
+
+TEST_CASE(
+    "follow-edge keeps to its edge at 30 mm/s with its usual limits, and nearer than the thesis's law") {
+  const Seam seam;
+  const auto off_edge = [&](double literal) {
+    const auto result = run({.skill = "follow-edge",
+                             .scene = "seam-wide",
+                             .parameters = {{"track", 0.84}, {"distance", 12}, {"literal", literal}}});
+    CHECK(result.outcome.code == 0);
+    double squares = 0, count = 0;
+    for (const sim::Sample& sample : result.log) {
+      if (sample.time > result.outcome.duration || (at_edge(sample) - at_edge(result.log.front())).x() < 40)
+        continue;
+      squares += std::pow(off(seam, sample, 200).length, 2);
+      ++count;
+    }
+    return std::sqrt(squares / count);
+  };
+  const double ours = off_edge(0);
+  CHECK(ours < 0.5);  // 8 to 20 mm when it turned about the range finder
+  CHECK(ours < off_edge(1));
 }
 
 TEST_CASE("follow-edge refuses a history in which it would see too little of the edge") {
@@ -147,7 +179,7 @@ TEST_CASE("follow-edge: the edge ends, completion 1, and the tool stands still b
                            .parameters = {{"distance", 15}, {"track", 0.8}, {"rotation", rotation}}});
   CAPTURE(result.outcome.reason);
   CHECK(end_of(result.outcome) == "follow-edge 1");
-  const double gone = (result.log.back().tool - result.log.front().tool).x() * 1e3;
+  const double gone = (at_edge(result.log.back()) - at_edge(result.log.front())).x();
   CHECK(gone > 60);  // the edge ends after 80 mm, and the range finder is held square to it
   CHECK(gone < 110);
   CHECK((result.log.back().tool - result.log[result.log.size() - 100].tool).norm() < 1e-5);

@@ -34,6 +34,19 @@ TEST_CASE("pick-at-location: 1, nothing there: the fingers are open again, above
   CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 80)).norm() < 0.2);
 }
 
+TEST_CASE(
+    "pick-at-location: 3, too heavy a part slips out on the way up: the fingers are open, above the "
+    "location") {
+  const ChangedScene heavy("heavy-part", "part at 460 -200 mass 5000");
+  Workshop shop(heavy.scene());
+  const auto outcome = shop.run("pick-at-location");
+  CHECK(end_of(outcome) == "pick-at-location 3");
+  CHECK_FALSE(outcome.fault);
+  CHECK_FALSE(shop.cell().workcell().holds_part());
+  CHECK(shop.cell().workcell().gripper_width() == Approx(80).margin(0.5));
+  CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 50)).norm() < 0.2);
+}
+
 TEST_CASE("pick-at-location: 2, a location that was never taught") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();

@@ -20,6 +20,27 @@ TEST_CASE("place-at-location: 0, the part stands at its place, the fingers above
   CHECK((shop.tip() - shop.location("PLACE") - Vector3d(0, 0, 50)).norm() < 0.2);
 }
 
+TEST_CASE("place-at-location: 2, the part falls on the way there; it does not say that it put it down") {
+  Workshop shop(scene("parts"));
+  REQUIRE(shop.run("pick-at-location").code == 0);
+  // Someone opens the fingers while the arm carries the part.
+  shop.cell().station().timeline().after(std::chrono::milliseconds(800),
+                                         [&] { shop.cell().workcell().gripper_open(); });
+  const auto outcome = shop.run("place-at-location");
+  CHECK(end_of(outcome) == "place-at-location 2");
+  CHECK(outcome.reason.find("the part slipped out of the fingers on the way") != std::string::npos);
+  CHECK_FALSE(shop.cell().workcell().holds_part());
+}
+
+TEST_CASE(
+    "place-at-location: a heavy part is weighed, and its weight is not taken for a place that is taken") {
+  const ChangedScene heavy("heavy-part", "part at 460 -200 mass 3000");
+  Workshop shop(heavy.scene());
+  REQUIRE(shop.run("pick-at-location").code == 0);
+  CHECK(shop.run("place-at-location").code == 0);
+  CHECK((shop.middle("part") - shop.location("PLACE")).head<2>().norm() < 0.5);
+}
+
 TEST_CASE("place-at-location: 1, nothing held, and nothing moves") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();

@@ -62,7 +62,7 @@ TEST_CASE("a bound that no run contradicts is the verdict's bound") {
 
 TEST_CASE("a run found by the search withdraws all verdicts of the proof that it contradicts") {
   const auto skill = two();
-  for (const AnalysisChoice choice : {AnalysisChoice::automatic, AnalysisChoice::compositional}) {
+  for (const AnalysisChoice choice : {AnalysisChoice::thorough}) {
     const Analysis analysis = analyze_with(wrong(2 * ms - 1), *skill->problem, choice);
     for (const Verdict& verdict : analysis.verdicts) {
       INFO(verdict.requirement);
@@ -154,4 +154,69 @@ TEST_CASE("a run of a thousand events refutes a duration even if nothing could b
   CHECK(verdict.state == Verdict::State::fails);
   REQUIRE(verdict.witness);
   CHECK(verdict.witness->measured.value == 1000 * ms);
+}
+
+TEST_CASE("what holds by a bound is not looked at further, but for a moment's exploration") {
+  const auto skill = two();
+  std::size_t most = 0;
+  Provers provers{
+      [&](const Problem& problem, const Options& options) {
+        most = std::max(most, options.max_states);
+        return gives_up(problem, options);
+      },
+      [](const Problem& problem, const Options& options) { return claims(problem, options, 2 * ms); }};
+  const Analysis quick = analyze_with(provers, *skill->problem, AnalysisChoice::automatic);
+  CHECK(quick.verdicts[0].state == VerdictState::holds);
+  CHECK_FALSE(quick.verdicts[0].witness);
+  CHECK(most <= 20'000);
+  const Analysis thorough = analyze_with(provers, *skill->problem, AnalysisChoice::thorough);
+  CHECK(thorough.verdicts[0].exact);
+  CHECK(most > 20'000);
+}
+
+TEST_CASE("a long row of losses is bounded by shorter ones") {
+  const auto skill =
+      test::sound_skill(test::small_skill("REQUIREMENT half : LOSS OF MC1 AT MOST 16 IN 32\n"
+                                          "REQUIREMENT few  : LOSS OF MC1 AT MOST 15 IN 31\n",
+                                          test::worker,
+                                          "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 15 ms\n"
+                                          "DEVICE MC1 EVENT tick EVERY 10 ms\n"));
+  std::size_t rows = 0;
+  Provers provers{[&](const Problem& problem, const Options& options) {
+                    for (const Requirement& each : problem.requirements)
+                      rows = std::max<std::size_t>(rows, static_cast<std::size_t>(each.in));
+                    return analyze_exactly(problem, options);
+                  },
+                  [](const Problem& problem, const Options& options) {
+                    return compositional::analyze(problem, options);
+                  }};
+  const Analysis analysis = analyze_with(provers, *skill->problem, AnalysisChoice::automatic);
+  CHECK(analysis.verdicts[0].state == VerdictState::holds);
+  CHECK(analysis.verdicts[0].bound <= Duration(16));
+  CHECK(analysis.verdicts[0].requirement == "half");
+  CHECK(analysis.verdicts[1].requirement == "few");
+  CHECK(rows <= 31);
+}
+
+TEST_CASE("requirements that measure the same share their bounds") {
+  const auto skill = test::sound_skill(
+      test::small_skill("REQUIREMENT one   : RESPONSE FROM tick OF MC1 TO work AT MOST 5 ms\n"
+                        "REQUIREMENT other : RESPONSE FROM tick OF MC1 TO work AT MOST 4 ms\n",
+                        test::worker,
+                        "PROCESSOR P0\nPLACE SM1 ON P0 PRIORITY 1\nTIME work : 1 TO 2 ms\n"
+                        "DEVICE MC1 EVENT tick EVERY 10 ms\n"));
+  // The other one is never decided by itself.
+  Provers provers{gives_up, [](const Problem& problem, const Options& options) {
+                    Analysis analysis = claims(problem, options, 2 * ms);
+                    analysis.verdicts[1].state = VerdictState::undecided;
+                    analysis.verdicts[1].bound.reset();
+                    return analysis;
+                  }};
+  Options none;
+  none.max_states = 0;
+  const Analysis analysis = analyze_with(provers, *skill->problem, AnalysisChoice::automatic, none);
+  CHECK(analysis.verdicts[1].state == VerdictState::holds);
+  CHECK(analysis.verdicts[1].bound == Duration(2 * ms));
+  CHECK(analysis.verdicts[1].limit == Duration(4 * ms));
+  CHECK(analysis.verdicts[1].requirement == "other");
 }

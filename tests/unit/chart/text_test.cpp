@@ -39,6 +39,15 @@ TEST_CASE("text is cut so that it fits, between characters") {
   CHECK(umlauts.size() % 2 == 1);  // whole two-byte characters and the three bytes of the ellipsis
 }
 
+TEST_CASE("bold text that is cut fits, too") {
+  for (const char* name :
+       {"main-application-core-of-the-controller", "WWWWWWWWWWWWWWWW", "iiiiiiiiiiiiiiiiiiiiiiii"}) {
+    for (const Length width : {300, 900, 1300})
+      CHECK(text_width(fitted(name, 90, width, true), 90, true) <= width);
+  }
+  CHECK(text_width(fitted("main-application-core", 90, 900), 90, true) > 900);  // as plain text it would not
+}
+
 TEST_CASE("a place is given once") {
   Labels labels;
   CHECK(labels.claim({0, 0, 10, 10}));
@@ -49,6 +58,9 @@ TEST_CASE("a place is given once") {
 TEST_CASE("what XML does not allow is replaced") {
   CHECK(xml_escaped("a<b>&\"c\"") == "a&lt;b&gt;&amp;&quot;c&quot;");
   CHECK(xml_escaped(std::string(1, '\x01')) == "\uFFFD");
+  CHECK(xml_escaped("a\uFFFEb\uFFFFc\uFFFD\U0001F916") == "a\uFFFDb\uFFFDc\uFFFD\U0001F916");
+  CHECK(xml_escaped("a\xFF\xC3z") == "a\uFFFD\uFFFDz");
+  CHECK(xml_escaped("\xED\xA0\x80") == "\uFFFD\uFFFD\uFFFD");  // half of a surrogate pair
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "runtime/drivers/force_torque/codec.hpp"
 
-namespace pal::runtime::force_torque {
+namespace pal::runtime::drivers::force_torque {
 namespace {
 
 using Progress = Codec::Progress;
@@ -100,4 +100,4 @@ TEST_CASE("force-torque codec: says what is missing", "[force-torque]") {
 }
 
 }  // namespace
-}  // namespace pal::runtime::force_torque
+}  // namespace pal::runtime::drivers::force_torque

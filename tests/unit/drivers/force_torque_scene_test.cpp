@@ -47,7 +47,7 @@ struct Cell {
   Workcell workcell{find_scene("touch", {PAL_SCENE_DIR})};
   ForceTorqueEmulator sensor;
   runtime::drivers::ForceTorqueDriver driver{timeline, wire.a()};
-  runtime::test::Session session{timeline, driver};
+  runtime::drivers::test::Session session{timeline, driver};
 };
 
 TEST_CASE(

@@ -28,7 +28,7 @@ struct Cell {
             timeline, wire.b(), [this] { return state; }, options) {
     session.begin();
   }
-  const runtime::test::Session::Delivery& read() {
+  const runtime::drivers::test::Session::Delivery& read() {
     const std::size_t before = session.deliveries.size();
     driver.receive(request_state, {});
     timeline.advance_to(timeline.now() + 9ms);
@@ -41,7 +41,7 @@ struct Cell {
   GripperState state{.width = 90, .force = 0, .holding = false};
   GripperEmulator gripper;
   GripperDriver driver{timeline, wire.a()};
-  runtime::test::Session session{timeline, driver};
+  runtime::drivers::test::Session session{timeline, driver};
 };
 
 TEST_CASE("gripper: tells how wide it stands and how hard it presses", "[gripper]") {

@@ -10,7 +10,7 @@
 #include "runtime/drivers/streams/carrier.hpp"
 #include "runtime/drivers/streams/outside.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -138,4 +138,4 @@ TEST_CASE("paced time is never ahead of the wall clock, and leaves nothing out",
 }
 
 }  // namespace
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

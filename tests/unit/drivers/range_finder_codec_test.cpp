@@ -4,7 +4,7 @@
 
 #include "runtime/drivers/range_finder/codec.hpp"
 
-namespace pal::runtime::range_finder {
+namespace pal::runtime::drivers::range_finder {
 namespace {
 
 using Event = Codec::Event;
@@ -96,4 +96,4 @@ TEST_CASE("range finder codec: says what is missing", "[range-finder]") {
 }
 
 }  // namespace
-}  // namespace pal::runtime::range_finder
+}  // namespace pal::runtime::drivers::range_finder

@@ -38,7 +38,7 @@ struct Cell {
   Workcell workcell;
   RangeFinderEmulator finder;
   runtime::drivers::RangeFinderDriver driver{timeline, wire.a()};
-  runtime::test::Session session{timeline, driver};
+  runtime::drivers::test::Session session{timeline, driver};
 };
 
 TEST_CASE("range finder on the arm: it sees the steps of a pyramid, and not the arm", "[range-finder]") {

@@ -68,7 +68,7 @@ struct Cell {
   int rays = 0;
   RangeFinderEmulator finder;
   RangeFinderDriver driver{timeline, wire.a()};
-  runtime::test::Session session{timeline, driver};
+  runtime::drivers::test::Session session{timeline, driver};
   // INIT has 5 bytes.
   const Time first_scan = protocol::line.duration(5) + 250ms;
 };
@@ -316,7 +316,7 @@ TEST_CASE("range finder: a profile of the last session is not given to the next"
   cell.driver.receive(request_profile, {});
   cell.run(100ms);
   cell.driver.close();
-  runtime::test::Session next{cell.timeline, cell.driver};
+  runtime::drivers::test::Session next{cell.timeline, cell.driver};
   next.begin();
   REQUIRE(cell.driver.trouble().empty());
   cell.run(200ms);

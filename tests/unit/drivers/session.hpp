@@ -10,7 +10,7 @@
 #include "runtime/drivers/driver.hpp"
 #include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime::test {
+namespace pal::runtime::drivers::test {
 
 class Session final : public DeviceHost {
  public:
@@ -55,4 +55,4 @@ class Session final : public DeviceHost {
   Driver& driver_;
 };
 
-}  // namespace pal::runtime::test
+}  // namespace pal::runtime::drivers::test

@@ -5,7 +5,7 @@
 
 #include "runtime/drivers/timeline.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -63,4 +63,4 @@ TEST_CASE("an action that throws leaves the others in place", "[timeline]") {
 }
 
 }  // namespace
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -5,7 +5,7 @@
 
 #include "runtime/drivers/wire.hpp"
 
-namespace pal::runtime {
+namespace pal::runtime::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -75,4 +75,4 @@ TEST_CASE("at 38400 baud 15 bytes take 3.906 ms", "[wire]") {
 }
 
 }  // namespace
-}  // namespace pal::runtime
+}  // namespace pal::runtime::drivers

@@ -12,7 +12,6 @@
 #include "tests/unit/program/program.hpp"
 
 using namespace pal;
-using namespace pal::explain;
 
 namespace {
 
@@ -31,9 +30,9 @@ struct Found {
 };
 
 /// What `pal check` says of a sample, with everything that it would do.
-Found check(const Sample& sample) {
+Found checked(const explain::Sample& sample) {
   MemoryFileSystem files;
-  for (const SampleFile& file : sample.files) files.add(file.name, file.text);
+  for (const explain::SampleFile& file : sample.files) files.add(file.name, file.text);
   std::vector<std::string> arguments{"check", sample.files.front().name};
   if (arguments.back().ends_with(".op.json")) arguments.insert(arguments.begin(), "operation");
   arguments.insert(arguments.end(), sample.options.begin(), sample.options.end());
@@ -51,9 +50,9 @@ Found check(const Sample& sample) {
 }  // namespace
 
 TEST_CASE("every finding has a page with what it means, an example and a cure") {
-  for (const Code code : all_codes()) {
+  for (const Code code : explain::all_codes()) {
     CAPTURE(name(code), title(code));
-    const Page page = explain(code);
+    const explain::Page page = explain::explain(code);
     CHECK_FALSE(page.summary.empty());
     CHECK(page.markdown.ends_with("\n"));
     CHECK(page.markdown.find("\n### Example\n") != std::string_view::npos);
@@ -64,19 +63,19 @@ TEST_CASE("every finding has a page with what it means, an example and a cure") 
 }
 
 TEST_CASE("every example gives its finding, and every cure removes it and has no errors") {
-  for (const Code code : all_codes()) {
-    const Page page = explain(code);
+  for (const Code code : explain::all_codes()) {
+    const explain::Page page = explain::explain(code);
     if (page.example.files.empty() || page.cure.files.empty()) continue;
     const std::string expected(name(code));
     CAPTURE(expected);
-    const Found wrong = check(page.example);
+    const Found wrong = checked(page.example);
     {
       INFO(wrong.text);
       CHECK(wrong.codes.contains(expected));
       // A page is about one thing: what else goes wrong in its example is of no other family of errors.
       CHECK(wrong.errors <= (code == Code::PAL0104 ? 21 : 3));
     }
-    const Found right = check(page.cure);
+    const Found right = checked(page.cure);
     INFO(right.text);
     CHECK_FALSE(right.codes.contains(expected));
     CHECK(right.errors == 0);
@@ -85,7 +84,7 @@ TEST_CASE("every example gives its finding, and every cure removes it and has no
 
 TEST_CASE("docs/reference/diagnostics.md is what pal explain --all prints") {
   std::ostringstream now;
-  write_reference(now);
+  explain::write_reference(now);
   const auto committed = DiskFileSystem().read(PAL_SOURCE_DIR "/docs/reference/diagnostics.md");
   REQUIRE(std::holds_alternative<std::string>(committed));
   // Not CHECK( == ): the difference of two documents is of no use.

@@ -18,7 +18,7 @@ wrong = []
 count = 0
 for folder in ["examples/operations", "tests/golden/operation"]:
     for file in sorted((root / folder).glob("*.op.json")):
-        if file.name == "fail_no_json.op.json":
+        if file.name in {"fail_no_json.op.json", "fail_merge_conflict.op.json"}:
             continue
         count += 1
         errors = [error.message for error in validator.iter_errors(json.loads(file.read_text(encoding="utf-8")))]

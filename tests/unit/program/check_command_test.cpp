@@ -142,11 +142,14 @@ TEST_CASE("the JSON form has the documented members and no others") {
   CHECK(age["verdict"] == "fails");
 }
 
-TEST_CASE("without an environment check does what needs no times, and says so") {
+TEST_CASE("without an environment check does what needs no times, says so, and does not end with 0") {
   const auto answer = pal::test::pal({"check", touch});
-  CHECK(answer.status == ExitStatus::all_hold);
-  CHECK(answer.out.empty());
-  CHECK(answer.err.find("no environment") != std::string::npos);
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(answer.out.find("not checked  fresh-force: no environment was given") != std::string::npos);
+  CHECK(answer.err.find("no time was checked: no environment was given") != std::string::npos);
+  const auto asked_for = pal::test::pal({"check", touch, "--without-times"});
+  CHECK(asked_for.status == ExitStatus::all_hold);
+  CHECK(asked_for.err.empty());
 }
 
 TEST_CASE("a search that is cut short leaves what it did not decide undecided") {

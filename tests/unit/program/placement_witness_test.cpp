@@ -10,6 +10,7 @@
 
 using namespace pal;
 using namespace pal::analyzer;
+using namespace pal::analyzer::whatif;
 
 namespace {
 

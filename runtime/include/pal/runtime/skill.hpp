@@ -1,4 +1,4 @@
-// A skill as the dispatcher sees it, and a person who chooses one.
+// A skill as the dispatcher sees it, and a person who chooses one; whether a parameter may have a value.
 #pragma once
 
 #include <cstddef>

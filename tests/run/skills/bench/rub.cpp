@@ -9,6 +9,7 @@
 #include "tests/run/skills/support/physical_run.hpp"
 #include "tests/run/skills/support/proved_bounds.hpp"
 #include "tests/run/skills/support/spring_surface.hpp"
+#include "tests/run/skills/support/workshop.hpp"
 
 namespace pal::test {
 
@@ -69,6 +70,41 @@ Figure measure(const Slide& slide) {
   return observed(std::move(figure), bounds);
 }
 
+/// examples/operations/rub_in_square.op.json: a touch, then four sides without a lift between them.
+Figure square() {
+  ProvedBounds bounds("rub");
+  bool ended = true;
+  std::size_t count = 0, inside = 0;
+  double least = 1e9, greatest = -1e9;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Workshop shop(scene("touch"), seed);
+    ended = ended && shop.run("touch", {{.name = "approach-speed", .value = 10}}).code == 0;
+    for (const double direction : {0.0, 90.0, 180.0, 270.0}) {
+      const auto outcome = shop.run("rub",
+                                    {{.name = "direction", .value = direction},
+                                     {.name = "distance", .value = 2},
+                                     {.name = "speed", .value = 0.5}},
+                                    bounds);
+      ended = ended && outcome.code == 0 && outcome.overruns == 0;
+      const Eigen::Vector3d begun = shop.log().front().tool;
+      for (const sim::Sample& sample : shop.log()) {
+        if ((sample.tool - begun).head<2>().norm() < 1e-4) continue;  // while it lands
+        ++count;
+        inside += sample.contact_force >= softest && sample.contact_force <= hardest ? 1 : 0;
+        least = std::min(least, sample.contact_force);
+        greatest = std::max(greatest, sample.contact_force);
+      }
+    }
+  }
+  return observed({"touch, rub", "rub_in_square, four sides of 20 mm at 18 mm/s, scene touch, seeds 1 to 5",
+                   "100 % in band on all sides",
+                   fmt::format("{:.1f} % in band, {:.1f} to {:.1f} N{}",
+                               100 * static_cast<double>(inside) / static_cast<double>(count), least,
+                               greatest, ended ? "" : "; did not end with 0"),
+                   ended && inside == count},
+                  bounds);
+}
+
 /// Surfaces of 20 N/mm in all cannot be had with the tool: its pad alone has 20 N/mm. So the regulator is
 /// measured on a spring, with the sensor's noise and counts, without an arm.
 Figure on_a_spring(const char* what, const SpringSurface& surface) {
@@ -85,7 +121,7 @@ Figure on_a_spring(const char* what, const SpringSurface& surface) {
 }  // namespace
 
 std::vector<Figure> measure_rub() {
-  std::vector<Figure> figures;
+  std::vector<Figure> figures{square()};
   constexpr double fast = 0.784;  // mm in 28 ms: 28 mm/s, on 10 degrees 5 mm/s of slope
   for (const bool band_rule : {false, true}) {
     const double reach = band_rule ? 0 : 0.5;

@@ -29,8 +29,9 @@ ChangedScene::ChangedScene(const std::string& name, const std::string& lines) {
   if (::mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no folder " + folder);
   folder_ = folder;
   const sim::Scene original = test::scene(name);
+  const std::filesystem::path models = PAL_SOURCE_DIR "/sim/scenes";
   for (const char* part : {"puma560.xml", "cell.xml"})
-    std::filesystem::copy_file(original.file.parent_path() / part, folder_ / part);
+    std::filesystem::copy_file(models / part, folder_ / part);
   scene_ = {name, folder_ / (name + ".scene")};
   std::ofstream out(scene_.file);
   out << std::ifstream(original.file).rdbuf() << '\n' << lines << '\n';
@@ -40,7 +41,9 @@ ChangedScene::~ChangedScene() {
   std::filesystem::remove_all(folder_);
 }
 
-Workshop::Workshop(const sim::Scene& scene, std::uint64_t seed) : cell_(scene, seeded(seed)) {
+Workshop::Workshop(const sim::Scene& scene, std::uint64_t seed) : Workshop(scene, seeded(seed)) {}
+
+Workshop::Workshop(const sim::Scene& scene, const sim::CellOptions& options) : cell_(scene, options) {
   const std::vector<std::string> names = sim::scene_geometry(cell_.workcell()).bodies;
   for (std::size_t i = 1; i < names.size(); ++i) bodies_[names[i]] = i - 1;
 }
@@ -65,6 +68,13 @@ runtime::Outcome Workshop::run(const std::string& name,
 Eigen::Vector3d Workshop::middle(const std::string& thing) {
   const auto& at = sim::body_poses(cell_.workcell()).at(bodies_.at(thing)).position;
   return 1e3 * Eigen::Vector3d(at[0], at[1], at[2]) - Eigen::Vector3d(0, 0, shoulder);
+}
+
+std::map<std::string, Eigen::Vector3d> Workshop::parts() {
+  std::map<std::string, Eigen::Vector3d> result;
+  for (const auto& [name, index] : bodies_)
+    if (name.starts_with("part")) result[name] = middle(name);
+  return result;
 }
 
 std::span<const sim::Sample> Workshop::log() {

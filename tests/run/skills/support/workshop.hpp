@@ -29,6 +29,7 @@ class ChangedScene {
 class Workshop {
  public:
   explicit Workshop(const sim::Scene& scene, std::uint64_t seed = 1);
+  Workshop(const sim::Scene& scene, const sim::CellOptions& options);
 
   /// Runs the skill, then lets the arm rest for 0.3 s.
   runtime::Outcome run(const std::string& skill, const std::vector<runtime::ParameterValue>& parameters = {});
@@ -41,6 +42,8 @@ class Workshop {
   Eigen::Vector3d tip() { return 1e3 * cell_.workcell().tool().translation(); }
   /// The middle of a thing of the scene, "part" or "part 2"; frame 0, mm.
   Eigen::Vector3d middle(const std::string& thing);
+  /// The middles of all loose parts.
+  std::map<std::string, Eigen::Vector3d> parts();
   /// Of a location that VAL knows; mm.
   Eigen::Vector3d location(const std::string& name) {
     return 1e3 * cell_.val_store().locations.at(name).translation();

@@ -1,4 +1,4 @@
-// The explanation of a bound, read off its witness.
+// The explanation of a bound as one sentence; the parts come from `story`.
 #pragma once
 
 #include <string>

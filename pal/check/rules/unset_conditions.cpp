@@ -1,3 +1,4 @@
+// Conditions that are read before anything has set them.
 #include <map>
 #include <optional>
 #include <set>

@@ -1,4 +1,4 @@
-#include "analyzer/verdict/explain.hpp"
+#include "analyzer/verdict/sentence.hpp"
 
 namespace pal::analyzer {
 namespace {

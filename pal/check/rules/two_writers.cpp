@@ -1,3 +1,4 @@
+// Conditions with two writers, in two modules or in two blocks at once.
 #include <map>
 #include <set>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "runtime/drivers/alter/codec.hpp"
 
-namespace pal::runtime::alter {
+namespace pal::runtime::drivers::alter {
 namespace {
 
 using namespace std::chrono_literals;
@@ -90,4 +90,4 @@ TEST_CASE("the protocol keeps the environment's times: a tick every 28 ms, an an
 }
 
 }  // namespace
-}  // namespace pal::runtime::alter
+}  // namespace pal::runtime::drivers::alter

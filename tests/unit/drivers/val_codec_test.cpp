@@ -2,7 +2,7 @@
 
 #include "runtime/drivers/val/codec.hpp"
 
-using namespace pal::runtime;
+using namespace pal::runtime::drivers;
 using namespace pal::runtime::drivers::val;
 
 namespace {

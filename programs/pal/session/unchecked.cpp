@@ -1,0 +1,116 @@
+#include "programs/pal/session/unchecked.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "pal/support/diagnostic_code.hpp"
+
+namespace pal::program {
+namespace {
+
+struct Why {
+  std::string reason;
+  std::string hint;
+};
+
+/// The measure as JSON names it, and the limit that belongs to it.
+struct MeasureName {
+  Duration& limit;
+
+  const char* operator()(const pan::Response&) const { return "response"; }
+  const char* operator()(const pan::Age&) const { return "age"; }
+  const char* operator()(const pan::Reaction&) const { return "reaction"; }
+  const char* operator()(const pan::Completing&) const { return "duration"; }
+  const char* operator()(const pan::Load&) const { return "load"; }
+  const char* operator()(const pan::BusyPeriod&) const { return "busy"; }
+  const char* operator()(const pan::Loss& loss) const {
+    limit = Duration(loss.most);
+    return "loss";
+  }
+  const char* operator()(const pan::Passes& passes) const {
+    limit = passes.most ? *passes.most : passes.least.value_or(Duration::zero());
+    return passes.most ? "interval" : "least_interval";
+  }
+};
+
+void add_requirements(const pan::Network& skill, const std::string& environment, const Why& why,
+                      std::vector<Unchecked>& list) {
+  for (const pan::Requirement& requirement : skill.requirements) {
+    Unchecked row{skill.skill.name,  environment, requirement.name, "",
+                  requirement.limit, why.reason,  why.hint,         requirement.where};
+    row.measure = std::visit(MeasureName{row.limit}, requirement.measure);
+    list.push_back(std::move(row));
+  }
+}
+
+bool is_of(const Proof& proof, const pan::Network& skill, const pan::Environment& environment) {
+  return proof.problem.skill == skill.skill.name && proof.problem.environment == environment.name;
+}
+
+}  // namespace
+
+std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof>& proofs, bool wrong,
+                                 bool without_times) {
+  const Why errors{"the specification has errors", "correct them first"};
+  const Why not_asked_for{"times were not asked for", "check it without --without-times"};
+  const Why nowhere{"no environment was given", "give one with --environment FILE, or by USES"};
+  const auto& environments = session.specification.environments;
+  std::vector<Unchecked> list;
+  for (const pan::Network& skill : session.specification.skills) {
+    const std::string& name = skill.skill.name;
+    if (skill.requirements.empty() && !wrong)
+      list.push_back({name,
+                      {},
+                      {},
+                      "",
+                      {},
+                      "the skill has no REQUIREMENT",
+                      "write what it must keep, as REQUIREMENT quick : DURATION TO COMPLETION 0 AT MOST 1 s",
+                      skill.skill.where});
+    if (environments.empty()) {
+      add_requirements(skill, {}, wrong ? errors : without_times ? not_asked_for : nowhere, list);
+      continue;
+    }
+    for (const pan::Environment& environment : environments) {
+      const bool proved = std::any_of(proofs.begin(), proofs.end(),
+                                      [&](const Proof& proof) { return is_of(proof, skill, environment); });
+      if (!proved) add_requirements(skill, environment.name, without_times ? not_asked_for : errors, list);
+    }
+  }
+  if (session.specification.skills.empty() && !wrong) {
+    const SourceSpan begin = session.sources.size() == 0 ? SourceSpan{} : SourceSpan{FileId(0), 0, 0};
+    list.push_back({{},
+                    {},
+                    {},
+                    "",
+                    {},
+                    "there is no SKILL in the files given",
+                    "name the file with the skill, or use it by USES",
+                    begin});
+  }
+  return list;
+}
+
+std::string subject_of(const Unchecked& unchecked) {
+  if (unchecked.skill.empty()) return "nothing";
+  if (unchecked.requirement.empty()) return "skill '" + unchecked.skill + "'";
+  return "'" + unchecked.requirement + "' of " + unchecked.skill +
+         (unchecked.environment.empty() ? "" : " in " + unchecked.environment);
+}
+
+void report_unchecked(const std::vector<Unchecked>& list, Session& session) {
+  for (const Unchecked& row : list) {
+    const bool nothing = row.skill.empty();
+    session.diagnostics.report(
+        Code::PAL0892, row.where,
+        subject_of(row) + (nothing ? " was checked: " : " was not checked: ") + row.reason, row.hint);
+  }
+}
+
+bool has_verdicts(const std::vector<Proof>& proofs) {
+  return std::any_of(proofs.begin(), proofs.end(),
+                     [](const Proof& proof) { return !proof.analysis.verdicts.empty(); });
+}
+
+}  // namespace pal::program

@@ -1,0 +1,40 @@
+// Requirements without a verdict, and why they have none. What was not checked is told in every form of a
+// report, and never counts as met.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "programs/pal/session/proof.hpp"
+
+namespace pal::program {
+
+/// A requirement that was not checked. Without a skill, or a skill without requirements: what would have had
+/// one.
+struct Unchecked {
+  std::string skill;        // empty: there is none
+  std::string environment;  // empty: there is none
+  std::string requirement;  // empty: the skill has none
+  const char* measure = "";
+  Duration limit{};    // loss: a number; load: nanoseconds of work in a second
+  std::string reason;  // "no environment was given"
+  std::string hint;
+  SourceSpan where;
+};
+
+/// Everything in the session that got no verdict from `proofs`, in the order of skills, environments and
+/// requirements. `without_times`: none was asked for. `wrong`: none was made, since the specification has
+/// errors; then only requirements are listed.
+std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof>& proofs, bool wrong,
+                                 bool without_times);
+
+/// "answer of touch in workcell", "skill touch", "the check".
+std::string subject_of(const Unchecked& unchecked);
+
+/// Adds a finding for each of them (PAL0892).
+void report_unchecked(const std::vector<Unchecked>& list, Session& session);
+
+/// Whether any requirement has a verdict.
+bool has_verdicts(const std::vector<Proof>& proofs);
+
+}  // namespace pal::program
