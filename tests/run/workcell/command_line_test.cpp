@@ -84,7 +84,7 @@ TEST_CASE("workcell list shows skills, parameters, completions and scenes") {
 
 TEST_CASE("workcell sets parameters that are texts") {
   CHECK(workcell({"list"}).out.find(
-            "--set location=…  where it is (up to 24 characters, default \"park\")") != std::string::npos);
+            "--set location=…  where it is (up to 100 characters, default \"park\")") != std::string::npos);
   const Folder folder;
   const Answer answer = workcell(
       {"run", "named-touch", "--set", "location=home = 1", "--no-picture", "--output", folder.path()});
