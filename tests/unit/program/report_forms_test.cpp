@@ -86,7 +86,7 @@ TEST_CASE("a requirement without an environment is not green in any form") {
   CHECK(invocation.at("toolExecutionNotifications").at(0).at("level") == "warning");
 }
 
-TEST_CASE("--require-verdicts makes what was not checked an error") {
+TEST_CASE("an option makes what was not checked an error: --require-verdicts") {
   const Answer text = check(press, {"--require-verdicts"});
   CHECK(text.status == ExitStatus::not_met);
   CHECK(has(text.err, "error[PAL0892]: 'brisk' of press was not checked: no environment was given"));

@@ -112,7 +112,7 @@ int main(int count, char** arguments) {
     const std::string_view word = words[i];
     if (word == "--share") {
       wanted.seeds = 1;
-      wanted.every = 7;
+      wanted.every = 60;
     } else if (word == "--seeds" && i + 1 < words.size()) {
       wanted.seeds = std::stoul(words[++i]);
     } else {
