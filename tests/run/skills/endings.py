@@ -47,7 +47,8 @@ what a completion says is not so, and writes **false** in that row. A share of t
 | all others | the arm stands still, 0.8 s after the end |
 
 "1 of 1: 0": how many of the runs ended with which code. The table below has one seed a row; the program runs
-five if not told otherwise. Reasons are cut.
+five if not told otherwise. Rows of palletize, and of pick-at-location with heavy parts, are not complete. Reasons
+are cut.
 
 """
 
