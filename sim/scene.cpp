@@ -56,6 +56,9 @@ Scene find_scene(const std::string& name_or_path, const std::vector<fs::path>& f
   if (name_or_path.find('/') != std::string::npos || path.extension() == ".xml" ||
       path.extension() == ".scene") {
     if (!fs::exists(path)) throw SceneError(name_or_path, "there is no such file", "check the path");
+    if (fs::is_directory(path))
+      throw SceneError(name_or_path, "this is a folder, not the file of a scene",
+                       "name a file in it, or write --scenes " + name_or_path + " and the name of a scene");
     return {path.stem().string(), path};
   }
   std::string names;

@@ -18,6 +18,7 @@ namespace {
 constexpr runtime::Time yield_time = std::chrono::milliseconds(300);
 
 using FaultListener = std::function<void(const ArmFault&)>;
+using SampleListener = std::function<void(const Sample&)>;
 
 Joints start_joints(const Physics& physics, double raise) {
   Start start = physics.loaded().start;
@@ -31,13 +32,26 @@ Joints start_joints(const Physics& physics, double raise) {
   return solution.q;
 }
 
-// " of line 5", of the scene's thing that one of the two is; nothing if none is.
-std::string line_of(const Physics& physics, const Collision& pair) {
-  for (const int geom : {pair.first, pair.second}) {
-    const auto found = physics.loaded().lines.find(thing_of(physics.model(), geom));
-    if (found != physics.loaded().lines.end()) return " of line " + std::to_string(found->second);
-  }
-  return "";
+// The scene's line of what a shape belongs to; 0: it has none.
+int line_of(const Physics& physics, int geom) {
+  const auto found = physics.loaded().lines.find(thing_of(physics.model(), geom));
+  return found == physics.loaded().lines.end() ? 0 : found->second;
+}
+
+// " of line 5", or nothing.
+std::string of_line(int line) {
+  return line == 0 ? "" : " of line " + std::to_string(line);
+}
+
+void refuse_overlap(const Physics& physics, const Scene& scene) {
+  const auto pair = overlapping_part(physics);
+  if (!pair) return;
+  const auto [part, other] = *pair;
+  const int line = line_of(physics, part);
+  throw SceneError(scene.file.string() + (line == 0 ? "" : ":" + std::to_string(line)),
+                   words_for(physics.model(), part) + " overlaps " + words_for(physics.model(), other) +
+                       of_line(line_of(physics, other)),
+                   "move them apart: physics would throw them out of one another");
 }
 
 std::string millimetres(double metres) {
@@ -65,11 +79,12 @@ struct Workcell::Parts {
     if (keep_log) log.reserve(static_cast<std::size_t>(options.log_room / physics_step));
     physics.place(motion.at(runtime::Time::zero()).position);
     if (const auto touching = any_contact_of_arm(physics))
-      throw SceneError(physics.loaded().start.place,
-                       "at its start " +
-                           contact_words(physics.model(), touching->first, "touches", touching->second) +
-                           line_of(physics, *touching),
-                       "move the start away from it, or choose another configuration");
+      throw SceneError(
+          physics.loaded().start.place,
+          "at its start " + contact_words(physics.model(), touching->first, "touches", touching->second) +
+              of_line(std::max(line_of(physics, touching->first), line_of(physics, touching->second))),
+          "move the start away from it, or choose another configuration");
+    refuse_overlap(physics, scene);
     try {
       for (runtime::Time t{}; t < options.settle; t += physics_step) step(runtime::Time::zero());
     } catch (const std::runtime_error& problem) {
@@ -99,6 +114,11 @@ struct Workcell::Parts {
                           {data.qvel[left.speed], data.qvel[right.speed]});
   }
 
+  double grip_force() const {
+    const Grip held = grip(physics);
+    return 0.5 * (held.left + held.right);
+  }
+
   double gripper_width() const {
     if (physics.loaded().tool != ToolKind::gripper) return 0;
     const auto& [left, right] = physics.index().fingers;
@@ -124,6 +144,7 @@ struct Workcell::Parts {
             .set_point = set_point.translation(),
             .set_point_turn = Eigen::Quaterniond(set_point.linear()),
             .contact_force = contact_force(physics),
+            .grip_force = grip_force(),
             .wrench = wrench(),
             .gripper_width = gripper_width()};
   }
@@ -136,7 +157,8 @@ struct Workcell::Parts {
       };
       return ArmFault{of_arm(hit->first) && of_arm(hit->second) ? ArmFault::Kind::self_collision
                                                                 : ArmFault::Kind::collision,
-                      contact_words(physics.model(), hit->first, "hit", hit->second), now};
+                      contact_words(physics.model(), hit->first, "hit", hit->second), now,
+                      place_of(physics, *hit)};
     }
     const double error = (sample.tool - sample.set_point).norm();
     if (error * 1e3 <= greatest_following_error) return std::nullopt;
@@ -172,6 +194,12 @@ struct Workcell::Parts {
       if (const auto alive = listener.lock()) (*alive)(*fault);
   }
 
+  void tell(const Sample& sample) {
+    std::erase_if(sample_listeners, [](const auto& listener) { return listener.expired(); });
+    for (const auto& listener : sample_listeners)
+      if (const auto alive = listener.lock()) (*alive)(sample);
+  }
+
   Physics physics;
   Pose tool;  // from the flange to the tip
   MotionController motion;
@@ -183,6 +211,7 @@ struct Workcell::Parts {
   std::optional<ArmFault> fault;
   runtime::Time yielding{};  // how long the arm still gives way
   std::vector<std::weak_ptr<FaultListener>> listeners;
+  std::vector<std::weak_ptr<SampleListener>> sample_listeners;
   runtime::Time now{};
   bool keep_log;
   runtime::Time log_zero{};
@@ -200,7 +229,10 @@ void Workcell::advance_to(runtime::Time when) {
     parts_->now += physics_step;
     const Sample sample = parts_->sample();
     if (!parts_->keep_log) parts_->log.clear();
-    if (sample.time >= runtime::Time::zero()) parts_->log.push_back(sample);
+    if (sample.time >= runtime::Time::zero()) {
+      parts_->log.push_back(sample);
+      parts_->tell(sample);
+    }
     if (parts_->fault) continue;
     if (auto fault = parts_->look(sample)) parts_->stop_with(std::move(*fault));
   }
@@ -249,6 +281,12 @@ void Workcell::reset_fault() {
 std::shared_ptr<void> Workcell::on_fault(std::function<void(const ArmFault&)> listener) {
   auto shared = std::make_shared<FaultListener>(std::move(listener));
   parts_->listeners.push_back(shared);
+  return shared;
+}
+
+std::shared_ptr<void> Workcell::on_sample(std::function<void(const Sample&)> listener) {
+  auto shared = std::make_shared<SampleListener>(std::move(listener));
+  parts_->sample_listeners.push_back(shared);
   return shared;
 }
 
@@ -323,8 +361,7 @@ double Workcell::gripper_width() const {
 }
 
 double Workcell::gripper_force() const {
-  const Grip held = grip(parts_->physics);
-  return 0.5 * (held.left + held.right);
+  return parts_->grip_force();
 }
 
 bool Workcell::holds_part() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pal/runtime/device.hpp"
+#include "runtime/drivers/alter/protocol.hpp"
 #include "sim/arm/arm_fault.hpp"
 #include "sim/arm/kinematics.hpp"
 #include "sim/arm/machine.hpp"
@@ -22,7 +23,7 @@ class MotionController;
 class Physics;
 
 inline constexpr runtime::Time physics_step = std::chrono::milliseconds(1);
-inline constexpr runtime::Time alter_period = std::chrono::milliseconds(28);
+inline constexpr runtime::Time alter_period = runtime::drivers::alter::period;
 
 /// Forces in N and torques in N*m in the frame of the force-torque sensor, whose z points out of the tool.
 struct Wrench {
@@ -40,7 +41,8 @@ struct Sample {
   Eigen::Quaterniond tool_turn = Eigen::Quaterniond::Identity();
   Eigen::Vector3d set_point = Eigen::Vector3d::Zero();
   Eigen::Quaterniond set_point_turn = Eigen::Quaterniond::Identity();
-  double contact_force = 0;  // sum of the normal forces on what the tool is meant to touch with, N
+  double contact_force = 0;  // sum of the normal forces on what the tool is meant to touch with, N; no grip
+  double grip_force = 0;     // with which each finger presses on what is between them, N; 0 without a gripper
   Wrench wrench;             // as Workcell::wrench()
   double gripper_width = 0;  // between the fingers, mm; 0 without a gripper
 };
@@ -72,8 +74,9 @@ class Workcell final : public runtime::World {
   void advance_to(runtime::Time when) override;
   runtime::Time now() const;
 
-  /// Gives the controller a relative motion to be made evenly within [begin, begin + 28 ms], after all those
-  /// given before. A motion that the arm cannot make is refused: the answer says why, and the arm stops.
+  /// Gives the controller a relative motion to be made evenly within one period from `begin` on, after all
+  /// those given before. A motion that the arm cannot make is refused: the answer says why, and the arm
+  /// stops.
   std::optional<std::string> move(const Correction& correction, CorrectionFrame frame, runtime::Time begin);
   /// Drops what has not been moved yet: a planned motion slows down, corrections end at once.
   void stop();
@@ -102,6 +105,8 @@ class Workcell final : public runtime::World {
   /// What the tool's weight alone puts on that sensor where the encoders show the arm to be.
   Wrench tool_weight() const;
   const std::vector<Sample>& log() const;
+  /// Calls `listener` with each sample as it comes, as long as the answer lives.
+  [[nodiscard]] std::shared_ptr<void> on_sample(std::function<void(const Sample&)> listener);
   /// Forgets the log; its times, and log_time(), count from `zero` on, an instant that is still to come.
   void begin_log(runtime::Time zero);
   runtime::Time log_time() const;

@@ -25,29 +25,65 @@ Marks channels_of(const Trace& trace, const std::string& sender, const std::stri
 
 }  // namespace
 
+namespace {
+
+template <class Found>
+void find_ages(const Trace& tables, const EventSource& events, const std::string& condition,
+               const std::vector<StatementName>& at, Found found) {
+  const auto named = std::find(tables.conditions.begin(), tables.conditions.end(), condition);
+  Inheritance inheritance(tables);
+  AgeMeter meter(tables, static_cast<std::int32_t>(named - tables.conditions.begin()),
+                 statements_named(tables, at));
+  events([&](const Event& event) {
+    if (const auto age = meter.see(event, inheritance.begins(event))) found(*age);
+  });
+}
+
+template <class Found>
+void find_responses(const Trace& tables, const EventSource& events, const std::string& sender,
+                    const std::string& message, const std::vector<StatementName>& at, Found found) {
+  Inheritance inheritance(tables);
+  ResponseMeter meter(tables, channels_of(tables, sender, message), statements_named(tables, at));
+  events([&](const Event& event) { found(meter.see(event, inheritance.begins(event))); });
+}
+
+void keep_longer(std::optional<Occurrence>& longest, const Occurrence& one) {
+  if (!longest || longest->length_ns() < one.length_ns()) longest = one;
+}
+
+}  // namespace
+
 std::vector<Occurrence> ages(const Trace& trace, const std::string& condition,
                              const std::vector<StatementName>& at) {
-  const auto found = std::find(trace.conditions.begin(), trace.conditions.end(), condition);
-  Inheritance inheritance(trace);
-  AgeMeter meter(trace, static_cast<std::int32_t>(found - trace.conditions.begin()),
-                 statements_named(trace, at));
   std::vector<Occurrence> result;
-  for (const Event& event : trace.events) {
-    if (const auto age = meter.see(event, inheritance.begins(event))) result.push_back(*age);
-  }
+  find_ages(trace, events_of(trace), condition, at, [&](const Occurrence& age) { result.push_back(age); });
   return result;
 }
 
 Responses responses(const Trace& trace, const std::string& sender, const std::string& message,
                     const std::vector<StatementName>& at) {
-  Inheritance inheritance(trace);
-  ResponseMeter meter(trace, channels_of(trace, sender, message), statements_named(trace, at));
   Responses result;
-  for (const Event& event : trace.events) {
-    const ResponseMeter::Reading reading = meter.see(event, inheritance.begins(event));
+  find_responses(trace, events_of(trace), sender, message, at, [&](const ResponseMeter::Reading& reading) {
     if (reading.answered) result.answered.push_back(*reading.answered);
     result.missed += reading.missed;
-  }
+  });
+  return result;
+}
+
+std::optional<Occurrence> longest_age(const Trace& tables, const EventSource& events,
+                                      const std::string& condition, const std::vector<StatementName>& at) {
+  std::optional<Occurrence> result;
+  find_ages(tables, events, condition, at, [&](const Occurrence& age) { keep_longer(result, age); });
+  return result;
+}
+
+std::optional<Occurrence> longest_response(const Trace& tables, const EventSource& events,
+                                           const std::string& sender, const std::string& message,
+                                           const std::vector<StatementName>& at) {
+  std::optional<Occurrence> result;
+  find_responses(tables, events, sender, message, at, [&](const ResponseMeter::Reading& reading) {
+    if (reading.answered) keep_longer(result, *reading.answered);
+  });
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "pal/trace/spool.hpp"
 #include "pal/trace/trace.hpp"
 
 namespace pal::trace {
@@ -43,6 +44,10 @@ Json actor(const Actor& actor) {
 }  // namespace
 
 void write_json(const Trace& trace, std::ostream& out) {
+  write_json(trace, events_of(trace), out);
+}
+
+void write_json(const Trace& trace, const EventSource& events, std::ostream& out) {
   out << "{\n\"format\": \"pal-trace\",\n\"version\": 1,\n";
   out << "\"skill\": " << text(trace.skill) << ",\n";
   out << "\"environment\": " << text(trace.environment) << ",\n";
@@ -68,13 +73,14 @@ void write_json(const Trace& trace, std::ostream& out) {
   if (!trace.promises.empty())
     table(
         out, "promises", trace.promises, [&](const std::string& row) { out << text(row); }, ",\n");
-  table(
-      out, "events", trace.events,
-      [&](const Event& row) {
-        out << text(
-            Json::array({row.time_ns, name(row.kind), row.actor, row.statement, row.subject, row.value}));
-      },
-      "\n");
+  out << "\"events\": [";
+  const char* separator = "\n";
+  events([&](const Event& row) {
+    out << separator << '[' << row.time_ns << ",\"" << name(row.kind) << "\"," << row.actor << ','
+        << row.statement << ',' << row.subject << ',' << row.value << ']';
+    separator = ",\n";
+  });
+  out << (*separator == '\n' ? "]\n" : "\n]\n");
   out << "}\n";
 }
 

@@ -21,7 +21,7 @@ enum class ScalarType { real, integer, boolean, text };
 
 /// The most values of an array, and the most characters of a text: the size of a message is bounded.
 constexpr int largest_array = 4096;
-constexpr std::size_t longest_text = 24;
+constexpr std::size_t longest_text = 100;
 
 /// One field of a message. `unit` is the canonical spelling ("mm", "N", "N*m", "deg"); empty: a plain number.
 struct Field {

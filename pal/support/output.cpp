@@ -56,9 +56,12 @@ std::string new_file_beside(const fs::path& target) {
   }
 }
 
-bool write_content(const std::string& path, const std::string& content) {
+bool write_content(const std::string& path, const OutputFile& file) {
   std::ofstream out(path, std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  if (file.write)
+    file.write(out);
+  else
+    out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
   out.close();
   return static_cast<bool>(out);
 }
@@ -71,13 +74,30 @@ std::string behind_links(const std::string& path) {
   return error ? path : target.string();
 }
 
-std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
-  const fs::path path(file.path);
+/// Makes the folder that a file will stand in. Returns what went wrong, or nothing.
+std::optional<std::string> make_folder_of(const fs::path& path) {
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   if (error) return "cannot make the folder " + path.parent_path().string() + ": " + error.message();
+  if (fs::is_directory(path, error)) return "cannot write " + path.string() + ": it is a folder";
+  return std::nullopt;
+}
+
+/// The outermost of the folders around a file that is not there yet; empty: all are.
+fs::path first_missing_folder(const fs::path& path) {
+  fs::path missing;
+  std::error_code ignored;
+  for (fs::path folder = path.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
+       folder = folder.parent_path())
+    missing = folder;
+  return missing;
+}
+
+std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
+  const fs::path path(file.path);
+  if (auto problem = make_folder_of(path)) return problem;
+  std::error_code error;
   const fs::file_status old = fs::status(path, error);
-  if (fs::is_directory(old)) return "cannot write " + file.path + ": it is a folder";
   if (fs::exists(old) && !fs::is_regular_file(old)) {
     drafts.add({file.path, ""});
     return std::nullopt;
@@ -85,7 +105,7 @@ std::optional<std::string> write_draft(const OutputFile& file, Drafts& drafts) {
   const std::string target = behind_links(file.path);
   drafts.add({target, new_file_beside(target)});
   const std::string& draft = drafts.all().back().path;
-  if (draft.empty() || !write_content(draft, file.content)) return cannot_write(file.path);
+  if (draft.empty() || !write_content(draft, file)) return cannot_write(file.path);
   if (fs::exists(old)) fs::permissions(draft, old.permissions(), error);
   return std::nullopt;
 }
@@ -103,7 +123,7 @@ std::optional<std::string> write_files(const std::vector<OutputFile>& files) {
     if (auto problem = write_draft(file, drafts)) return problem;
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (drafts.all()[i].path.empty() && !write_content(files[i].path, files[i].content))
+    if (drafts.all()[i].path.empty() && !write_content(files[i].path, files[i]))
       return cannot_write(files[i].path);
   }
   for (const Draft& draft : drafts.all()) {
@@ -112,6 +132,20 @@ std::optional<std::string> write_files(const std::vector<OutputFile>& files) {
     if (error) return "cannot write " + draft.target + ": " + error.message();
   }
   return std::nullopt;
+}
+
+std::optional<std::string> cannot_be_written(const std::string& path) {
+  const fs::path missing = first_missing_folder(path);
+  std::optional<std::string> problem = make_folder_of(path);
+  std::error_code ignored;
+  const fs::file_status old = fs::status(path, ignored);
+  if (!problem && (!fs::exists(old) || fs::is_regular_file(old))) {
+    Drafts drafts;
+    drafts.add({path, new_file_beside(behind_links(path))});
+    if (drafts.all().back().path.empty()) problem = cannot_write(path);
+  }
+  if (!missing.empty()) fs::remove_all(missing, ignored);
+  return problem;
 }
 
 }  // namespace pal

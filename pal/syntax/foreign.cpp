@@ -66,7 +66,7 @@ std::optional<Foreign> type_elsewhere(const Around& around) {
     if (!is(type, Parser::NAME) || !is(around[back - 1], Parser::COLON) || !is_type_elsewhere(type)) continue;
     const std::string word = in_capitals(type);
     if (word == "STRING" || word == "CHAR")
-      return Foreign{type, "PAL has no type " + spelling(*type), "write TEXT, for up to 24 characters"};
+      return Foreign{type, "PAL has no type " + spelling(*type), "write TEXT, for up to 100 characters"};
     return Foreign{type, "PAL has no type " + spelling(*type),
                    "write REAL, INTEGER or BOOLEAN, or SIGNAL for a message without a value"};
   }

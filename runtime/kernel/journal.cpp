@@ -11,7 +11,7 @@ using trace::Kind;
 Journal::Journal(const Clock& clock, const Skill& skill, const RunOptions& options)
     : clock_(clock),
       skill_(skill),
-      recorder_(skill.wiring(), options.trace, options.trace_capacity),
+      recorder_(skill.wiring(), options.trace, options.trace_capacity, options.spool),
       live_(options.live),
       shown_(options.trace != TraceMode::none || live_ != nullptr) {}
 

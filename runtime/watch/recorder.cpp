@@ -7,12 +7,16 @@
 
 namespace pal::runtime {
 
-Recorder::Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity)
-    : mode_(mode), capacity_(std::max<std::size_t>(capacity, 1)), trace_(trace_tables(wiring)) {
+Recorder::Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity, trace::EventSpool* spool)
+    : mode_(mode),
+      spool_(spool),
+      capacity_(std::max<std::size_t>(capacity, 1)),
+      trace_(trace_tables(wiring)) {
   if (mode != TraceMode::none) trace_.events.reserve(capacity_);
 }
 
 trace::Trace Recorder::take() {
+  if (mode_ == TraceMode::all && spool_ != nullptr) hand_on();
   std::rotate(trace_.events.begin(), trace_.events.begin() + static_cast<std::ptrdiff_t>(oldest_),
               trace_.events.end());
   return std::move(trace_);

@@ -8,6 +8,7 @@
 #include "pal/runtime/device.hpp"
 #include "pal/runtime/outcome.hpp"
 #include "pal/runtime/wiring.hpp"
+#include "pal/trace/spool.hpp"
 #include "pal/trace/trace.hpp"
 
 namespace pal::runtime {
@@ -18,12 +19,16 @@ class Recorder {
  public:
   /// Makes room for `capacity` events, at least one; a whole trace with more of them takes memory while the
   /// run goes on.
-  Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity);
+  /// With a `spool`, which outlives the recorder, a whole trace goes there, `capacity` events at a time.
+  Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity, trace::EventSpool* spool = nullptr);
 
   /// The place of the next event, valid until the next call. Fill in all its members, one by one. (Copying an
   /// event that was just made takes longer, because the copy waits for its parts.)
   trace::Event& next() {
-    if (mode_ == TraceMode::all) return trace_.events.emplace_back();
+    if (mode_ == TraceMode::all) {
+      if (spool_ != nullptr && trace_.events.size() == capacity_) hand_on();
+      return trace_.events.emplace_back();
+    }
     return mode_ == TraceMode::none ? unkept_ : next_of_last();
   }
   /// Indices of the text, for the events that name it.
@@ -42,6 +47,10 @@ class Recorder {
   trace::Trace take();
 
  private:
+  void hand_on() noexcept {
+    spool_->append(trace_.events.data(), trace_.events.size());
+    trace_.events.clear();
+  }
   trace::Event& next_of_last() {
     if (trace_.events.size() < capacity_) return trace_.events.emplace_back();
     trace::Event& event = trace_.events[oldest_];
@@ -50,6 +59,7 @@ class Recorder {
   }
 
   TraceMode mode_;
+  trace::EventSpool* spool_;
   std::size_t capacity_;
   std::size_t oldest_ = 0;  // of the last ones, once there are as many as are kept
   trace::Event unkept_;

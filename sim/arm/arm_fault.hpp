@@ -1,6 +1,8 @@
 // Why the arm stopped by itself.
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "pal/runtime/device.hpp"
@@ -17,6 +19,8 @@ struct ArmFault {
   Kind kind = Kind::collision;
   std::string text;  // "the forearm hit post 2"
   runtime::Time time{};
+  /// Where two parts met, in frame 0, m; nothing: they did not.
+  std::optional<Eigen::Vector3d> place{};
 };
 
 /// How far the tool may be from its set-point, mm.

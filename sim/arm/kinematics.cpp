@@ -171,6 +171,19 @@ InverseSolution inverse_tool(const Pose& tip, const Pose& tool, Configuration co
   return inverse_wrist(tip * tool.inverse() * along_z(-wrist_to_flange), configuration, reference);
 }
 
+InverseSolution next_on_path(const Pose& tip, const Pose& tool, Configuration configuration,
+                             const Joints& from) {
+  InverseSolution solution = inverse_tool(tip, tool, configuration, from);
+  constexpr double half = turn / 2 + 1e-9;
+  for (std::size_t i = 0; i < joint_count && solution.problem == InverseProblem::none; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (std::abs(solution.q[row] - from[row]) <= half) continue;
+    solution.problem = InverseProblem::over_limit;
+    solution.joint = i;
+  }
+  return solution;
+}
+
 InverseSolution inverse_tool(const Pose& tip, Configuration configuration, const Joints& reference) {
   return inverse_tool(tip, pad_tool(), configuration, reference);
 }

@@ -69,7 +69,12 @@ InverseSolution inverse_wrist(const Pose& wrist, Configuration configuration, co
 InverseSolution inverse_tool(const Pose& tip, const Pose& tool, Configuration configuration,
                              const Joints& reference);
 
-/// The same for the pad.
+/// The same on a path that goes on from joint angles `from`: no joint turns by more than half a turn. A joint
+/// that would come there only by a turn back through the rest of its range is over its limit.
+InverseSolution next_on_path(const Pose& tip, const Pose& tool, Configuration configuration,
+                             const Joints& from);
+
+/// The same as inverse_tool above, for the pad.
 InverseSolution inverse_tool(const Pose& tip, Configuration configuration, const Joints& reference);
 
 /// From the flange to the pad's tip.

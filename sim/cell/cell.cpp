@@ -241,8 +241,12 @@ struct Cell::Parts {
   }
 
   void plan_faults(runtime::Time begin) {
-    for (const PlannedFault& fault : std::exchange(faults, {}))
-      station.timeline().at(begin + fault.at, [this, fault] { bring_about(fault, line_of(fault)); });
+    if (std::exchange(faults_planned, true)) return;
+    for (const PlannedFault& fault : faults)
+      station.timeline().at(begin + fault.at, [this, fault] {
+        bring_about(fault, line_of(fault));
+        std::erase_if(faults, [&](const PlannedFault& other) { return other.line == fault.line; });
+      });
   }
 
   Random fixed_noise;
@@ -262,7 +266,8 @@ struct Cell::Parts {
   std::optional<Attached<GripperEmulator, runtime::drivers::GripperDriver>> gripper;
   std::optional<Attached<RangeFinderEmulator, runtime::drivers::RangeFinderDriver>> range_finder;
   std::vector<Line> lines;
-  std::vector<PlannedFault> faults;
+  std::vector<PlannedFault> faults;  // that have not come
+  bool faults_planned = false;
   std::function<void(runtime::Time)> at_begin;
   std::shared_ptr<void> arm_fault;
 };
@@ -316,6 +321,10 @@ runtime::drivers::Station& Cell::station() {
 
 const std::vector<Cell::Line>& Cell::lines() const {
   return parts_->lines;
+}
+
+const std::vector<PlannedFault>& Cell::faults_to_come() const {
+  return parts_->faults;
 }
 
 val::Store& Cell::val_store() {

@@ -41,7 +41,7 @@ struct CellOptions {
   std::function<std::unique_ptr<runtime::World>(Workcell&)> watch;
   /// Called shortly before a skill begins, with the station time of its beginning. Empty: nothing is called.
   std::function<void(runtime::Time)> at_begin;
-  /// Faults of devices' lines; they happen once, in the first skill.
+  /// Faults of devices' lines; they happen once. Their times count from the beginning of the first skill.
   std::vector<PlannedFault> faults;
 };
 
@@ -88,6 +88,8 @@ class Cell {
     runtime::drivers::Wire* wire = nullptr;
   };
   const std::vector<Line>& lines() const;
+  /// Of CellOptions::faults, those that have not happened yet.
+  const std::vector<PlannedFault>& faults_to_come() const;
 
   /// Locations that skills can name, and programs: VAL's memory. At first it has the scene's locations.
   val::Store& val_store();

@@ -18,9 +18,9 @@ std::string joint_text(std::size_t joint) {
   return "joint " + std::to_string(joint + 1);
 }
 
-std::string figure(double value) {
+std::string figure(double value, int digits = 3) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
   return text.data();
 }
 
@@ -44,14 +44,20 @@ std::optional<Refusal> refusal_of(const InverseSolution& solution) {
   return std::nullopt;
 }
 
+std::string beyond_limit(double value, double limit, const std::string& unit) {
+  constexpr int most = 9;
+  int digits = 3;
+  while (digits < most && figure(value, digits) == figure(limit, digits)) ++digits;
+  return figure(value, digits) + " " + unit + ", its limit is " + figure(limit) + " " + unit;
+}
+
 std::optional<Refusal> too_fast(const Joints& speeds) {
   constexpr double rounding = 1 + 1e-6;
   for (std::size_t i = 0; i < joint_count; ++i) {
     const double speed = std::abs(speeds[static_cast<Eigen::Index>(i)]);
     if (speed <= puma_limits[i].speed * rounding) continue;
     return Refusal{Refusal::Cause::joint_speed, i,
-                   joint_text(i) + " would turn at " + figure(speed) + " rad/s, its limit is " +
-                       figure(puma_limits[i].speed) + " rad/s"};
+                   joint_text(i) + " would turn at " + beyond_limit(speed, puma_limits[i].speed, "rad/s")};
   }
   return std::nullopt;
 }
@@ -112,8 +118,7 @@ Plan plan_straight_motion(const Joints& from, const Pose& goal, const Pose& tool
   const double wanted = speed.straight.value_or(speed.part * straight_line_speed);
   if (wanted > straight_line_speed * (1 + 1e-9))
     return Refusal{Refusal::Cause::tool_speed, 0,
-                   "the tool would move at " + figure(wanted) + " m/s, its limit is " +
-                       figure(straight_line_speed) + " m/s"};
+                   "the tool would move at " + beyond_limit(wanted, straight_line_speed, "m/s")};
 
   const double pieces =
       std::ceil(std::max({least_knots - 1, distance / knot_distance, turn.angle() / knot_turn}));
@@ -125,7 +130,7 @@ Plan plan_straight_motion(const Joints& from, const Pose& goal, const Pose& tool
     pose.translation() = start.translation() + i / pieces * way;
     pose.linear() =
         start.linear() * Eigen::AngleAxisd(i / pieces * turn.angle(), turn.axis()).toRotationMatrix();
-    const InverseSolution solution = inverse_tool(pose, tool, configuration, knots.back());
+    const InverseSolution solution = next_on_path(pose, tool, configuration, knots.back());
     if (auto refusal = refusal_of(solution)) return *refusal;
     knots.push_back(solution.q);
   }

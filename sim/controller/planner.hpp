@@ -25,6 +25,9 @@ std::optional<Refusal> refusal_of(const InverseSolution& solution);
 /// The joint that turns faster than it can, if one does. `speeds` in rad/s.
 std::optional<Refusal> too_fast(const Joints& speeds);
 
+/// "0.536 m/s, its limit is 0.5 m/s": with as many figures as tell the two apart.
+std::string beyond_limit(double value, double limit, const std::string& unit);
+
 /// How fast a motion is to be. Accelerations are always the arm's own.
 struct MotionSpeed {
   double part = 1;                 // of the arm's greatest speeds, in (0, 1]

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "sim/controller/planner.hpp"
 
@@ -11,12 +10,6 @@ namespace {
 
 double seconds(runtime::Time time) {
   return std::chrono::duration<double>(time).count();
-}
-
-std::string speed_figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
 }
 
 }  // namespace
@@ -35,9 +28,8 @@ std::optional<std::string> Trajectory::add(const Correction& correction, Correct
   const Pose goal = corrected(cumulative ? goal_ : opened_, correction, frame, opened_);
   const double distance = (goal.translation() - goal_.translation()).norm();
   if (distance > straight_line_speed * seconds(period_))
-    return "the tool would move at " + speed_figure(distance / seconds(period_)) + " m/s, its limit is " +
-           speed_figure(straight_line_speed) + " m/s";
-  const InverseSolution solution = inverse_tool(goal, tool_, configuration_, goal_joints_);
+    return "the tool would move at " + beyond_limit(distance / seconds(period_), straight_line_speed, "m/s");
+  const InverseSolution solution = next_on_path(goal, tool_, configuration_, goal_joints_);
   if (const auto refusal = refusal_of(solution)) return refusal->text;
   if (const auto refusal = too_fast((solution.q - goal_joints_) / seconds(period_))) return refusal->text;
   if (count_ == capacity) return "corrections come faster than they can be moved";

@@ -1,6 +1,7 @@
 // How the robot's own controller opens and closes its ALTER port.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "runtime/drivers/alter/opener.hpp"
@@ -19,6 +20,8 @@ class AlterControl {
   /// what had ended it before.
   virtual std::string close() = 0;
   virtual bool is_open() const = 0;
+  /// Calls `tell` with the reason when ALTER ends by itself. Empty: nobody is told.
+  virtual void on_end(std::function<void(const std::string& why)> tell) = 0;
 };
 
 }  // namespace pal::sim

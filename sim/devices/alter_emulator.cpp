@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/drivers/linked_driver.hpp"
+
 namespace pal::sim {
 namespace {
 
@@ -102,7 +104,8 @@ void AlterEmulator::take(const alter::Answer& answer) {
 }
 
 void AlterEmulator::answer_is_late() {
-  std::string text = "got no correction within 24 ms of the beginning of its cycle";
+  std::string text = "got no correction within " + runtime::drivers::in_milliseconds(alter::answer_within) +
+                     " of the beginning of its cycle";
   if (garbled_) text += "; what came was garbled";
   end(Reason::late, std::move(text));
 }
@@ -116,6 +119,7 @@ void AlterEmulator::end(Reason reason, std::string text) {
   arm_.stop();
   link_.write(alter::encode(alter::Ended{reason, text}));
   ended_because_ = std::move(text);
+  if (tell_) tell_(ended_because_);
 }
 
 }  // namespace pal::sim

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "runtime/drivers/alter/codec.hpp"
 #include "runtime/drivers/link.hpp"
@@ -52,6 +53,7 @@ class AlterEmulator final : public AlterControl, private runtime::drivers::LinkU
   std::string open(const AlterMode& mode) override;
   std::string close() override;
   bool is_open() const override { return open_; }
+  void on_end(std::function<void(const std::string& why)> tell) override { tell_ = std::move(tell); }
 
   /// To be called when the arm stops by itself; the port finds out at its next cycle otherwise.
   void arm_has_stopped();
@@ -77,6 +79,7 @@ class AlterEmulator final : public AlterControl, private runtime::drivers::LinkU
   runtime::drivers::Timeline::Token next_cycle_;
   runtime::drivers::Timeline::Token deadline_;
   std::string ended_because_;
+  std::function<void(const std::string& why)> tell_;
 };
 
 }  // namespace pal::sim

@@ -31,14 +31,26 @@ bool loose(const Physics& physics, int geom) {
   return joint >= 0 && model.jnt_type[joint] == mjJNT_FREE;
 }
 
+// A pad of the gripper at a loose part, or one finger at the other.
+bool is_grip(const Physics& physics, const mjContact& contact) {
+  if (physics.loaded().tool != ToolKind::gripper) return false;
+  for (const FingerIndex& finger : physics.index().fingers) {
+    if (contact.geom1 != finger.pad_geom && contact.geom2 != finger.pad_geom) continue;
+    const int other = contact.geom1 == finger.pad_geom ? contact.geom2 : contact.geom1;
+    if (loose(physics, other) || role(physics, other) == Role::touch) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double contact_force(const Physics& physics) {
   double sum = 0;
   for (int i = 0; i < physics.data().ncon; ++i) {
     const mjContact& contact = physics.data().contact[i];
-    if (role(physics, contact.geom1) == Role::touch || role(physics, contact.geom2) == Role::touch)
-      sum += normal_force(physics, i);
+    const bool touches =
+        role(physics, contact.geom1) == Role::touch || role(physics, contact.geom2) == Role::touch;
+    if (touches && !is_grip(physics, contact)) sum += normal_force(physics, i);
   }
   return sum;
 }
@@ -97,6 +109,27 @@ void CollisionWatch::forgive(const Physics& physics) {
   for (int i = 0; i < physics.data().ncon; ++i)
     if (is_collision(physics, physics.data().contact[i]))
       forgiven_.emplace_back(physics.data().contact[i].geom1, physics.data().contact[i].geom2);
+}
+
+std::optional<Eigen::Vector3d> place_of(const Physics& physics, const Collision& pair) {
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    if (Collision{contact.geom1, contact.geom2} != pair) continue;
+    return physics.base_pose().inverse() * Eigen::Map<const Eigen::Vector3d>(contact.pos);
+  }
+  return std::nullopt;
+}
+
+std::optional<Collision> overlapping_part(const Physics& physics) {
+  constexpr double touching = 0.5e-3;  // m; a part that lies on something may be sunk into it by rounding
+  for (int i = 0; i < physics.data().ncon; ++i) {
+    const mjContact& contact = physics.data().contact[i];
+    if (contact.dist > -touching) continue;
+    // Of two parts the one that stands later in the scene.
+    if (loose(physics, contact.geom2)) return Collision{contact.geom2, contact.geom1};
+    if (loose(physics, contact.geom1)) return Collision{contact.geom1, contact.geom2};
+  }
+  return std::nullopt;
 }
 
 std::optional<Collision> any_contact_of_arm(const Physics& physics) {

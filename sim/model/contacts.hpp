@@ -10,7 +10,8 @@
 
 namespace pal::sim {
 
-/// Sum of the normal forces on the touching parts of the tool (Role::touch), N.
+/// Sum of the normal forces on the touching parts of the tool (Role::touch), N. The grip is not among them:
+/// what the gripper's pads do to a loose part, and to one another.
 double contact_force(const Physics& physics);
 
 /// How hard the two finger pads press on what is between them, N, and whether that is one loose part.
@@ -37,6 +38,13 @@ class CollisionWatch {
  private:
   std::vector<Collision> forgiven_;
 };
+
+/// Where the pair touches, in frame 0, m.
+std::optional<Eigen::Vector3d> place_of(const Physics& physics, const Collision& pair);
+
+/// A loose part and a shape of the cell, part or not, that are in the same place by more than 0.5 mm. The
+/// loose part comes first.
+std::optional<Collision> overlapping_part(const Physics& physics);
 
 /// Any contact of the arm at all, the tool included; a start must not have any.
 std::optional<Collision> any_contact_of_arm(const Physics& physics);

@@ -38,6 +38,11 @@ int cells_in_eighths(double length, double at_most) {
   return 1 + coarser_by * static_cast<int>(std::ceil(length / at_most / coarser_by));
 }
 
+// Where the seam of a surface is, mm from its middle line.
+double seam_at(const Thing& thing, double x) {
+  return thing.one("swing") * std::sin(tau * x / (1.7 * thing.one("length")));
+}
+
 }  // namespace
 
 Heights wave_heights(const Thing& thing) {
@@ -52,17 +57,32 @@ Heights wave_heights(const Thing& thing) {
 Heights surface_heights(const Thing& thing) {
   // Across the seam the range finder's points are 0.6 mm apart at 200 mm.
   constexpr double across = 0.5, along = 1.25;
-  const double height = thing.one("height"), length = thing.one("length"), swing = thing.one("swing");
+  const double height = thing.one("height"), length = thing.one("length");
   const double fall = std::tan(radians(thing.one("slope"))), step = thing.one("step");
   const std::vector<double>& size = thing.all("size");
   const int rows = cells_in_eighths(size[1], across);
   // A step takes one row of cells. The nearer side ends at the points that are nearest to the seam.
   const double nearest = 0.5 * size[1] / (rows - 1);
   return sampled(thing, rows, cells_in_eighths(size[0], along), [&](double x, double y) {
-    const double seam = swing * std::sin(tau * x / (1.7 * length));
+    const double seam = seam_at(thing, x);
     return 0.5 * height * std::sin(tau * x / length) - fall * std::abs(y - seam) -
            (y < seam - nearest ? step : 0);
   });
+}
+
+std::vector<std::array<double, 3>> seam_of(const Thing& thing, const Heights& fine) {
+  constexpr int points = 61;
+  const std::vector<double>& size = thing.all("size");
+  std::vector<std::array<double, 3>> seam;
+  for (int i = 0; i < points; ++i) {
+    const double x = size[0] * (static_cast<double>(i) / (points - 1) - 0.5);
+    const double y = seam_at(thing, x);
+    if (std::abs(y) > size[1] / 2) continue;
+    const auto row = std::lround((y / size[1] + 0.5) * (fine.rows - 1));
+    const auto column = std::lround((x / size[0] + 0.5) * (fine.columns - 1));
+    seam.push_back({x, y, fine.span * fine.values[static_cast<std::size_t>(row * fine.columns + column)]});
+  }
+  return seam;
 }
 
 Heights coarser(const Heights& fine) {

@@ -1,6 +1,7 @@
 // From a scene's description to MuJoCo's own format. Private to pal_sim.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ Mjcf to_mjcf(const SceneDescription& description, const std::string& file);
 /// Heights of waves (two rows) and of a surface with a seam (cells of 0.5 mm across it).
 Heights wave_heights(const Thing& thing);
 Heights surface_heights(const Thing& thing);
+/// The seam of such a surface: points on it, mm from the middle of the field and above its least height.
+std::vector<std::array<double, 3>> seam_of(const Thing& thing, const Heights& fine);
 /// The same surface with a point in each eighth row and column, to touch: MuJoCo takes few contacts at a
 /// time.
 Heights coarser(const Heights& fine);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "sim/model/embedded.hpp"
+#include "sim/model/mjcf_kept.hpp"
 #include "sim/model/mjcf_schema.hpp"
 
 namespace pal::sim {
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using tinyxml2::XMLElement;
 
+constexpr const char* robot_file = "puma560.xml";
 constexpr const char* easier = "a .scene file is easier to write, see docs/workcell/scenes.md";
 
 std::string joined(const std::vector<std::string>& words) {
@@ -47,7 +49,7 @@ std::string xml_problem(const tinyxml2::XMLDocument& document) {
 
 // The machine's own files, which a scene includes by their names.
 const std::string_view* machine_part(const std::string& name) {
-  if (name == "puma560.xml") return &embedded::puma560;
+  if (name == robot_file) return &embedded::puma560;
   if (name == "cell.xml") return &embedded::cell;
   return nullptr;
 }
@@ -78,6 +80,7 @@ class Reader {
           scene.file.string());
     read_file(scene.file, scene.file.string() + ":1");
     write("</mujoco>", scene.file.string());
+    keeper_.finish();
   }
 
   MjcfFile take() { return std::move(result_); }
@@ -161,7 +164,8 @@ class Reader {
            names.empty() ? "it holds no elements" : "it can hold " + joined(names));
     }
     check_attributes(element, *kind, place);
-    if (!source.machine) check_kept(element, parent, place);
+    if (source.file == robot_file) keeper_.own(element);
+    if (!source.machine) keeper_.look(element, place);
     check_name(element, parent, place);
     write_element(source, element, *kind, place);
   }
@@ -173,36 +177,6 @@ class Reader {
           kind.attributes.end())
         fail(place, fmt::format("a <{}> has no attribute '{}'", element.Name(), attribute->Name()),
              kind.attributes.empty() ? "it has none" : "it has " + joined(kind.attributes));
-  }
-
-  // Everything that is measured or proved of a run rests on the machine as it is.
-  static void check_kept(const XMLElement& element, const std::string& parent, const std::string& place) {
-    const std::string name = element.Name();
-    if (name == "option" || (name == "flag" && parent == "option")) {
-      const auto* first = element.FirstAttribute();
-      fail(place,
-           first == nullptr ? "the scene changes the physics"
-                            : fmt::format("the scene changes the physics: {}", first->Name()),
-           "take <option> out; the workcell's physics is described in docs/workcell/README.md");
-    }
-    if (name == "compiler")
-      for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
-           attribute = attribute->Next())
-        fail(place, fmt::format("the scene changes how the arm is read: {}", attribute->Name()),
-             "take <compiler> out; angles are radians, files are named from the scene's folder");
-    static const std::array<std::string_view, 5> classes{"arm", "dark", "steel", "cell", "drive"};
-    if (name == "default") {
-      const char* const own = element.Attribute("class");
-      if (own != nullptr && std::find(classes.begin(), classes.end(), own) != classes.end())
-        fail(place, fmt::format("the scene changes the machine's class '{}'", own),
-             "choose another name for the class");
-    }
-    if (parent == "default" && name != "default") {
-      const auto* const around = element.Parent()->ToElement();
-      if (around != nullptr && around->Attribute("class") == nullptr)
-        fail(place, fmt::format("the scene changes the arm: its default of <{}>", name),
-             "put it into a class of its own: <default class=\"mine\"> within <default>");
-    }
   }
 
   // Names of one kind are all different.
@@ -244,6 +218,7 @@ class Reader {
   fs::path folder_, directory_;
   std::set<std::string> read_;
   std::map<std::pair<std::string, std::string>, std::string> names_;  // kind and name: where it is
+  MjcfKeeper keeper_;
   MjcfFile result_;
 };
 

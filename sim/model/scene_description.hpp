@@ -76,8 +76,9 @@ struct SceneDescription {
   std::vector<DescribedSensor> sensors;
 };
 
-/// The top of the table in frame 0, mm.
+/// The top of the table and the floor in frame 0, mm.
 inline constexpr double table_top = -181.8;
+inline constexpr double floor_height = -671.8;
 
 /// Reads a .scene file. Throws SceneError with file and line.
 SceneDescription read_description(const Scene& scene);

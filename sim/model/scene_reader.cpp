@@ -1,6 +1,7 @@
 // A scene file as a description of the cell.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -324,7 +325,24 @@ class SceneReader {
       if (std::find(names.begin(), names.end(), thing.name) != names.end())
         fail("there is more than one thing named '" + thing.name + "'", "give it another name", thing.line);
       names.push_back(thing.name);
+      check_ground(thing);
     }
+  }
+
+  // Whatever is sunk into the floor or into the table's top is neither seen nor felt as its line says.
+  void check_ground(const Thing& thing) const {
+    constexpr double rounding = 1e-6, table_thickness = 40;  // mm
+    constexpr std::array<double, 2> middle{550, -200}, half{280, 360};
+    const std::vector<double>& at = thing.all("at");
+    if (at[2] < floor_height - rounding)
+      fail("the underside of the " + thing.kind + " is at z = " + shortest_text(at[2]) + ", below the floor",
+           "write a z from " + shortest_text(floor_height) + " on, the floor's height", thing.line);
+    const bool over_table =
+        scene_.table && std::abs(at[0] - middle[0]) < half[0] && std::abs(at[1] - middle[1]) < half[1];
+    if (over_table && at[2] < table_top - rounding && at[2] > table_top - table_thickness)
+      fail("the underside of the " + thing.kind + " is at z = " + shortest_text(at[2]) + ", inside the table",
+           "leave out z: the thing then stands on the table, whose top is at " + shortest_text(table_top),
+           thing.line);
   }
 
   std::string file_;

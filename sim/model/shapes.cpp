@@ -135,8 +135,23 @@ class ShapeMaker {
     const double base = base_of(fine);
     // In a body of its own: MuJoCo takes a height field for a body's mass only where it is alone.
     const std::string felt = "<body>" + field_geom(coarser(fine), "aluminium", "group=\"3\"") + "</body>";
-    body(base,
-         felt + field_geom(std::move(fine), "aluminium", no_contact) + pedestal(-base, pedestal_width, true));
+    const std::string line = seam(fine);
+    body(base, felt + line + field_geom(std::move(fine), "aluminium", no_contact) +
+                   pedestal(-base, pedestal_width, true));
+  }
+
+  // A dark line for pictures: no ray meets it, and the tool does not feel it. Group 1 is what rays pass.
+  std::string seam(const Heights& fine) const {
+    std::string line;
+    const auto points = seam_of(thing_, fine);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      line += fmt::format(
+          "<geom type=\"capsule\" fromto=\"{} {}\" size=\"0.0007\" group=\"1\" "
+          "material=\"graphite\" "
+          "{}/>",
+          position(points[i - 1][0], points[i - 1][1], points[i - 1][2]),
+          position(points[i][0], points[i][1], points[i][2]), no_contact);
+    return "<body>" + line + "</body>";
   }
 
   void block() {

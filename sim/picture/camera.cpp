@@ -1,5 +1,6 @@
 #include "sim/picture/camera.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -92,6 +93,27 @@ View choose(const Stage& stage, const std::vector<double>& azimuths, const std::
   return best;
 }
 
+/// The same for a place where parts meet: one of them may not hide it from the eye.
+View choose_for_place(const Stage& stage, const Eigen::Vector3d& place, double distance) {
+  constexpr double hidden = 0.03;  // m before the place: nearer is one of the parts that meet there
+  const double heading = std::atan2(place.y(), place.x()) * 180 / mjPI;
+  View best;
+  double least = 1e300;
+  for (const double elevation : {-10.0, -22.0, -35.0, -50.0, 10.0})
+    for (double azimuth = 0; azimuth < 360; azimuth += 15) {
+      const View view{
+          .azimuth = heading + 135 + azimuth, .elevation = elevation, .distance = distance, .target = place};
+      const Eigen::Vector3d ray = (place - view.eye()).normalized();
+      const Eigen::Vector3d eye = view.eye();
+      int hit = -1;
+      const mjtNum met = mj_ray(&stage.model(), &stage.data(), eye.data(), ray.data(), nullptr, 1, -1, &hit);
+      const double before = hit < 0 ? 0 : std::max(0.0, distance - met);
+      if (before < hidden) return view;
+      if (before < least) least = before, best = view;
+    }
+  return best;
+}
+
 double distance_for(double height) {
   return height / 2 / std::tan(narrow / 2 * mjPI / 180);
 }
@@ -140,6 +162,16 @@ View WorkcellCamera::view(const Stage& stage, double calm) {
 ContactCamera::ContactCamera(const Stage& stage)
     : direction_(choose(stage, azimuths, {-10, -22, -35, -50}, distance_for(contact_height))) {
   direction_.opening = narrow;
+}
+
+View ContactCamera::view_of_place(const Stage& stage, const Eigen::Vector3d& place) {
+  constexpr double around = 0.36;  // m
+  if (!place_ || (*place_ - place).norm() > 0.01) {
+    place_ = place;
+    place_view_ = choose_for_place(stage, place, distance_for(around));
+    place_view_.opening = narrow;
+  }
+  return place_view_;
 }
 
 View ContactCamera::view(const Stage& stage, double calm) {

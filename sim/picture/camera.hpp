@@ -1,6 +1,8 @@
 // Cameras whose place is computed from the scene. Private to pal_sim.
 #pragma once
 
+#include <optional>
+
 #include "sim/picture/stage.hpp"
 
 namespace pal::sim {
@@ -33,9 +35,13 @@ class ContactCamera {
 
   /// `calm`: as of the WorkcellCamera.
   View view(const Stage& stage, double calm);
+  /// Where two parts have met, in the world, from wherever it can be seen.
+  View view_of_place(const Stage& stage, const Eigen::Vector3d& place);
 
  private:
   View direction_;
+  std::optional<Eigen::Vector3d> place_;
+  View place_view_;
   double shown_gap_ =
       -1;  // m between tip and surface that the picture has room for; negative: nothing shown yet
 };

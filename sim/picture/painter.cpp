@@ -1,6 +1,7 @@
 #include "sim/picture/painter.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace pal::sim {
 namespace {
@@ -34,6 +35,23 @@ void aim_lights(Stage& stage, const Focus& focus) {
     const Eigen::Map<const Eigen::Vector3d> direction(stage.data().light_xdir + 3 * light);
     position = focus.centre - away * direction;
   }
+}
+
+void add(mjvScene& scene, const Mark& mark) {
+  if (scene.ngeom == scene.maxgeom) return;
+  mjvGeom* const shape = scene.geoms + scene.ngeom++;
+  const std::array<float, 4> colour{
+      static_cast<float>(mark.colour.red), static_cast<float>(mark.colour.green),
+      static_cast<float>(mark.colour.blue), static_cast<float>(mark.colour.opacity)};
+  const std::array<mjtNum, 3> size{mark.radius, mark.radius, mark.radius};
+  const bool ball = mark.from == mark.to;
+  mjv_initGeom(shape, ball ? mjGEOM_SPHERE : mjGEOM_CAPSULE, size.data(), mark.from.data(), nullptr,
+               colour.data());
+  if (!ball)
+    mjv_makeConnector(shape, mjGEOM_CAPSULE, mark.radius, mark.from.x(), mark.from.y(), mark.from.z(),
+                      mark.to.x(), mark.to.y(), mark.to.z());
+  shape->category = mjCAT_DECOR;
+  shape->emission = 1;  // bright in the shadow, too
 }
 
 }  // namespace
@@ -94,7 +112,8 @@ void Painter::open(Stage& stage, const PainterOptions& options, Renderer way) {
   if (drawing_->context.currentBuffer != mjFB_OFFSCREEN) throw NoOffscreen("OpenGL has no off-screen buffer");
 }
 
-Image Painter::paint(Stage& stage, const View& view, const Focus& focus, int width, int height) {
+Image Painter::paint(Stage& stage, const View& view, const Focus& focus, int width, int height,
+                     const std::vector<Mark>& marks) {
   mjModel& model = stage.model();
   model.vis.global.fovy = static_cast<float>(view.opening);
   // Depth is what the near plane is worth: as far away as the close-up allows.
@@ -106,6 +125,7 @@ Image Painter::paint(Stage& stage, const View& view, const Focus& focus, int wid
   aim_lights(stage, focus);
   drawing_->context.shadowClip = static_cast<float>(focus.radius);
   mjv_updateScene(&model, &stage.data(), &shown, nullptr, &camera, mjCAT_ALL, &drawing_->scene);
+  for (const Mark& mark : marks) add(drawing_->scene, mark);
   const mjrRect place{0, 0, width, height};
   mjr_render(place, &drawing_->scene, &drawing_->context);
 

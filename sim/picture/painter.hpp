@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "sim/picture/canvas.hpp"
 #include "sim/picture/framing.hpp"
 #include "sim/picture/offscreen.hpp"
 #include "sim/picture/picture.hpp"
@@ -23,6 +25,13 @@ struct Focus {
   double radius = 1;  // m
 };
 
+/// Something in the world that only pictures show: a line with round ends, or a ball.
+struct Mark {
+  Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();  // m; the same: a ball
+  double radius = 0.001;                                                         // m
+  Colour colour{};
+};
+
 /// For one thread only, from construction to destruction.
 class Painter {
  public:
@@ -33,7 +42,8 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
 
   /// Contract: not larger than the options said.
-  Image paint(Stage& stage, const View& view, const Focus& focus, int width, int height);
+  Image paint(Stage& stage, const View& view, const Focus& focus, int width, int height,
+              const std::vector<Mark>& marks = {});
   /// What draws: "EGL" or "OSMesa".
   const std::string& name() const { return name_; }
 

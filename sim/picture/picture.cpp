@@ -8,9 +8,13 @@ namespace pal::sim {
 Picture take_picture(Workcell& workcell, const PictureOptions& options) {
   Picture picture;
   try {
-    std::size_t logged = 0;
+    std::vector<HistoryPoint> history = options.history;
+    if (history.empty() && workcell.tool_kind() != ToolKind::range_finder)
+      for (const Sample& sample : workcell.log())
+        history.emplace_back(std::chrono::duration<double>(sample.time).count(),
+                             shown_force(workcell.tool_kind(), sample));
     Sheet sheet(workcell.physics().model(), options);
-    picture.image = sheet.draw(take_snapshot(workcell, logged), 0);
+    picture.image = sheet.draw(take_snapshot(workcell, std::move(history)), 0);
     picture.renderer = sheet.renderer();
   } catch (const std::runtime_error& problem) {
     picture.problem = problem.what();

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/picture/peak_history.hpp"
+
 namespace pal::sim {
 
 class Workcell;
@@ -37,8 +39,11 @@ struct PictureOptions {
   std::string camera = "report";
   /// Above the figures, for instance "touch in scene touch".
   std::string title{};
-  /// N: drawn into the curve of the force.
+  /// N: drawn into the curve of the force, and what it is called.
   std::optional<double> threshold{};
+  std::string threshold_name = "threshold";
+  /// What the curve shows up to now: the force, or the distance if the tool is the range finder.
+  std::vector<HistoryPoint> history{};
 };
 
 /// An image, or the reason why there is none; a missing picture must not end a run.
@@ -48,9 +53,10 @@ struct Picture {
   std::string renderer;  // what drew it: "EGL" or "OSMesa"
 };
 
-/// Draws the workcell as it stands: the whole, and beside it a close-up of the contact. Adds time, force and
-/// place of the tool, and the force over the whole log. Takes 50 to 1000 ms, so not while a run is going on.
-/// The physics are not touched.
+/// Draws the workcell as it stands: the whole, and beside it a close-up of the contact, or of the place where
+/// the arm has hit something. Adds time, force and place of the tool, and the force over the run. Of a range
+/// finder there are its fan, its profile and the distance in place of the force. Takes 50 to 1000 ms, so not
+/// while a run is going on. The physics are not touched.
 Picture take_picture(Workcell& workcell, const PictureOptions& options = {});
 
 /// The image as the bytes of a PNG file. Throws std::runtime_error if libpng cannot.

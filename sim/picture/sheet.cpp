@@ -27,42 +27,86 @@ double round_up(double value) {
   return 10 * power;
 }
 
-void plot_force(Canvas& canvas, const Box& box, const ForceHistory& force, double now,
-                const std::optional<double>& threshold, double size) {
-  const double top = round_up(std::max({force.peak(), threshold.value_or(0), 1.0}));
-  const double end = std::max(now, 0.1);
-  const double left = box.x + 3.2 * size, right = box.x + box.width - size;
-  const double high = box.y + size, low = box.y + box.height - 1.6 * size;
-  const auto across = [&](double t) { return left + (right - left) * t / end; };
-  const auto up = [&](double newtons) { return low - (low - high) * newtons / top; };
+struct Axes {
+  double left, right, high, low;  // pixels
+};
+
+Axes axes_in(const Box& box, double size) {
+  return {box.x + 3.2 * size, box.x + box.width - size, box.y + size, box.y + box.height - 1.6 * size};
+}
+
+/// Three lines across with their figures, from `least` to `greatest`.
+void rule_lines(Canvas& canvas, const Axes& axes, double least, double greatest, double size) {
   for (const double part : {0.0, 0.5, 1.0}) {
-    canvas.line({{left, up(part * top)}, {right, up(part * top)}}, rule, 1);
-    canvas.text(left - 0.4 * size, up(part * top) + 0.35 * size, fmt::format("{:g}", part * top), size, faint,
-                false, Canvas::Align::right);
+    const double y = axes.low - part * (axes.low - axes.high);
+    canvas.line({{axes.left, y}, {axes.right, y}}, rule, 1);
+    canvas.text(axes.left - 0.4 * size, y + 0.35 * size,
+                fmt::format("{:g}", least + part * (greatest - least)), size, faint, false,
+                Canvas::Align::right);
   }
-  canvas.text(left, low + 1.3 * size, "0 s", size, faint);
-  canvas.text(right, low + 1.3 * size, fmt::format("{:.2f} s", end), size, faint, false,
+}
+
+void plot_history(Canvas& canvas, const Box& box, const PeakHistory& history, double now,
+                  const std::optional<double>& threshold, double size) {
+  const double top = round_up(std::max({history.peak(), threshold.value_or(0), 1.0}));
+  const double end = std::max(now, 0.1);
+  const Axes axes = axes_in(box, size);
+  const auto across = [&](double t) { return axes.left + (axes.right - axes.left) * std::min(t / end, 1.0); };
+  const auto up = [&](double value) { return axes.low - (axes.low - axes.high) * value / top; };
+  rule_lines(canvas, axes, 0, top, size);
+  canvas.text(axes.left, axes.low + 1.3 * size, "0 s", size, faint);
+  canvas.text(axes.right, axes.low + 1.3 * size, fmt::format("{:.2f} s", end), size, faint, false,
               Canvas::Align::right);
   if (threshold)
-    canvas.line({{left, up(*threshold)}, {right, up(*threshold)}}, limit, std::max(1.0, size / 12));
+    canvas.line({{axes.left, up(*threshold)}, {axes.right, up(*threshold)}}, limit, std::max(1.0, size / 12));
   std::vector<std::pair<double, double>> points;
-  for (const auto& [t, newtons] : force.points()) points.emplace_back(across(t), up(newtons));
+  for (const auto& [t, value] : history.points()) points.emplace_back(across(t), up(value));
   canvas.line(points, curve, std::max(1.2, size / 8));
 }
 
-}  // namespace
-
-void ForceHistory::add(const ForcePoint& point) {
-  constexpr std::size_t most = 4096;
-  // Of every second pair the higher one stays: peaks are what matters.
-  if (points_.size() == most) {
-    for (std::size_t i = 0; i < most / 2; ++i)
-      points_[i] = points_[2 * i].second > points_[2 * i + 1].second ? points_[2 * i] : points_[2 * i + 1];
-    points_.resize(most / 2);
+/// What the fan meets, seen along the fan's axis, the sensor above.
+void plot_profile(Canvas& canvas, const Box& box, const Laser& laser, double size) {
+  const Axes axes = axes_in(box, size);
+  double least = 1e300, greatest = -1e300, side = 10;
+  for (const Laser::Point& point : laser.points) {
+    least = std::min(least, point.away);
+    greatest = std::max(greatest, point.away);
+    side = std::max(side, std::abs(point.across));
   }
-  points_.push_back(point);
-  peak_ = std::max(peak_, point.second);
+  if (laser.points.empty()) {
+    canvas.text((axes.left + axes.right) / 2, (axes.high + axes.low) / 2, "nothing in reach", size, faint,
+                false, Canvas::Align::centre);
+    return;
+  }
+  const double step = round_up(std::max(greatest - least, 8.0) / 2);
+  const double top = std::floor(least / step) * step;
+  const double bottom = std::max(top + 2 * step, std::ceil(greatest / step) * step);
+  // The sensor looks down: what is farther away is lower.
+  rule_lines(canvas, axes, bottom, top, size);
+  std::vector<std::pair<double, double>> line;
+  const auto draw = [&] {
+    if (line.size() > 1) canvas.line(line, limit, std::max(1.2, size / 8));
+    line.clear();
+  };
+  for (std::size_t i = 0; i < laser.points.size(); ++i) {
+    const Laser::Point& point = laser.points[i];
+    constexpr double one_surface = 12;  // mm
+    if (i > 0 && std::abs(point.away - laser.points[i - 1].away) > one_surface) draw();
+    line.emplace_back((axes.left + axes.right) / 2 + point.across / side * (axes.right - axes.left) / 2,
+                      axes.high + (point.away - top) / (bottom - top) * (axes.low - axes.high));
+  }
+  draw();
+  canvas.text(axes.left, axes.low + 1.3 * size, fmt::format("{:.0f} mm", -side), size, faint);
+  canvas.text(axes.right, axes.low + 1.3 * size, fmt::format("{:.0f} mm", side), size, faint, false,
+              Canvas::Align::right);
 }
+
+/// A ring of three balls would hide what is hit; one that can be seen through does not.
+std::vector<Mark> marks_of_hit(const Eigen::Vector3d& place) {
+  return {{place, place, 0.006, {0.95, 0.10, 0.05, 1}}, {place, place, 0.022, {0.95, 0.10, 0.05, 0.30}}};
+}
+
+}  // namespace
 
 Sheet::Sheet(const mjModel& model, const PictureOptions& options)
     : options_(options),
@@ -75,23 +119,35 @@ Sheet::Sheet(const mjModel& model, const PictureOptions& options)
                         .quality = options.quality}) {}
 
 Image Sheet::draw(const Snapshot& snapshot, double calm) {
-  for (const ForcePoint& point : snapshot.force) force_.add(point);
+  for (const HistoryPoint& point : snapshot.history) history_.add(point);
   stage_.show(snapshot);
+  std::vector<Mark> marks;
+  if (stage_.tool() == ToolKind::range_finder) {
+    laser_ = laser_of(stage_);
+    marks = marks_of(laser_, stage_);
+    // A picture alone is given the distances that were measured.
+    if (const auto nearest = laser_.nearest(); nearest && options_.history.empty())
+      history_.add({sheet_seconds(snapshot.sample.time), *nearest});
+  }
+  const auto hit = snapshot.hit ? std::optional(stage_.in_world(*snapshot.hit)) : std::nullopt;
+  if (hit)
+    for (const Mark& mark : marks_of_hit(*hit)) marks.push_back(mark);
   if (!camera_) camera_.emplace(stage_, static_cast<double>(main_width_) / options_.height, options_.camera);
   if (!contact_camera_) contact_camera_.emplace(stage_);
 
   const Focus whole{stage_.base() + Eigen::Vector3d(0, 0, 0.1), 1.4};
   Canvas canvas(options_.width, options_.height);
-  canvas.place(painter_.paint(stage_, camera_->view(stage_, calm), whole, main_width_, options_.height), 0,
-               0);
-  const View near = contact_camera_->view(stage_, calm);
-  canvas.place(painter_.paint(stage_, near, {stage_.tip(), 0.25}, side_, side_), main_width_, 0);
+  canvas.place(
+      painter_.paint(stage_, camera_->view(stage_, calm), whole, main_width_, options_.height, marks), 0, 0);
+  const View near = hit ? contact_camera_->view_of_place(stage_, *hit) : contact_camera_->view(stage_, calm);
+  canvas.place(painter_.paint(stage_, near, {hit.value_or(stage_.tip()), 0.25}, side_, side_, marks),
+               main_width_, 0);
   const Box inset{static_cast<double>(main_width_), 0, static_cast<double>(side_),
                   static_cast<double>(side_)};
   scale_bar(canvas, inset, near);
   const Box panel{inset.x, inset.height, inset.width, static_cast<double>(options_.height) - inset.height};
   canvas.fill(panel, paper);
-  describe(canvas, panel, snapshot.sample);
+  describe(canvas, panel, snapshot);
   const double line = std::max(1.0, options_.height / 300.0);
   canvas.line({{inset.x, 0}, {inset.x, static_cast<double>(options_.height)}}, ink, line);
   canvas.line({{inset.x, panel.y}, {inset.x + inset.width, panel.y}}, ink, line);
@@ -109,25 +165,49 @@ void Sheet::scale_bar(Canvas& canvas, const Box& box, const View& view) const {
               Canvas::Align::centre);
 }
 
-void Sheet::describe(Canvas& canvas, const Box& box, const Sample& sample) const {
+void Sheet::describe(Canvas& canvas, const Box& box, const Snapshot& snapshot) const {
+  const Sample& sample = snapshot.sample;
   const double size = options_.height / 38.0, left = box.x + size, width = box.width - 2 * size;
-  const double middle = left + 0.33 * width;
+  const double middle = left + 0.33 * width, now = sheet_seconds(sample.time);
   double y = box.y + 1.7 * size;
   canvas.text_within(width, left, y, options_.title, 1.1 * size, ink, true);
-  const auto row = [&](const std::string& name, const std::string& value) {
+  const auto row = [&](const std::string& name, const std::string& value, const Colour& colour = ink) {
     y += 1.55 * size;
     canvas.text(left, y, name, size, faint);
-    canvas.text_within(left + width - middle, middle, y, value, size, ink);
+    canvas.text_within(left + width - middle, middle, y, value, size, colour);
   };
   const Eigen::Vector3d tool = sample.tool * 1e3;
-  row("time", fmt::format("{:.3f} s", sheet_seconds(sample.time)));
-  row("force", fmt::format("{:.1f} N    (peak {:.1f} N)", sample.contact_force, force_.peak()));
-  row("tool", fmt::format("{:.1f}  {:.1f}  {:.1f} mm", tool.x(), tool.y(), tool.z()));
+  row("time", fmt::format("{:.3f} s", now));
+  if (stage_.tool() == ToolKind::range_finder) {
+    const auto nearest = laser_.nearest();
+    row("distance", nearest ? fmt::format("{:.1f} mm to the nearest point", *nearest) : "nothing in reach");
+  } else if (stage_.tool() == ToolKind::gripper) {
+    row("grip",
+        fmt::format("{:.1f} N    (fingers {:.1f} mm apart)", sample.grip_force, sample.gripper_width));
+  } else {
+    row("force", fmt::format("{:.1f} N    (peak {:.1f} N)", sample.contact_force, history_.peak()));
+  }
+  if (snapshot.fault.empty())
+    row("tool", fmt::format("{:.1f}  {:.1f}  {:.1f} mm", tool.x(), tool.y(), tool.z()));
+  else
+    row("stopped", snapshot.fault, limit);
   y += 1.6 * size;
-  canvas.text(left, y, options_.threshold ? "contact force, N; red: threshold" : "contact force, N",
-              0.8 * size, faint);
-  plot_force(canvas, {box.x, y, box.width, box.y + box.height - y}, force_, sheet_seconds(sample.time),
-             options_.threshold, 0.75 * size);
+  const Box rest{box.x, y, box.width, box.y + box.height - y};
+  if (stage_.tool() == ToolKind::range_finder) {
+    canvas.text(left, y, "profile, mm", 0.8 * size, faint);
+    canvas.text(box.x + box.width / 2 + size, y, "distance, mm", 0.8 * size, faint);
+    return plot_range(canvas, rest, now);
+  }
+  const std::string what = stage_.tool() == ToolKind::gripper ? "grip of each finger, N" : "contact force, N";
+  canvas.text(left, y, what + (options_.threshold ? "; red: " + options_.threshold_name : ""), 0.8 * size,
+              faint);
+  plot_history(canvas, rest, history_, now, options_.threshold, 0.75 * size);
+}
+
+void Sheet::plot_range(Canvas& canvas, const Box& box, double now) const {
+  const double size = 0.75 * options_.height / 38.0, half = box.width / 2;
+  plot_profile(canvas, {box.x, box.y, half, box.height}, laser_, size);
+  plot_history(canvas, {box.x + half, box.y, half, box.height}, history_, now, std::nullopt, size);
 }
 
 }  // namespace pal::sim

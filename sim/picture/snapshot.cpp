@@ -1,10 +1,16 @@
 #include "sim/picture/snapshot.hpp"
 
+#include <utility>
+
 #include "sim/model/mujoco_physics.hpp"
 
 namespace pal::sim {
 
-Snapshot take_snapshot(Workcell& workcell, std::size_t& logged) {
+double shown_force(ToolKind tool, const Sample& sample) {
+  return tool == ToolKind::gripper ? sample.grip_force : sample.contact_force;
+}
+
+Snapshot take_snapshot(Workcell& workcell, std::vector<HistoryPoint> history) {
   const mjModel& model = workcell.physics().model();
   const mjData& data = workcell.physics().data();
   Snapshot snapshot;
@@ -17,9 +23,10 @@ Snapshot take_snapshot(Workcell& workcell, std::size_t& logged) {
     snapshot.sample.tool = workcell.tool().translation();
     snapshot.sample.joints = workcell.joints();
   }
-  for (; logged < workcell.log().size(); ++logged) {
-    const Sample& sample = workcell.log()[logged];
-    snapshot.force.emplace_back(std::chrono::duration<double>(sample.time).count(), sample.contact_force);
+  snapshot.history = std::move(history);
+  if (const auto& fault = workcell.fault()) {
+    snapshot.hit = fault->place;
+    snapshot.fault = fault->text;
   }
   return snapshot;
 }

@@ -11,6 +11,11 @@ int require(const mjModel& model, mjtObj kind, const char* name) {
   return id;
 }
 
+ToolKind tool_in(const mjModel& model) {
+  if (mj_name2id(&model, mjOBJ_BODY, "finger left") >= 0) return ToolKind::gripper;
+  return mj_name2id(&model, mjOBJ_BODY, "range finder") >= 0 ? ToolKind::range_finder : ToolKind::pad;
+}
+
 }  // namespace
 
 Stage::Stage(const mjModel& model)
@@ -18,7 +23,8 @@ Stage::Stage(const mjModel& model)
       data_(model_ ? mj_makeData(model_.get()) : nullptr),
       base_(require(model, mjOBJ_BODY, "base")),
       flange_(model.site_bodyid[require(model, mjOBJ_SITE, "flange")]),
-      tip_(require(model, mjOBJ_SITE, "tip")) {
+      tip_(require(model, mjOBJ_SITE, "tip")),
+      tool_(tool_in(model)) {
   if (!model_ || !data_) throw std::runtime_error("there is no memory for a copy of the model");
 }
 
@@ -33,6 +39,15 @@ void Stage::show(const Snapshot& snapshot) {
 
 Eigen::Vector3d Stage::tip() const {
   return Eigen::Map<const Eigen::Vector3d>(data_->site_xpos + 3 * tip_);
+}
+
+Eigen::Matrix3d Stage::tip_turn() const {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data_->site_xmat + 9 * tip_);
+}
+
+Eigen::Vector3d Stage::in_world(const Eigen::Vector3d& place) const {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> turn(data_->xmat + 9 * base_);
+  return base() + turn * place;
 }
 
 Eigen::Vector3d Stage::pointing() const {

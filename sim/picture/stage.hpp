@@ -24,6 +24,11 @@ class Stage {
   const mjData& data() const { return *data_; }
   /// In the world's frame.
   Eigen::Vector3d tip() const;
+  /// How the tool's tip is turned in the world.
+  Eigen::Matrix3d tip_turn() const;
+  ToolKind tool() const { return tool_; }
+  /// A place of frame 0 in the world.
+  Eigen::Vector3d in_world(const Eigen::Vector3d& place) const;
   /// Out of the tool; length 1.
   Eigen::Vector3d pointing() const;
   Eigen::Vector3d base() const;  // the shoulder: frame 0
@@ -38,6 +43,7 @@ class Stage {
   std::unique_ptr<mjModel, DeleteModel> model_;
   std::unique_ptr<mjData, DeleteData> data_;
   int base_, flange_, tip_;
+  ToolKind tool_;
 };
 
 }  // namespace pal::sim

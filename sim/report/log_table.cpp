@@ -5,6 +5,8 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <ostream>
+#include <sstream>
 
 #include "sim/arm/puma.hpp"
 
@@ -33,7 +35,7 @@ void header(Text& text, const MessageLog& messages) {
   }
   append(text,
          ",contact_force_N,wrench_fx_N,wrench_fy_N,wrench_fz_N,wrench_tx_N*m,wrench_ty_N*m,wrench_tz_N*m,"
-         "gripper_width_mm");
+         "grip_force_N,gripper_width_mm");
   for (const MessageLog::DeviceNames& device : messages.devices())
     for (const runtime::PortSpec& port : device.ports)
       for (const runtime::FieldSpec& field : port.fields)
@@ -58,7 +60,7 @@ void arm_columns(Text& text, const Sample& sample) {
   append(text, ",{:.4f}", sample.contact_force);
   for (const double force : sample.wrench.force) append(text, ",{:.4f}", force);
   for (const double torque : sample.wrench.torque) append(text, ",{:.5f}", torque);
-  append(text, ",{:.3f}", sample.gripper_width);
+  append(text, ",{:.4f},{:.3f}", sample.grip_force, sample.gripper_width);
 }
 
 // The latest message of each port with fields, as it stands at one sample after the other.
@@ -106,17 +108,25 @@ Eigen::Vector3d turn_angles(const Eigen::Quaterniond& turn) {
           degrees(std::atan2(r(1, 0), r(0, 0)))};
 }
 
-std::string log_table(const std::vector<Sample>& log, const MessageLog& messages) {
+void write_log_table(const SampleSource& samples, const MessageLog& messages, std::ostream& out) {
   Text text;
   header(text, messages);
   LatestMessages latest(messages);
-  for (const Sample& sample : log) {
+  samples([&](const Sample& sample) {
     latest.up_to(sample.time);
     arm_columns(text, sample);
     latest.write(text);
     append(text, "\n");
-  }
-  return fmt::to_string(text);
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    text.clear();
+  });
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));  // the header alone
+}
+
+std::string log_table(const std::vector<Sample>& log, const MessageLog& messages) {
+  std::ostringstream out;
+  write_log_table(samples_of(log), messages, out);
+  return out.str();
 }
 
 }  // namespace pal::sim

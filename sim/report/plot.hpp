@@ -36,7 +36,7 @@ struct ForcePlotOptions {
   std::optional<runtime::Time> end;  // of the skill
 };
 
-/// The contact force over time, and the readings of every device that gives a force fz: what the skill saw of
+/// The contact force over time, the grip of a gripper's fingers, and the readings of every device that gives a force fz: what the skill saw of
 /// it. Levels far above all forces of the run are left out, except the lowest, because they would flatten the
 /// rest.
 Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, const ForcePlotOptions& options);

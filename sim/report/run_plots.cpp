@@ -65,6 +65,17 @@ std::vector<Readings> force_readings(const MessageLog& messages) {
   return result;
 }
 
+/// With which each finger presses on what is between them; nothing: there was no grip.
+std::optional<std::string> grip_csv(const std::vector<Sample>& log) {
+  std::vector<double> grip;
+  for (const Sample& sample : log) grip.push_back(sample.grip_force);
+  if (std::none_of(grip.begin(), grip.end(), [](double newtons) { return newtons > 0; })) return std::nullopt;
+  std::string csv = "time_s,grip_force_N\n";
+  for (const std::size_t row : telling_rows(grip, most_rows))
+    csv += fmt::format("{:.3f},{:.4f}\n", seconds(log[row].time), grip[row]);
+  return csv;
+}
+
 constexpr double far_above = 2.5;  // times the greatest force
 
 /// Those that are not far above `high`, and the lowest.
@@ -82,7 +93,9 @@ std::vector<ForceLevel> near_levels(const std::vector<ForceLevel>& levels, doubl
 bool shows_force(const std::vector<Sample>& log, const MessageLog& messages,
                  const ForcePlotOptions& options) {
   if (!options.levels.empty() || !options.bands.empty() || !force_readings(messages).empty()) return true;
-  return std::any_of(log.begin(), log.end(), [](const Sample& sample) { return sample.contact_force > 0; });
+  return std::any_of(log.begin(), log.end(), [](const Sample& sample) {
+    return sample.contact_force > 0 || sample.grip_force > 0;
+  });
 }
 
 std::vector<std::size_t> telling_rows(const std::vector<double>& value, std::size_t most) {
@@ -109,6 +122,13 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
 
   double low = 0, high = 1;
   for (const double newtons : force) high = std::max(high, newtons);
+  std::string grip;
+  if (const auto gripped = grip_csv(log)) {
+    plot.data.emplace_back("grip.csv", *gripped);
+    for (const Sample& sample : log) high = std::max(high, sample.grip_force);
+    grip = fmt::format(", \\\n  'grip.csv' skip 1 using 1:2 with lines linewidth 1.6 linecolor \"{}\" title 'grip of each finger'",
+                       PlotColours::wanted);
+  }
   for (const ForceBand& band : options.bands) high = std::max(high, band.high);
   std::string readings;
   for (const Readings& device : force_readings(messages)) {
@@ -138,8 +158,8 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
         "set label {2} at graph 0.01, first {0:g} offset 0,0.6 textcolor \"{1}\"\n",
         level.newtons, PlotColours::limit, quoted(fmt::format("{} {:g} N", level.label, level.newtons)));
   plot.script += fmt::format(
-      "plot 'force.csv' skip 1 using 1:2 with lines linewidth 1.6 linecolor \"{}\" title 'contact force'{}\n",
-      PlotColours::actual, readings);
+      "plot 'force.csv' skip 1 using 1:2 with lines linewidth 1.6 linecolor \"{}\" title 'contact force'{}{}\n",
+      PlotColours::actual, grip, readings);
   return plot;
 }
 

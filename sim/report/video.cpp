@@ -192,12 +192,20 @@ class Video::Studio {
 };
 
 Video::Video(Workcell& workcell, const VideoOptions& options)
-    : workcell_(workcell), studio_(std::make_unique<Studio>(workcell.physics().model(), options)) {}
+    : workcell_(workcell),
+      studio_(std::make_unique<Studio>(workcell.physics().model(), options)),
+      samples_(workcell.on_sample([this](const Sample& sample) { remember(sample); })) {}
 
 Video::~Video() = default;
 
+void Video::remember(const Sample& sample) {
+  if (workcell_.tool_kind() == ToolKind::range_finder) return;  // each picture measures the distance itself
+  seen_.emplace_back(std::chrono::duration<double>(sample.time).count(),
+                     shown_force(workcell_.tool_kind(), sample));
+}
+
 void Video::film() {
-  studio_->add(take_snapshot(workcell_, logged_));
+  studio_->add(take_snapshot(workcell_, std::exchange(seen_, {})));
 }
 
 void Video::finish() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/picture/picture.hpp"
 #include "sim/workcell.hpp"
@@ -51,9 +52,12 @@ class Video {
 
  private:
   class Studio;
+  void remember(const Sample& sample);
+
   Workcell& workcell_;
   std::unique_ptr<Studio> studio_;
-  std::size_t logged_ = 0;
+  std::vector<HistoryPoint> seen_;  // since the last picture
+  std::shared_ptr<void> samples_;
 };
 
 }  // namespace pal::sim

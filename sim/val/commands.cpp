@@ -19,6 +19,8 @@ const Monitor::Command Monitor::commands[] = {
      "DO instruction          carries out a program instruction, waits for its end"},
     {"SPEED", 2, &Monitor::monitor_speed, "SPEED per cent          of all motions"},
     {"EXECUTE", 2, &Monitor::execute, "EXECUTE program, count  starts it; count below 0 repeats it for ever"},
+    {"EDIT", 2, &Monitor::edit,
+     "EDIT program            shows its steps, takes others; E ends, D deletes, I inserts"},
     {"ABORT", 2, &Monitor::abort, "ABORT                   stops the arm and the program, closes ALTER"},
     {"PCABORT", 3, &Monitor::abort_process,
      "PCABORT                 stops the process control program (there is none)"},
@@ -171,6 +173,16 @@ void Monitor::delete_locations(Line& line) {
     if (machine_.store.locations.erase(name) == 0) throw Error("Undefined value", name);
   } while (line.take(','));
   line.end();
+}
+
+void Monitor::edit(Line& line) {
+  edited_ = line.name();
+  line.end();
+  if (program_ && program_->name == edited_) throw Error("Program is running", edited_);
+  edited_step_ = 0;
+  state_ = State::editing;
+  output_(" .PROGRAM " + edited_ + "\r\n");
+  ask_step();
 }
 
 void Monitor::help(Line& line) {

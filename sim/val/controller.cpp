@@ -10,6 +10,13 @@ Controller::Controller(runtime::drivers::Timeline& timeline, runtime::drivers::L
                .arm = arm_,
                .hand = workcell.tool_kind() == ToolKind::gripper ? &hand_ : nullptr,
                .alter = alter},
-      terminal_(link, machine_) {}
+      terminal_(link, machine_) {
+  if (alter != nullptr)
+    alter->on_end([this](const std::string& why) { terminal_.monitor().alter_ended(why); });
+}
+
+Controller::~Controller() {
+  if (machine_.alter != nullptr) machine_.alter->on_end(nullptr);
+}
 
 }  // namespace pal::sim::val

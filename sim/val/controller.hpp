@@ -20,6 +20,9 @@ class Controller {
   /// workcell has one.
   Controller(runtime::drivers::Timeline& timeline, runtime::drivers::Link& link, Workcell& workcell,
              AlterControl* alter = nullptr);
+  ~Controller();
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
 
   /// Locations, numbers and programs, to be filled before or read after.
   Store& store() { return machine_.store; }

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "runtime/drivers/alter/protocol.hpp"
 #include "sim/val/error.hpp"
 
 namespace pal::sim::val {
 namespace {
 
-constexpr runtime::Time cycle = std::chrono::milliseconds(28);  // faults are looked for once in it
+constexpr runtime::Time cycle = runtime::drivers::alter::period;  // faults are looked for once in it
 
 Error error_of(const Refusal& refusal) {
   const std::string joint = "Jt " + std::to_string(refusal.joint + 1);

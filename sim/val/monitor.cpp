@@ -6,6 +6,11 @@
 #include "sim/val/error.hpp"
 
 namespace pal::sim::val {
+namespace {
+
+constexpr std::size_t most_steps = 1000;  // of a program that is typed
+
+}  // namespace
 
 Monitor::Monitor(Machine& machine, Output output, MonitorOptions options)
     : machine_(machine), output_(std::move(output)), options_(options), doing_(machine, false) {}
@@ -22,7 +27,10 @@ void Monitor::greet() {
 void Monitor::line(std::string_view text) {
   const bool abort = Line(text).word() == "ABORT";
   if (state_ == State::asking && !abort) return change_location(std::string(text));
-  if (state_ == State::idle || state_ == State::asking) return take(std::string(text));
+  if (state_ == State::editing && !abort) return change_step(std::string(text));
+  if (state_ == State::editing) forget_empty();
+  if (state_ == State::idle || state_ == State::asking || state_ == State::editing)
+    return take(std::string(text));
   if (state_ == State::doing && abort) return stop("*Aborted*\r\n.");
   waiting_.emplace_back(text);
 }
@@ -30,6 +38,7 @@ void Monitor::line(std::string_view text) {
 void Monitor::interrupt() {
   if (state_ == State::doing) return stop("*Aborted*\r\n");
   if (state_ == State::asking) answer("");
+  if (state_ == State::editing) end_edit();
 }
 
 void Monitor::take(std::string text) {
@@ -125,6 +134,10 @@ void Monitor::end_program(const std::string& how) {
   announce("Program " + name + " " + how);
 }
 
+void Monitor::alter_ended(const std::string& why) {
+  announce(Error("ALTER ended", why).shown());
+}
+
 void Monitor::announce(const std::string& text) {
   announcements_ += "\r\n" + text;
   show_announcements();
@@ -148,6 +161,51 @@ void Monitor::ask_location(const std::string& name) {
   output_("  X/JT1    Y/JT2    Z/JT3    O/JT4    A/JT5    T/JT6" +
           std::string(defined ? "" : "   *Undefined value*") + "\r\n" +
           columns(defined ? shown_figures(found->second) : Figures{}) + "\r\nChange? ");
+}
+
+void Monitor::ask_step() {
+  const std::vector<std::string>& lines = machine_.store.programs[edited_];
+  const std::string number = "   " + std::to_string(edited_step_ + 1);
+  output_((edited_step_ < lines.size() ? number + "  " + lines[edited_step_] + "\r\n" : "") + number + "? ");
+}
+
+// Empty: this step stays as it is. E ends, D deletes this step, I and a text puts it before this step. Any
+// other text takes the step's place.
+void Monitor::change_step(const std::string& text) {
+  std::vector<std::string>& lines = machine_.store.programs[edited_];
+  const auto step = lines.begin() + static_cast<std::ptrdiff_t>(edited_step_);
+  const std::size_t begin = text.find_first_not_of(' ');
+  Line line(text);
+  const std::string word = line.word().value_or("");
+  const bool alone = line.done();
+  const bool command = word == "I" && !alone && !line.take('=');
+  if (word == "E" && alone) return end_edit();
+  if (word == "D" && alone) {
+    if (step != lines.end()) lines.erase(step);
+  } else if (command) {
+    lines.insert(step, text.substr(text.find_first_not_of(' ', begin + 1)));
+    ++edited_step_;
+  } else if (begin == std::string::npos) {
+    if (step != lines.end()) ++edited_step_;
+  } else if (lines.size() == most_steps && step == lines.end()) {
+    output_(Error("Program full", std::to_string(most_steps) + " steps").shown() + "\r\n");
+  } else {
+    if (step == lines.end())
+      lines.push_back(text.substr(begin));
+    else
+      *step = text.substr(begin);
+    ++edited_step_;
+  }
+  ask_step();
+}
+
+void Monitor::forget_empty() {
+  if (machine_.store.programs[edited_].empty()) machine_.store.programs.erase(edited_);
+}
+
+void Monitor::end_edit() {
+  forget_empty();
+  answer("");
 }
 
 // Empty: all right as it is. Otherwise up to six figures between commas; what is left out stays.

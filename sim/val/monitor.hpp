@@ -38,11 +38,13 @@ class Monitor {
   /// Whether a line has been begun: an unrequested message (a program has ended) is shown only behind a
   /// prompt.
   void typing(bool begun);
-  /// What Control-C does: ends what DO is carrying out, or a question.
+  /// ALTER has ended by itself: shown as the end of a program is.
+  void alter_ended(const std::string& why);
+  /// What Control-C does: ends what DO is carrying out, a question, or EDIT.
   void interrupt();
 
  private:
-  enum class State { idle, thinking, doing, stopping, asking };
+  enum class State { idle, thinking, doing, stopping, asking, editing };
   struct Command;
   static const Command commands[];
 
@@ -59,6 +61,10 @@ class Monitor {
   void end_program(const std::string& how);
   void ask_location(const std::string& name);
   void change_location(const std::string& text);
+  void ask_step();
+  void change_step(const std::string& text);
+  void forget_empty();
+  void end_edit();
 
   void do_instruction(Line& line);
   void monitor_speed(Line& line);
@@ -76,6 +82,7 @@ class Monitor {
   void list_reals(Line& line);
   void list_programs(Line& line);
   void delete_locations(Line& line);
+  void edit(Line& line);
   void help(Line& line);
 
   Machine& machine_;
@@ -84,8 +91,10 @@ class Monitor {
   State state_ = State::idle;
   std::deque<std::string> waiting_;
   Instruction doing_;
-  std::string shown_;          // of the line that is carried out, before the prompt
-  std::string asked_about_;    // the location of a POINT
+  std::string shown_;        // of the line that is carried out, before the prompt
+  std::string asked_about_;  // the location of a POINT
+  std::string edited_;       // the program of an EDIT
+  std::size_t edited_step_ = 0;
   std::string announcements_;  // not shown yet
   bool typing_ = false;
   std::string stop_answer_;  // shown when the arm stands

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <utility>
 
 #include "follow_edge_skill.hpp"
+#include "runtime/drivers/alter/protocol.hpp"
 #include "skills_pal/follow_edge/edge_map.hpp"
 #include "skills_pal/follow_edge/literal_law.hpp"
 #include "skills_pal/follow_edge/tool_step.hpp"
@@ -37,7 +39,8 @@ constexpr double nearer = 0.3;
 constexpr double most_swing = 3.5;
 constexpr double interpreting = 3;  // ms from a profile's end until the skill knows the edge, in the mean
 constexpr double part = 0.25;       // of what is missing that is corrected in a cycle
-constexpr double cycles_a_profile = 78.0 / 28;
+constexpr double cycles_a_profile =
+    78.0 / std::chrono::duration<double, std::milli>(runtime::drivers::alter::period).count();
 constexpr int cycles_to_move = 2;  // from a request to the end of the motion that was given at it
 
 // The map takes a direction from four points of the edge in twice the history. Points are as far apart as the

@@ -1,11 +1,15 @@
 // Going towards a surface along the tool's Z axis, and back.
 #pragma once
 
+#include <chrono>
+
+#include "runtime/drivers/alter/protocol.hpp"
+
 namespace pal::skills {
 
 /// Time between two requests of the robot controller's ALTER port, in s: a step is the way that the tool goes
 /// in it.
-inline constexpr double alter_period = 0.028;
+inline constexpr double alter_period = std::chrono::duration<double>(runtime::drivers::alter::period).count();
 
 /// Counts the steps that the tool was told to go. Lengths in mm, speeds in mm/s.
 class Approach {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
+
+#include "runtime/drivers/alter/protocol.hpp"
 
 namespace pal::skills {
 
@@ -29,7 +32,8 @@ class CycleClock {
   double instant(int cycle) const { return (earliest_ + latest_) / 2 + period * static_cast<double>(cycle); }
 
  private:
-  static constexpr double period = 28;  // ms
+  static constexpr double period =
+      std::chrono::duration<double, std::milli>(runtime::drivers::alter::period).count();  // ms
   int cycle_ = 0;
   bool first_ = true;
   double earliest_ = 0, latest_ = 0;  // of request 0

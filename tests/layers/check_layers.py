@@ -14,6 +14,7 @@ PARTS = [f"analyzer/{part}" for part in PROOF]
 # The runtime, likewise. Other libraries see what it installs, and its drivers.
 KERNEL = ["runtime/include", "runtime/watch", "runtime/kernel", "runtime/executives", "runtime"]
 RUNTIME = ["runtime/include", "trace"]
+PROTOCOLS = ["runtime/drivers/val/protocol.hpp", "runtime/drivers/alter/protocol.hpp"]
 COMPILER = ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/rewrite", "pal/check", "analyzer", "analyzer/chart",
             "analyzer/run_checker", "analyzer/whatif", *PARTS, "codegen", "operations", "trace"]
 # Each program: a room may use those before it.
@@ -47,11 +48,11 @@ LAYERS = {
     "server": ["operations", "pal/support", "pal/pan"],  # likewise
     **rooms("pal", COMPILER),
     **{room: KERNEL[:i] + ["trace"] for i, room in enumerate(KERNEL)},
-    "runtime/drivers/val/protocol.hpp": RUNTIME,
-    "runtime/drivers": KERNEL + ["trace", "runtime/drivers/val/protocol.hpp"],
-    "skills_pal": RUNTIME + ["runtime/drivers/val/protocol.hpp"],  # VAL's verbs and errors
-    "sim": RUNTIME + ["runtime/drivers", "runtime/drivers/val/protocol.hpp"],
-    **rooms("workcell", COMPILER + RUNTIME + [f"programs/pal/{room}" for room in ROOMS["pal"]] + ["sim", "runtime/drivers", "skills_pal", "server"]),
+    **{protocol: RUNTIME for protocol in PROTOCOLS},
+    "runtime/drivers": KERNEL + ["trace"] + PROTOCOLS,
+    "skills_pal": RUNTIME + PROTOCOLS,  # VAL's verbs and errors, ALTER's period
+    "sim": RUNTIME + ["runtime/drivers"] + PROTOCOLS,
+    **rooms("workcell", COMPILER + RUNTIME + [f"programs/pal/{room}" for room in ROOMS["pal"]] + ["sim", "runtime/drivers", "skills_pal", "server"] + PROTOCOLS),
 }
 # The namespace of a file is that of the longest prefix here. Folders that are not named add none.
 NAMESPACES = {
@@ -76,6 +77,7 @@ NAMESPACES = {
 }
 THIRD_PARTY = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost)/|^(cgraph|gvc|png)\.h")
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.M)
+PERIOD = re.compile(r"milliseconds\(28\)|\b28ms\b|\b0\.028\b|/ 28\b|[pP]eriod = 28\b|within\(0, 28\)")
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
 
 
@@ -111,6 +113,9 @@ def breaks(path, text, third_party=()):
             yield f"{path}: {own} must not use {other} (includes {include})"
         if include in third_party and other != own:
             yield f"{path}: {include} shows a third party's types; only its own library may include it"
+    if path.startswith(("programs/", "runtime/", "server/", "sim/", "skills_pal/")) and not path.startswith("runtime/drivers/alter/"):
+        for period in PERIOD.findall(text):
+            yield f"{path}: '{period}' is ALTER's period, which stands in runtime/drivers/alter/protocol.hpp alone"
     expected = NAMESPACES.get(longest_prefix(path, NAMESPACES))
     for namespace in NAMESPACE.findall(text):
         if namespace.startswith("pal") and expected and not (namespace == expected or namespace.startswith(expected + "::")):
@@ -129,6 +134,8 @@ def self_test():
     assert list(breaks("programs/pal/reports/junit.cpp", '#include "programs/pal/commands/commands.hpp"\n'))
     assert list(breaks("programs/workcell/session/session.cpp", '#include "sim/model/compiled.hpp"\n', {"sim/model/compiled.hpp"}))
     assert list(breaks("sim/cell/cell.cpp", "namespace pal::workcell {\n"))
+    assert list(breaks("sim/workcell.hpp", "constexpr runtime::Time alter_period = std::chrono::milliseconds(28);\n"))
+    assert not list(breaks("runtime/drivers/alter/protocol.hpp", "constexpr Time period = std::chrono::milliseconds(28);\n"))
     assert not list(breaks("sim/model/mjcf.cpp", '#include "sim/model/compiled.hpp"\n', {"sim/model/compiled.hpp"}))
     assert not list(breaks("sim/val/store.cpp", "namespace pal::sim::val {\nnamespace {\n"))
     assert not list(breaks("runtime/kernel/mail.cpp", '#include "pal/trace/trace.hpp"\n#include "pal/runtime/device.hpp"\n'))

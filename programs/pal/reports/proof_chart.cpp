@@ -160,20 +160,19 @@ bool shows_in_runs(const analyzer::Requirement& requirement) {
 }
 
 std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index) {
+  return longest_in(run, trace::events_of(run), proof, index);
+}
+
+std::optional<trace::Occurrence> longest_in(const trace::Trace& tables, const trace::EventSource& events,
+                                            const Proof& proof, std::size_t index) {
   const analyzer::Requirement& requirement = proof.problem.requirements[index];
   if (!shows_in_runs(requirement)) return std::nullopt;
   const auto at = statements_of(proof, index);
-  std::vector<trace::Occurrence> all;
-  if (requirement.measure == Measure::age) {
-    all = trace::ages(run, proof.problem.conditions[requirement.condition], at);
-  } else {
-    const analyzer::ChannelId channel = requirement.events.front();
-    all = trace::responses(run, analyzer::sender_name(proof.problem, channel),
-                           proof.problem.channels[channel].message, at)
-              .answered;
-  }
-  const trace::Occurrence* found = trace::longest(all);
-  return found == nullptr ? std::nullopt : std::optional(*found);
+  if (requirement.measure == Measure::age)
+    return trace::longest_age(tables, events, proof.problem.conditions[requirement.condition], at);
+  const analyzer::ChannelId channel = requirement.events.front();
+  return trace::longest_response(tables, events, analyzer::sender_name(proof.problem, channel),
+                                 proof.problem.channels[channel].message, at);
 }
 
 namespace {

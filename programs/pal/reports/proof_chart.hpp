@@ -31,6 +31,9 @@ bool shows_in_runs(const analyzer::Requirement& requirement);
 /// The longest interval of requirement `index` (an age or a response) in a trace of the same skill; nothing
 /// if it has none.
 std::optional<trace::Occurrence> longest_in(const trace::Trace& run, const Proof& proof, std::size_t index);
+/// The same of a run whose events come from `events`; of `tables` only the tables count.
+std::optional<trace::Occurrence> longest_in(const trace::Trace& tables, const trace::EventSource& events,
+                                            const Proof& proof, std::size_t index);
 
 /// A run that is shown for a requirement, and what its chart points out.
 struct ShownRun {

@@ -130,7 +130,10 @@ ExitStatus run_operation(const OperationCommand& command, const std::vector<Know
   Onlooker onlooker(out, command.log.empty() ? nullptr : &log);
   operations::Executor executor(std::move(program), runner, &onlooker, &known_of_cell);
   try {
-    return execute(command, executor, in, out);
+    const ExitStatus status = execute(command, executor, in, out);
+    const bool untried =
+        tell_faults_to_come(command.faults, cell->faults_to_come(), "the operation ended before", out);
+    return untried && status == ExitStatus::done ? ExitStatus::wrong_specification : status;
   } catch (const operations::ExecutionError& problem) {
     throw Failure(ExitStatus::wrong_specification, command.file, problem.what(),
                   "workcell operation run FILE --step, then list, shows the icons");

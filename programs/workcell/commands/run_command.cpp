@@ -114,6 +114,16 @@ Session make_session(const RunCommand& command, const runtime::Skill& skill,
   return session;
 }
 
+/// Before the run: a run of minutes whose files cannot be written is worth nothing.
+void check_outputs(const RunCommand& command) {
+  const auto check = [](const std::string& option, const std::string& file) {
+    if (const auto problem = cannot_be_written(file))
+      throw Failure(ExitStatus::usage, option, *problem, "choose another place");
+  };
+  if (!command.output.empty()) check("--output " + command.output, command.output + "/run.json");
+  if (!command.measure.empty()) check("--measure=" + command.measure, command.measure);
+}
+
 void write(const std::vector<OutputFile>& files, std::ostream& out) {
   if (files.empty()) return;
   if (const auto problem = write_files(files))
@@ -234,6 +244,9 @@ void write_run(const RunCommand& command, const runtime::Skill& skill, const Ses
     if (!plots.problem.empty()) out << "  no plots, only their data: " << plots.problem << '\n';
   }
   write(files, out);
+  if (result.events)
+    out << fmt::format("  trace.chrome.json has the last {} of {} events; trace.json has all\n",
+                       result.outcome.trace.events.size(), result.events->size());
   if (session.video.empty()) return;
   if (!result.video_problem.empty())
     throw Failure(ExitStatus::usage, "--video", result.video_problem, "the run's other files are there");
@@ -267,9 +280,19 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                        *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
   std::vector<Promise> proved;
-  if (command.proof) proved = promises(known, command.skill_folders, outcome.trace);
+  if (command.proof) proved = promises(known, command.skill_folders, outcome.trace, result.events.get());
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
+
+  std::vector<sim::PlannedFault> to_come = result.faults_to_come;
+  const auto slow =
+      slow_to_come(result.slow, outcome.trace,
+                   result.events ? trace::events_of(*result.events) : trace::events_of(outcome.trace));
+  to_come.insert(to_come.end(), slow.begin(), slow.end());
+  const bool untried = tell_faults_to_come(
+      command.faults, to_come,
+      fmt::format("the skill ended after {:.3f} ms", static_cast<double>(outcome.duration.count()) / 1e6),
+      out);
 
   const auto is_error = [&](const runtime::CompletionSpec& completion) {
     return completion.code == outcome.code && completion.kind == runtime::CompletionSpec::Kind::error;
@@ -278,7 +301,8 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   return outcome.fault || !kept || !outcome.broken_promises.empty() ||
                  std::any_of(completions.begin(), completions.end(), is_error)
              ? ExitStatus::error_completion
-             : ExitStatus::done;
+         : untried ? ExitStatus::wrong_specification
+                   : ExitStatus::done;
 }
 
 // The same bins for all, so that the histograms can be compared by eye.
@@ -326,6 +350,7 @@ ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills,
   const auto skill = known.make();
   Session session = make_session(command, *skill, skills);
   check_tool(*skill, session.scene, command.scene_folders);
+  check_outputs(command);
   std::optional<runtime::Measurement> measurement;
   if (!command.measure.empty()) session.measurement = &measurement.emplace(skill->wiring());
   const ExitStatus status = command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)

@@ -71,7 +71,7 @@ void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const 
   out << fmt::format("  the token is in {}\n", announcement);
   if (!server::is_loopback(command.address))
     out << "  warning: others can reach this address, and nothing is encrypted, not even the token\n";
-  out << std::flush;
+  check_told(out);
 }
 
 }  // namespace
@@ -129,7 +129,9 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   server->stop();
   out << fmt::format("served for {:.1f} s of the cell\n",
                      std::chrono::duration<double>(cell.station().now()).count());
-  return ExitStatus::done;
+  const bool untried =
+      tell_faults_to_come(command.faults, cell.faults_to_come(), "the cell was closed before", out);
+  return untried ? ExitStatus::wrong_specification : ExitStatus::done;
 }
 
 }  // namespace pal::workcell

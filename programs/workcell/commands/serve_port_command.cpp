@@ -1,10 +1,13 @@
 // workcell serve-port: one emulated device behind a port.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
+#include <vector>
 
 #include "pal/support/nearest.hpp"
 #include "programs/workcell/options/command_line.hpp"
@@ -29,7 +32,24 @@ sim::ServedPort find_port(const std::string& wanted) {
                 fmt::format("the devices are: {}", fmt::join(names, ", ")));
 }
 
-/// The `number`th line of the device: TCP ports follow one another, a serial port is for the first alone.
+/// The devices that the command names, each once and each fit for the cell's tool.
+std::vector<sim::ServedPort> find_ports(const ServePortCommand& command, const sim::Workcell& workcell,
+                                        const sim::Scene& scene) {
+  std::vector<sim::ServedPort> ports;
+  for (const std::string& device : command.devices) {
+    const sim::ServedPort port = find_port(device);
+    if (std::any_of(ports.begin(), ports.end(), [&](const auto& other) { return other.name == port.name; }))
+      throw Failure(ExitStatus::usage, "serve-port " + device, "the device is named twice", "name it once");
+    if (port.tool && workcell.tool_kind() != *port.tool)
+      throw Failure(ExitStatus::wrong_specification, "serve-port " + port.name,
+                    "scene " + scene.name + " has another tool",
+                    "choose one that has it: --scene " + port.scene);
+    ports.push_back(port);
+  }
+  return ports;
+}
+
+/// The `number`th line of all: TCP ports follow one another, a serial port is for the first alone.
 std::unique_ptr<runtime::drivers::OutsideLink> open_link(const ServePortCommand& command, std::size_t number,
                                                          const runtime::drivers::LineSpeed& speed,
                                                          runtime::drivers::Outside& outside,
@@ -37,15 +57,16 @@ std::unique_ptr<runtime::drivers::OutsideLink> open_link(const ServePortCommand&
   try {
     if (command.tcp >= 0) {
       const int port = command.tcp == 0 ? 0 : command.tcp + static_cast<int>(number);
-      if (port > 65535) throw std::runtime_error("the device has two lines, and 65536 is no port");
+      if (port > 65535)
+        throw std::runtime_error(fmt::format("there are {} lines, and {} is no port", number + 1, port));
       return outside.listen_tcp(timeline, static_cast<std::uint16_t>(port));
     }
     if (!command.serial.empty() && number == 0)
       return outside.open_serial(timeline, command.serial, static_cast<unsigned>(speed.baud));
     return outside.open_pseudo_terminal(timeline);
   } catch (const std::exception& problem) {
-    throw Failure(ExitStatus::usage, "serve-port " + command.device, problem.what(),
-                  "choose another port, or --pty");
+    throw Failure(ExitStatus::usage, fmt::format("serve-port {}", fmt::join(command.devices, " ")),
+                  problem.what(), "choose another port, or --pty");
   }
 }
 
@@ -72,12 +93,12 @@ class Name {
   std::string path_;
 };
 
-/// One line of the device, and what it is at outside.
+/// One line of a device, and what it is at outside.
 struct Line {
-  Line(const ServePortCommand& command, const sim::ServedLine& served, std::size_t number,
-       runtime::drivers::Outside& outside, runtime::drivers::Timeline& timeline)
-      : name(served.name),
-        alias(command.link.empty() || number == 0 ? command.link : command.link + "-" + served.name),
+  Line(const ServePortCommand& command, const sim::ServedPort& port, const sim::ServedLine& served,
+       std::size_t number, runtime::drivers::Outside& outside, runtime::drivers::Timeline& timeline)
+      : name(served.name.empty() ? port.name : served.name),
+        alias(command.link.empty() || number == 0 ? command.link : command.link + "-" + name),
         link(open_link(command, number, served.speed, outside, timeline)),
         wire(timeline, served.speed),
         bridge(wire.a(), *link),
@@ -95,25 +116,27 @@ struct Line {
 
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control,
                       std::ostream& out) {
-  const sim::ServedPort port = find_port(command.device);
+  for (const std::string& device : command.devices) find_port(device);  // before a scene is loaded
   const sim::Scene scene =
       sim::find_scene(command.scene, {command.scene_folders.begin(), command.scene_folders.end()});
   sim::Workcell workcell(scene, {.keep_log = false});
-  if (port.tool && workcell.tool_kind() != *port.tool)
-    throw Failure(ExitStatus::wrong_specification, "serve-port " + port.name,
-                  "scene " + scene.name + " has another tool",
-                  "choose one that has it: --scene " + port.scene);
+  const std::vector<sim::ServedPort> ports = find_ports(command, workcell, scene);
   runtime::drivers::Outside outside;
   runtime::drivers::Station station(workcell, &outside);
   std::deque<Line> lines;
-  std::vector<runtime::drivers::Link*> ends;
-  for (std::size_t i = 0; i < port.lines.size(); ++i)
-    ends.push_back(&lines.emplace_back(command, port.lines[i], i, outside, station.timeline()).wire.b());
-  const auto device = port.make(station.timeline(), ends, workcell, command.seed);
+  std::vector<std::shared_ptr<void>> devices;
+  for (const sim::ServedPort& port : ports) {
+    std::vector<runtime::drivers::Link*> ends;
+    for (const sim::ServedLine& line : port.lines)
+      ends.push_back(
+          &lines.emplace_back(command, port, line, lines.size(), outside, station.timeline()).wire.b());
+    devices.push_back(port.make(station.timeline(), ends, workcell, command.seed));
+  }
   for (const Line& line : lines)
-    out << fmt::format("{} in scene {} at {}{}\n", line.name.empty() ? port.name : line.name, scene.name,
-                       line.link->address(), line.alias.empty() ? "" : " (" + line.alias + ")");
-  out << "Ctrl-C ends it\n" << std::flush;
+    out << fmt::format("{} in scene {} at {}{}\n", line.name, scene.name, line.link->address(),
+                       line.alias.empty() ? "" : " (" + line.alias + ")");
+  out << "Ctrl-C ends it\n";
+  check_told(out);
   while (!control.stopping()) station.idle(stretch);
   out << fmt::format("served for {:.1f} s\n", std::chrono::duration<double>(station.now()).count());
   return ExitStatus::done;

@@ -13,6 +13,7 @@
 #include "sim/cell/served_port.hpp"
 #include "sim/report/video.hpp"
 #include "sim/scene.hpp"
+#include "sim/workcell.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -54,6 +55,31 @@ CLI::Validator number_within(double low, double high) {
       fmt::format("FLOAT in [{:g} - {:g}]", low, high));
 }
 
+/// Refuses options with an empty value, of all commands: a file without a name, a folder without a name.
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_positional() || option->get_items_expected_max() == 0) continue;
+    option->check(CLI::Validator(
+        [](const std::string& text) {
+          return text.empty() ? std::string("its value is empty") : std::string();
+        },
+        ""));
+  }
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
+}
+
+/// Folders of scenes that a user names are there, and have scenes.
+void check_scene_folders(const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+      throw Failure(ExitStatus::usage, "--scenes " + folder, "there is no such folder", "check the path");
+    if (sim::list_scenes({folder}).empty())
+      throw Failure(ExitStatus::usage, "--scenes " + folder, "the folder has no scenes",
+                    "a scene is a file that ends in .scene, or in .xml; folders within are not searched");
+  }
+}
+
 /// --on-broken-promise, alike wherever skills run.
 CLI::Option* add_policy(CLI::App& app, std::string& policy) {
   return app
@@ -79,9 +105,10 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
       ->each([&command](const std::string&) { command.seed_given = true; })
       ->check(whole_number())
       ->capture_default_str();
-  auto* phase = app.add_option("--phase", command.phase,
-                               "time from ALTER's opening to its first request, ms; random if not given")
-                    ->check(number_within(0, 28));
+  auto* phase =
+      app.add_option("--phase", command.phase,
+                     "time from ALTER's opening to its first request, ms; random if not given")
+          ->check(number_within(0, std::chrono::duration<double, std::milli>(sim::alter_period).count()));
   app.add_option("--time", command.times, "times within their intervals")
       ->check(CLI::IsMember({"worst", "best", "random"}))
       ->capture_default_str();
@@ -147,7 +174,7 @@ void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& 
 void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<std::string>& folders) {
   std::string names;
   for (const sim::ServedPort& port : sim::served_ports()) names += "\n" + port.name + ": " + port.description;
-  app.add_option("device", command.device, "the device to serve:" + names)->required();
+  app.add_option("device", command.devices, "the devices of one cell to serve:" + names)->required();
   app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
   app.add_option("--scenes", folders, "a further folder of scenes, searched first");
@@ -158,7 +185,9 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
   where->require_option(0, 1);
   where->add_flag("--pty", command.pty,
                   "at a pseudo-terminal of its own, whose path is printed (the default)");
-  where->add_option("--tcp", command.tcp, "at this TCP port of this machine only; 0: any free one")
+  where
+      ->add_option("--tcp", command.tcp,
+                   "at this TCP port of this machine only, further lines at those after it; 0: any free ones")
       ->check(CLI::Range(0, 65535));
   where->add_option("--serial", command.serial, "at a serial port, /dev/ttyUSB0 for example");
   app.add_option("--link", command.link,
@@ -284,10 +313,8 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   return run;
 }
 
-}  // namespace
-
-ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
-                        std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
+ExitStatus run_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+                       std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
   CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
   app.set_version_flag("--version", "workcell " PAL_VERSION);
   app.require_subcommand(1);
@@ -307,7 +334,7 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   describe_run(*run_app, run_command, folders);
   ServePortCommand serve_command;
   CLI::App* serve_app = app.add_subcommand(
-      "serve-port", "offers one emulated device to any program, in real time, until Ctrl-C");
+      "serve-port", "offers emulated devices of one cell to any program, in real time, until Ctrl-C");
   describe_serve_port(*serve_app, serve_command, folders);
 
   OperationCommand operation_command;
@@ -318,6 +345,8 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
   CLI::App* cell_app = app.add_subcommand(
       "serve", "opens a workcell for clients, who run skills and operations, until Ctrl-C");
   describe_serve(*cell_app, cell_command, folders);
+
+  refuse_empty_values(app);
 
   std::vector<std::string> words = arguments;
   if (!words.empty() && words.front() == "help") {
@@ -332,6 +361,7 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
     return app.exit(problem, out, error) == 0 ? ExitStatus::done : ExitStatus::usage;
   }
   try {
+    check_scene_folders(folders);
     list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
         operation_command.scene_folders = cell_command.scene_folders =
             folders_of(folders, "scenes", PAL_SCENE_FOLDER);
@@ -372,6 +402,17 @@ ExitStatus main_program(const std::vector<std::string>& arguments, const std::ve
     error << "workcell: error: " << problem.what() << '\n';
     return ExitStatus::error_completion;
   }
+}
+
+}  // namespace
+
+ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+                        std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
+  const ExitStatus status = run_program(arguments, skills, out, error, terminal, in);
+  if (out.flush()) return status;
+  // A report that could not be written is no success.
+  error << "workcell: error: the standard output cannot be written: is it open, and is there space?\n";
+  return status == ExitStatus::done ? ExitStatus::usage : status;
 }
 
 }  // namespace pal::workcell

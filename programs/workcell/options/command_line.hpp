@@ -50,7 +50,7 @@ struct RunCommand {
 };
 
 struct ServePortCommand {
-  std::string device;
+  std::vector<std::string> devices;  // of one cell; at least one
   std::string scene = "touch";
   std::vector<std::string> scene_folders;
   std::uint64_t seed = 1;
@@ -134,8 +134,8 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
 /// "workcell run". Throws Failure.
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
 
-/// "workcell serve-port": an emulated device for any program, in real time, until `control` stops it. Throws
-/// Failure.
+/// "workcell serve-port": emulated devices of one cell for any program, in real time, until `control` stops
+/// it. Throws Failure.
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control, std::ostream& out);
 
 /// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is a

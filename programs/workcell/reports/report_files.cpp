@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <ostream>
 
 #include "programs/workcell/reports/force_options.hpp"
 #include "programs/workcell/reports/range_profiles.hpp"
@@ -103,13 +103,18 @@ Json figures_json(const std::vector<double>& values) {
 std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skill& skill,
                                   const Session& session, const SessionResult& result,
                                   const std::vector<Promise>& promises) {
-  std::ostringstream trace, chrome;
-  trace::write_json(result.outcome.trace, trace);
-  trace::write_chrome(result.outcome.trace, chrome);
+  const trace::Trace& trace = result.outcome.trace;
+  const auto write_trace = [&](std::ostream& out) {
+    trace::write_json(trace, result.events ? trace::events_of(*result.events) : trace::events_of(trace), out);
+  };
+  const auto write_chrome = [&](std::ostream& out) { trace::write_chrome(trace, out); };
+  const auto write_log = [&](std::ostream& out) {
+    sim::write_log_table([&](const auto& see) { result.samples->for_each(see); }, result.messages, out);
+  };
   std::vector<OutputFile> files{
-      {in_folder(folder, "trace.json"), trace.str()},
-      {in_folder(folder, "trace.chrome.json"), chrome.str()},
-      {in_folder(folder, "log.csv"), sim::log_table(result.log, result.messages)},
+      {in_folder(folder, "trace.json"), {}, write_trace},
+      {in_folder(folder, "trace.chrome.json"), {}, write_chrome},
+      {in_folder(folder, "log.csv"), {}, write_log},
       {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
   for (const Promise& promise : promises)
     files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});

@@ -13,7 +13,7 @@
 
 namespace pal::workcell {
 
-/// In `folder`:
+/// In `folder`, of a result that outlives the files:
 /// - trace.json, and trace.chrome.json for Perfetto;
 /// - log.csv (sim/report/log_table.hpp);
 /// - run.json: what was asked and what came of it;

@@ -143,6 +143,11 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
                             std::optional<Duration> limit) {
   runtime::Skill* skill = find(name);
   if (skill == nullptr) return {SkillResult::Kind::error, -1, "the cell has no skill '" + name + "'"};
+  const sim::ToolKind tool = cell_.workcell().tool_kind();
+  if (const auto needed = needed_tool(*skill); needed && *needed != tool)
+    return {SkillResult::Kind::error, -1,
+            fmt::format("skill {} needs the tool {}, and the cell's tool is {}", name,
+                        sim::to_string(*needed), sim::to_string(tool))};
   std::vector<runtime::ParameterValue> values;
   for (const operations::Parameter& parameter : parameters) values.push_back(value_of(parameter));
   runtime::RunOptions options;

@@ -16,4 +16,10 @@ void Failure::print(std::ostream& out) const {
   if (!hint_.empty()) out << "  hint: " << hint_ << '\n';
 }
 
+void check_told(std::ostream& out) {
+  if (out.flush()) return;
+  throw Failure(ExitStatus::usage, "standard output", "it cannot be written",
+                "is it open, and is there space?");
+}
+
 }  // namespace pal::workcell

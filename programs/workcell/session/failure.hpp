@@ -30,4 +30,7 @@ class Failure : public std::runtime_error {
   std::string place_, cause_, hint_;
 };
 
+/// Throws Failure if what was written to `out` did not get there: for commands that then go on for long.
+void check_told(std::ostream& out);
+
 }  // namespace pal::workcell

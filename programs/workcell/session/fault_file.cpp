@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <fstream>
 #include <sstream>
 
@@ -37,6 +38,34 @@ std::vector<sim::PlannedFault> faults_of_lines(const std::string& file) {
 Failure no_such_device(const std::string& file, const sim::NoSuchDevice& problem) {
   return {ExitStatus::wrong_specification, fmt::format("{}:{}", file, problem.line()), problem.what(),
           "name one of these, or choose a scene whose tool is the device"};
+}
+
+bool tell_faults_to_come(const std::string& file, const std::vector<sim::PlannedFault>& to_come,
+                         const std::string& ended, std::ostream& out) {
+  for (const sim::PlannedFault& fault : to_come)
+    out << fmt::format("  {}{}: the fault of {} at {:g} ms never came: {}\n", file,
+                       fault.line == 0 ? "" : ":" + std::to_string(fault.line), fault.device,
+                       std::chrono::duration<double, std::milli>(fault.at).count(), ended);
+  return !to_come.empty();
+}
+
+std::vector<sim::PlannedFault> slow_to_come(const std::vector<runtime::SlowStatement>& slow,
+                                            const trace::Trace& tables, const trace::EventSource& events) {
+  std::vector<bool> came(slow.size());
+  if (slow.empty()) return {};
+  events([&](const trace::Event& event) {
+    if (event.kind != trace::Kind::done || event.statement < 0) return;
+    const trace::Statement& statement = tables.statements[static_cast<std::size_t>(event.statement)];
+    for (std::size_t i = 0; i < slow.size(); ++i)
+      if (event.time_ns >= slow[i].from.count() && statement.module == slow[i].module &&
+          statement.line == slow[i].line)
+        came[i] = true;
+  });
+  std::vector<sim::PlannedFault> result;
+  for (std::size_t i = 0; i < slow.size(); ++i)
+    if (!came[i])
+      result.push_back({.at = slow[i].from, .device = fmt::format("{}:{}", slow[i].module, slow[i].line)});
+  return result;
 }
 
 runtime::OnBrokenPromise policy_named(const std::string& name) {

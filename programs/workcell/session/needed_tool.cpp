@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "programs/workcell/session/failure.hpp"
 #include "sim/cell/served_port.hpp"
 
@@ -19,41 +22,48 @@ std::string scenes_with(sim::ToolKind tool, const std::vector<std::string>& fold
   return names;
 }
 
-/// The port of the tool that the skill needs and the scene lacks; nothing: it lacks none.
-std::optional<sim::ServedPort> missing_port(const runtime::Skill& skill, const sim::Scene& scene) {
-  const sim::ToolKind tool = sim::tool_of(scene);
-  for (const sim::ServedPort& port : sim::served_ports()) {
-    if (!port.tool || *port.tool == tool) continue;
-    for (const std::string_view device : skill.wiring().devices)
-      if (device == port.name) return port;
-  }
-  return std::nullopt;
+bool uses(const runtime::Skill& skill, std::string_view device) {
+  const auto devices = skill.wiring().devices;
+  return std::find(devices.begin(), devices.end(), device) != devices.end();
 }
 
-std::string needs(const sim::ServedPort& port, const sim::Scene& scene) {
-  return fmt::format("needs the tool {}, and the tool of this scene is {}", sim::to_string(*port.tool),
+/// The tool that the skill needs and the scene lacks; nothing: it lacks none.
+std::optional<sim::ToolKind> missing_tool(const runtime::Skill& skill, const sim::Scene& scene) {
+  const auto needed = needed_tool(skill);
+  return needed && *needed != sim::tool_of(scene) ? needed : std::nullopt;
+}
+
+std::string needs(sim::ToolKind tool, const sim::Scene& scene) {
+  return fmt::format("needs the tool {}, and the tool of this scene is {}", sim::to_string(tool),
                      sim::to_string(sim::tool_of(scene)));
 }
 
 }  // namespace
 
+std::optional<sim::ToolKind> needed_tool(const runtime::Skill& skill) {
+  for (const sim::ServedPort& port : sim::served_ports())
+    if (port.tool && uses(skill, port.name)) return port.tool;
+  if (uses(skill, "alter") && uses(skill, "force-torque")) return sim::ToolKind::pad;
+  return std::nullopt;
+}
+
 std::optional<std::string> lacking_tool(const runtime::Skill& skill, const sim::Scene& scene,
                                         const std::vector<std::string>& folders) {
-  const auto port = missing_port(skill, scene);
-  if (!port) return std::nullopt;
-  const std::string scenes = scenes_with(*port->tool, folders);
-  return fmt::format("it {}{}", needs(*port, scene),
+  const auto tool = missing_tool(skill, scene);
+  if (!tool) return std::nullopt;
+  const std::string scenes = scenes_with(*tool, folders);
+  return fmt::format("it {}{}", needs(*tool, scene),
                      scenes.empty() ? "" : fmt::format("; these scenes have it: {}", scenes));
 }
 
 void check_tool(const runtime::Skill& skill, const sim::Scene& scene,
                 const std::vector<std::string>& folders) {
-  const auto port = missing_port(skill, scene);
-  if (!port) return;
-  const std::string scenes = scenes_with(*port->tool, folders);
+  const auto tool = missing_tool(skill, scene);
+  if (!tool) return;
+  const std::string scenes = scenes_with(*tool, folders);
   throw Failure(ExitStatus::wrong_specification, "scene " + scene.name,
-                fmt::format("skill {} {}", skill.description().name, needs(*port, scene)),
-                scenes.empty() ? fmt::format("write 'tool {}' into a scene", sim::to_string(*port->tool))
+                fmt::format("skill {} {}", skill.description().name, needs(*tool, scene)),
+                scenes.empty() ? fmt::format("write 'tool {}' into a scene", sim::to_string(*tool))
                                : "choose one with --scene: " + scenes);
 }
 

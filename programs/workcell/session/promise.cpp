@@ -1,6 +1,7 @@
 #include "programs/workcell/session/promise.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -46,10 +47,24 @@ std::string folder_with(const std::string& file, const std::vector<std::string>&
                 "run with --no-proof, or install the skills beside the program");
 }
 
+/// Of a long run, what a chart of its longest interval needs: the events of a second before and after it.
+trace::Trace around(const trace::Trace& tables, const trace::EventSpool& events,
+                    const std::optional<trace::Occurrence>& longest) {
+  constexpr std::int64_t margin = 1'000'000'000;
+  const std::int64_t from = longest ? longest->from_ns - margin : 0;
+  const std::int64_t to = longest ? longest->to_ns + margin : 2 * margin;
+  trace::Trace part = tables;
+  part.events.clear();
+  events.for_each([&](const trace::Event& event) {
+    if (event.time_ns >= from && event.time_ns <= to) part.events.push_back(event);
+  });
+  return part;
+}
+
 }  // namespace
 
 std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::string>& folders,
-                              const trace::Trace& run) {
+                              const trace::Trace& run, const trace::EventSpool* events) {
   std::vector<Promise> result;
   if (skill.pal_file.empty()) return result;
   const SkillFiles files(folder_with(skill.pal_file, folders));
@@ -80,9 +95,11 @@ std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::st
                       verdict.exact,
                       {},
                       {}};
-      if (const auto longest = program::longest_in(run, proof, i))
-        promise.measured = Duration(longest->length_ns());
-      promise.chart = program::overlay_chart(proof, i, run);
+      const auto longest = events == nullptr ? program::longest_in(run, proof, i)
+                                             : program::longest_in(run, trace::events_of(*events), proof, i);
+      if (longest) promise.measured = Duration(longest->length_ns());
+      promise.chart =
+          program::overlay_chart(proof, i, events == nullptr ? run : around(run, *events, longest));
       result.push_back(std::move(promise));
     }
   }

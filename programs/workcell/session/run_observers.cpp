@@ -6,6 +6,11 @@ sim::PictureOptions captioned(sim::PictureOptions options, const runtime::Skill&
                               const Session& session) {
   options.title = title(skill, session);
   options.threshold = parameter_value(skill, session, "threshold");
+  // A skill that holds a force has set it.
+  if (const auto force = parameter_value(skill, session, "force"); !options.threshold && force) {
+    options.threshold = force;
+    options.threshold_name = "force that is set";
+  }
   return options;
 }
 

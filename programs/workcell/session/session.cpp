@@ -1,9 +1,14 @@
 #include "programs/workcell/session/session.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
 
 #include "programs/workcell/session/run_observers.hpp"
 #include "sim/cell/cell.hpp"
+#include "sim/cell/sensors.hpp"
+#include "sim/picture/peak_history.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -12,6 +17,63 @@ constexpr runtime::Time rest = std::chrono::milliseconds(400);
 // Events of a run in real time, 16 MB: a trace that had to grow would hold the kernel for milliseconds.
 constexpr std::size_t real_time_trace = 1U << 19U;
 
+// What stays in memory of a run: more of it is on the disk alone.
+constexpr std::size_t most_samples = 60'000;  // 17 MB
+constexpr std::size_t most_events = 300'000;  // 10 MB
+constexpr std::size_t events_at_a_time = 1U << 12U;
+
+/// The samples of a run as they come: all on the disk, and what pictures show of them.
+class SampleRecorder {
+ public:
+  explicit SampleRecorder(sim::Workcell& workcell)
+      : spool_(std::make_shared<sim::SampleSpool>()),
+        listener_(workcell.on_sample([this, tool = workcell.tool_kind()](const sim::Sample& sample) {
+          spool_->append(sample);
+          history_.add({std::chrono::duration<double>(sample.time).count(),
+                        tool == sim::ToolKind::gripper ? sample.grip_force : sample.contact_force});
+        })) {}
+  SampleRecorder(const SampleRecorder&) = delete;
+  SampleRecorder& operator=(const SampleRecorder&) = delete;
+
+  const std::shared_ptr<sim::SampleSpool>& spool() const { return spool_; }
+  const sim::PeakHistory& history() const { return history_; }
+
+ private:
+  std::shared_ptr<sim::SampleSpool> spool_;
+  sim::PeakHistory history_;
+  std::shared_ptr<void> listener_;
+};
+
+/// The distances that the range finder measured.
+sim::PeakHistory distances(const sim::MessageLog& messages) {
+  sim::PeakHistory history;
+  for (const sim::LoggedMessage& message : messages.messages()) {
+    const auto& device = messages.devices()[message.device];
+    if (device.name != "range-finder" || device.ports[message.port].message != "profile") continue;
+    if (const auto nearest = sim::quantity("range-nearest", message.fields))
+      history.add({std::chrono::duration<double>(message.time).count(), *nearest});
+  }
+  return history;
+}
+
+/// Gives the trace its events: all of them, or of a long run the last ones.
+void take_events(SessionResult& result, std::shared_ptr<trace::EventSpool> spool) {
+  const std::size_t count = spool->size();
+  std::vector<trace::Event>& events = result.outcome.trace.events;
+  events.reserve(std::min(count, most_events));
+  spool->for_each([&events](const trace::Event& event) { events.push_back(event); },
+                  count - std::min(count, most_events));
+  if (count > most_events) result.events = std::move(spool);
+}
+
+void take_samples(SessionResult& result, const SampleRecorder& recorder) {
+  result.samples = recorder.spool();
+  result.log = result.samples->telling(most_samples);
+  for (const sim::Sample& sample : result.log)
+    result.peak_force = std::max(result.peak_force, sample.contact_force);
+  if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
+}
+
 void run_before(sim::Cell& cell, const Session& session) {
   if (!session.before) return;
   const auto skill = session.before->make();
@@ -19,6 +81,7 @@ void run_before(sim::Cell& cell, const Session& session) {
   options.costs = session.times;
   options.seed = session.seed;
   options.control = session.control;
+  options.trace = runtime::TraceMode::none;
   const runtime::Outcome outcome = cell.run(*skill, {}, options);
   if (outcome.code != 0)
     throw sim::SceneError(
@@ -80,10 +143,13 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
     world = made.get();
     return made;
   };
+  cell_options.keep_log = false;
+  std::optional<SampleRecorder> samples;
   bool before = true;
   cell_options.at_begin = [&](runtime::Time begin) {
     if (before) return;
     world->workcell.begin_log(begin);
+    samples.emplace(world->workcell);
     world->watched.begin(begin);
   };
   sim::Cell cell(session.scene, cell_options);
@@ -104,18 +170,30 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   options.horizon = session.limit;
   options.real_time = session.real_time;
   if (session.real_time) options.trace_capacity = real_time_trace;
+  const auto events = session.real_time ? nullptr : std::make_shared<trace::EventSpool>();
+  if (events) {
+    options.spool = events.get();
+    options.trace_capacity = events_at_a_time;
+  }
   result.outcome = cell.run(skill, session.parameters, options);
   result.phase = cell.phase();
   result.controller = cell.val_driver().last_error();
+  result.slow = session.slow;
+  result.faults_to_come = cell.faults_to_come();
 
   cell.rest(rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.
   result.video_problem = world->observers.end();
-  result.log = cell.workcell().log();
-  for (const sim::Sample& sample : result.log)
-    result.peak_force = std::max(result.peak_force, sample.contact_force);
-  if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
-  if (session.picture) result.picture = sim::take_picture(cell.workcell(), captioned({}, skill, session));
+  if (events) take_events(result, events);
+  if (samples) take_samples(result, *samples);
+  if ((events && events->failed()) || (samples && samples->spool()->failed()))
+    throw std::runtime_error("the run cannot be written down: the folder for temporary files is full");
+  if (session.picture && samples) {
+    sim::PictureOptions picture = captioned({}, skill, session);
+    const bool sees = cell.workcell().tool_kind() == sim::ToolKind::range_finder;
+    picture.history = (sees ? distances(result.messages) : samples->history()).points();
+    result.picture = sim::take_picture(cell.workcell(), picture);
+  }
   return result;
 }
 

@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "pal/runtime/measurement.hpp"
+#include "pal/trace/spool.hpp"
 #include "programs/workcell/session/skills.hpp"
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/fault_plan.hpp"
 #include "sim/picture/picture.hpp"
 #include "sim/report/message_log.hpp"
+#include "sim/report/sample_spool.hpp"
 #include "sim/scene.hpp"
 #include "sim/workcell.hpp"
 
@@ -52,9 +54,16 @@ struct Session {
 
 struct SessionResult {
   runtime::Outcome outcome;
-  runtime::Time phase{};         // as given or drawn
-  std::vector<sim::Sample> log;  // from the skill's beginning, time 0, until the arm has come to rest
+  runtime::Time phase{};  // as given or drawn
+  /// From the skill's beginning, time 0, until the arm has come to rest. Of more than a minute those that
+  /// keep every peak and every dip; all of them are in `samples`.
+  std::vector<sim::Sample> log;
+  std::shared_ptr<sim::SampleSpool> samples;
+  /// All events, if `outcome.trace` has only the last ones of a long run; null: it has all.
+  std::shared_ptr<trace::EventSpool> events;
   sim::MessageLog messages;
+  std::vector<sim::PlannedFault> faults_to_come;  // that had not come when the skill ended
+  std::vector<runtime::SlowStatement> slow;       // as the session says
   std::string controller;    // what VAL said of the last command that failed; empty: none did
   double peak_force = 0;     // N
   double resting_force = 0;  // N, at the end of the log

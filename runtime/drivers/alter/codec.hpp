@@ -8,23 +8,16 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/drivers/alter/protocol.hpp"
 #include "runtime/drivers/link.hpp"
 #include "runtime/drivers/wire.hpp"
 
 namespace pal::runtime::drivers::alter {
 
 inline constexpr LineSpeed line{115200, 10};
-/// The period of the controller's cycle. Each cycle begins with a request.
-inline constexpr Time period = std::chrono::milliseconds(28);
-/// The answer must have arrived this long after its cycle began; the rest is for computing set-points.
-inline constexpr Time answer_within = std::chrono::milliseconds(24);
 
 /// x, y, z in mm and rx, ry, rz in degrees: a turn about x, then y, then z.
 using Figures = std::array<double, 6>;
-
-/// The largest figure of a correction, and the steps in which figures are sent (mm or degrees).
-inline constexpr double greatest_correction = 32.767;
-inline constexpr double resolution = 0.001;
 
 /// From the controller at the beginning of each cycle.
 struct Request {

@@ -48,6 +48,7 @@ void ForceTorqueDriver::start(Step step) {
     case Step::drain:
       return;
     case Step::boot:
+      booted_ = timeline().now();
       write(codec_.boot());
       return await(options_.boot_within);
     case Step::binary:
@@ -117,7 +118,9 @@ void ForceTorqueDriver::answered() {
     case Step::drain:
       return start(started_ ? Step::look : Step::boot);
     case Step::boot:
-      return start(Step::binary);
+      if (timeline().now() >= booted_ + options_.boot_takes) return start(Step::binary);
+      codec_.boot();  // its bytes have been sent: only the prompt is awaited again
+      return await(options_.boot_within);
     case Step::binary:
       return start(Step::axes);
     case Step::axes:

@@ -18,6 +18,9 @@ struct ForceTorqueDriverOptions {
   std::function<force_torque::Load()> tool_weight;
   // How long the sensor may take before it is in trouble.
   Time boot_within = std::chrono::seconds(1);
+  /// A sensor takes longer than this to start. A prompt that comes sooner was waiting in the line: it is of
+  /// an earlier start.
+  Time boot_takes = std::chrono::milliseconds(40);
   Time prompt_within = std::chrono::milliseconds(200);
   Time record_within = std::chrono::milliseconds(20);
 };
@@ -65,6 +68,7 @@ class ForceTorqueDriver final : public LinkedDriver {
 
   ForceTorqueDriverOptions options_;
   force_torque::Codec codec_;
+  Time booted_{};  // when control W was sent last
   Step step_ = Step::none;
   bool started_ = false;  // the sensor sends binary records of all axes
   force_torque::ZeroPoint zero_;

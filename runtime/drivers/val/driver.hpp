@@ -28,7 +28,7 @@ struct ValOptions {
 /// Ports:
 /// - `command` to the device: verb (val::Verb), location and second (texts), a to f;
 /// - `request answer` to it, which has the last command carried out;
-/// - `answer` from it: ok, code (val::Error), error (the first 24 characters of its text), values (12
+/// - `answer` from it: ok, code (val::Error), error (the first 100 characters of its text), values (12
 ///   numbers). A request that comes while a command is carried out waits.
 ///
 /// A line goes out without its Return. The Return follows when the echo matches, so no garbled line is

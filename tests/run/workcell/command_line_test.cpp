@@ -84,7 +84,7 @@ TEST_CASE("workcell list shows skills, parameters, completions and scenes") {
 
 TEST_CASE("workcell sets parameters that are texts") {
   CHECK(workcell({"list"}).out.find(
-            "--set location=…  where it is (up to 24 characters, default \"park\")") != std::string::npos);
+            "--set location=…  where it is (up to 100 characters, default \"park\")") != std::string::npos);
   const Folder folder;
   const Answer answer = workcell(
       {"run", "named-touch", "--set", "location=home = 1", "--no-picture", "--output", folder.path()});
@@ -192,6 +192,100 @@ TEST_CASE("bad input: place, cause, hint, status, and no files") {
   refused({"run", "touch", "--set", "reach"}, ExitStatus::usage,
           "workcell: error: --set reach: a parameter is set by name=value\n  hint: write --set "
           "approach-speed=20\n");
+}
+
+TEST_CASE("what cannot be is said before anything runs") {
+  const Folder folder;
+  fs::create_directories(folder.path());
+  const auto refused = [](const std::vector<std::string>& arguments, ExitStatus status,
+                          const std::string& text) {
+    const Answer answer = workcell(arguments);
+    CAPTURE(answer.out, answer.error);
+    CHECK(answer.out.empty());  // no run
+    CHECK(answer.status == status);
+    CHECK(answer.error.find(text) != std::string::npos);
+  };
+  refused({"run", "touch", "--scene", "/"}, ExitStatus::wrong_specification,
+          "workcell: error: /: this is a folder, not the file of a scene\n  hint: ");
+  refused({"run", "touch", "--scenes", "/nothing/there"}, ExitStatus::usage,
+          "workcell: error: --scenes /nothing/there: there is no such folder\n");
+  refused({"run", "touch", "--scenes", folder.path()}, ExitStatus::usage,
+          "workcell: error: --scenes " + folder.path() + ": the folder has no scenes\n");
+  refused({"run", "touch", "--output", ""}, ExitStatus::usage, "--output: its value is empty");
+  refused({"run", "touch", "--fault", ""}, ExitStatus::usage, "--fault: its value is empty");
+  refused({"serve", "--log", ""}, ExitStatus::usage, "--log: its value is empty");
+  refused({"run", "touch", "--output", "/proc/none"}, ExitStatus::usage,
+          "workcell: error: --output /proc/none: cannot make the folder /proc/none");
+  std::ofstream(folder.path() + "/file") << "x";
+  refused({"run", "touch", "--output", folder.path() + "/file"}, ExitStatus::usage, "cannot make the folder");
+  refused({"run", "touch", "--no-picture", "--measure=/proc/none/measured.pal"}, ExitStatus::usage,
+          "--measure=/proc/none/measured.pal: cannot make the folder");
+  refused({"run", "touch", "--scene", "parts"}, ExitStatus::wrong_specification,
+          "scene parts: skill touch needs the tool pad, and the tool of this scene is gripper\n"
+          "  hint: choose one with --scene: bar-under-forearm, ");
+  refused({"run", "touch", "--scene", "flat"}, ExitStatus::wrong_specification,
+          "needs the tool pad, and the tool of this scene is range-finder");
+}
+
+TEST_CASE("a fault that never came is said, with status 1") {
+  const Folder folder;
+  fs::create_directories(folder.path());
+  const std::string file = folder.path() + "/late.fault";
+  std::ofstream(file) << "at 1 ms force-torque late 1 ms\nat 60 s force-torque dropout\n";
+  const Answer answer = workcell({"run", "touch", "--no-proof", "--fault", file});
+  CAPTURE(answer.out, answer.error);
+  CHECK(answer.status == ExitStatus::wrong_specification);
+  CHECK(answer.out.find("  " + file +
+                        ":2: the fault of force-torque at 60000 ms never came: the skill ended after ") !=
+        std::string::npos);
+  CHECK(answer.out.find(file + ":1:") == std::string::npos);
+  std::ofstream(file) << "at 60 s SM1:7 takes 1 ms\n";
+  const Answer slow = workcell({"run", "touch", "--no-proof", "--fault", file});
+  CHECK(slow.status == ExitStatus::wrong_specification);
+  CHECK(slow.out.find("the fault of SM1:7 at 60000 ms never came") != std::string::npos);
+}
+
+TEST_CASE("a standard output that cannot be written is no success") {
+  struct Full final : std::streambuf {
+    int overflow(int) override { return traits_type::eof(); }
+  } full;
+  std::ostream out(&full);
+  std::ostringstream error;
+  CHECK(main_program({"list"}, {}, out, error) == ExitStatus::usage);
+  CHECK(error.str() ==
+        "workcell: error: the standard output cannot be written: is it open, and is there space?\n");
+  // A command that goes on for long says so at once.
+  pal::runtime::RunControl control;
+  std::ostream again(&full);
+  ServePortCommand command;
+  command.devices = {"force-torque"};
+  command.scene_folders = {PAL_SCENE_DIR};
+  CHECK_THROWS_AS(serve_port(command, control, again), Failure);
+}
+
+TEST_CASE("several devices of one cell are served, each at its line") {
+  pal::runtime::RunControl control;
+  control.stop();
+  std::ostringstream out;
+  ServePortCommand command;
+  command.devices = {"val", "force-torque"};
+  command.scene_folders = {PAL_SCENE_DIR};
+  CHECK(serve_port(command, control, out) == ExitStatus::done);
+  for (const char* line : {"val in scene touch at /dev/", "alter in scene touch at /dev/",
+                           "force-torque in scene touch at /dev/"})
+    CHECK(out.str().find(line) != std::string::npos);
+  const auto cause = [&](std::vector<std::string> devices) {
+    command.devices = std::move(devices);
+    try {
+      serve_port(command, control, out);
+    } catch (const Failure& failure) {
+      return std::string(failure.what());
+    }
+    return std::string();
+  };
+  CHECK(cause({"val", "val"}) == "serve-port val: the device is named twice");
+  CHECK(cause({"val", "toaster"}) == "serve-port toaster: there is no device of this name");
+  CHECK(cause({"val", "gripper"}) == "serve-port gripper: scene touch has another tool");
 }
 
 TEST_CASE("an empty file of faults is refused") {

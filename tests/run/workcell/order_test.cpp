@@ -97,6 +97,25 @@ TEST_CASE("the same session gives the same run") {
   CHECK(run_session(*one, unlike).outcome.trace.events != first.outcome.trace.events);
 }
 
+TEST_CASE("events that go to the disk are those of the run") {
+  sim::CellOptions options;
+  options.phase = std::chrono::milliseconds(5);
+  const auto run = [&](trace::EventSpool* spool) {
+    const auto skill = generated(false);
+    sim::Cell cell(sim::find_scene("touch", {PAL_SCENE_DIR}), options);
+    runtime::RunOptions how;
+    how.spool = spool;
+    how.trace_capacity = spool == nullptr ? 1U << 16U : 100;
+    return cell.run(*skill, {}, how).trace.events;
+  };
+  trace::EventSpool spool;
+  CHECK(run(&spool).empty());
+  std::vector<trace::Event> events;
+  spool.for_each([&events](const trace::Event& event) { events.push_back(event); });
+  CHECK(events.size() > 1000);
+  CHECK(events == run(nullptr));
+}
+
 TEST_CASE("the order that reads first presses harder, by what the ages predict") {
   const auto corrected = generated(false), read_first = generated(true);
   const int count = 14;

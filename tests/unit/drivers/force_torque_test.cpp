@@ -298,6 +298,22 @@ TEST_CASE("force-torque driver: what goes wrong on the line ends the skill, in w
   cell.read();
 }
 
+TEST_CASE("force-torque driver: the text of an earlier start that waits in the line is no answer",
+          "[force-torque]") {
+  for (const Time waited : {0ms, 1ms, 5ms, 20ms}) {
+    CAPTURE(waited.count());
+    Bench bench(quiet);
+    bench.timeline.advance_to(1s);  // nobody has read what the sensor sent
+    ForceTorqueDriver driver{bench.timeline, bench.wire.a()};
+    driver.prepare();
+    bench.timeline.advance_to(bench.timeline.now() + waited);
+    bench.wire.b().write(runtime::drivers::as_bytes("\r\nF/T sensor, 65 N, 5 N*m\r\n>"));
+    bench.timeline.advance_to(bench.timeline.now() + 2s);
+    CHECK(driver.trouble().empty());
+    CHECK(driver.ready());
+  }
+}
+
 TEST_CASE("force-torque driver: a sensor that does not start is trouble before the skill", "[force-torque]") {
   Timeline timeline;
   Wire wire{timeline, {38400, 10}};

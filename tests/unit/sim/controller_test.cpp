@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "sim/controller/planner.hpp"
 #include "sim/controller/servo.hpp"
 #include "sim/controller/trajectory.hpp"
 #include "tests/unit/sim/support.hpp"
@@ -66,6 +67,25 @@ TEST_CASE("motions that the arm cannot make are refused, with the reason") {
   CAPTURE(*refused);
   CHECK((refused->find("reach") != std::string::npos || refused->find("would turn at") != std::string::npos ||
          refused->find("range of") != std::string::npos));
+}
+
+TEST_CASE("a joint that leaves its range is said to leave it, not to be too fast") {
+  Joints q = ready();
+  q[5] = radians(265.5);
+  // A full turn back, joint 6 would be within its range again.
+  Trajectory trajectory(q, 28ms);
+  CHECK(trajectory.add({0, 0, 0, 0, 0, 1}, tool_frame, 0ms).value() ==
+        "joint 6 would leave its range of -266 to 266 degrees");
+  const Pose turned = tool_pose(q) * Eigen::AngleAxisd(radians(5), Eigen::Vector3d::UnitZ());
+  const Plan plan = plan_straight_motion(q, turned, pad_tool(), {});
+  REQUIRE(std::holds_alternative<Refusal>(plan));
+  CHECK(std::get<Refusal>(plan).cause == Refusal::Cause::joint_range);
+  CHECK(std::get<Refusal>(plan).joint == 5);
+}
+
+TEST_CASE("a speed just above its limit is told with as many figures as it needs") {
+  CHECK(beyond_limit(2.4003, 2.4, "rad/s") == "2.4003 rad/s, its limit is 2.4 rad/s");
+  CHECK(beyond_limit(8.666, 5.34, "rad/s") == "8.67 rad/s, its limit is 5.34 rad/s");
 }
 
 TEST_CASE("the frames of corrections") {

@@ -148,6 +148,37 @@ TEST_CASE("scene files: an impossible start names its line and the line of the o
   CHECK(error("start 460 -200 -190\n") == ":1: at its start the tool's tip touches the table");
 }
 
+TEST_CASE("scene files: nothing is sunk into the floor or into the table") {
+  CHECK(second_line("plate at 460 -200 -700") ==
+        "my.scene:2: the underside of the plate is at z = -700, below the floor");
+  CHECK(second_line("bar at -900 0 -671.9") ==
+        "my.scene:2: the underside of the bar is at z = -671.9, below the floor");
+  CHECK(second_line("block at 460 -200 -200") ==
+        "my.scene:2: the underside of the block is at z = -200, inside the table");
+  CHECK_NOTHROW(
+      parse_description("start 1 2 3\nblock at 460 -200 -671.8\nblock at 0 -200 -200\n", "my.scene"));
+  CHECK_NOTHROW(parse_description("start 1 2 3\nno table\nblock at 460 -200 -200\n", "my.scene"));
+}
+
+TEST_CASE("scene files: a part in the place of something else is refused with both lines") {
+  const auto cause = [](const std::string& text) {
+    const SceneText file("start 460 -200 0\n" + text);
+    try {
+      Workcell workcell(file.scene());
+    } catch (const SceneError& error) {
+      return error.place().substr(file.file().size()) + ": " + error.cause();
+    }
+    return std::string("accepted");
+  };
+  CHECK(cause("part at 400 -320\npart at 430 -300\n") == ":3: part 2 overlaps part 1 of line 2");
+  CHECK(cause("plate at 460 -200\npart at 460 -200\n") == ":3: the part overlaps the plate of line 2");
+  CHECK(cause("no table\npart at 460 -200 -671.8\npost at 460 -200 -671.8\n") ==
+        ":3: the part overlaps the post of line 4");
+  // One upon the other, and side by side.
+  CHECK(cause("plate at 460 -200\npart at 460 -200 -166.8\npart at 460 -200 -116.8\n") == "accepted");
+  CHECK(cause("part at 400 -320\npart at 450 -320\n") == "accepted");
+}
+
 TEST_CASE("scene files: a surface is felt where it is seen") {
   const SceneText text("tool pad\nstart 500 -200 -100\nsurface at 500 -200\n");
   Workcell workcell(text.scene());

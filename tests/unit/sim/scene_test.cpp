@@ -173,3 +173,59 @@ TEST_CASE("a scene in MJCF that changes the physics is refused, wherever it says
             .cause()
             .find("is not the machine's own") != std::string::npos);
 }
+
+TEST_CASE("a scene in MJCF that acts on the arm is refused, wherever it includes the arm") {
+  const Folder folder;
+  const std::string body =
+      R"(<worldbody><body name="mine"><joint name="hinge"/><geom size="0.01" mass="1"/><site name="dot"/></body></worldbody>)";
+  const auto told = [&](const std::string& section, bool before) {
+    const std::string head = section + "\n" + body;
+    return refused(folder.add(
+        "acting", "<mujoco>\n" + (before ? head + parts : parts + "\n" + head) + start + "</mujoco>\n"));
+  };
+  for (const bool before : {false, true}) {
+    for (const auto& [section, cause] : std::vector<std::pair<std::string, std::string>>{
+             {R"(<actuator><motor joint="joint2" gear="100"/></actuator>)",
+              "<motor> acts on its joint 'joint2'"},
+             {R"(<actuator><general site="tip"/></actuator>)", "<general> acts on its site 'tip'"},
+             {R"(<equality><weld body1="mine" body2="pad"/></equality>)", "<weld> acts on its body 'pad'"},
+             {R"(<equality><joint joint1="hinge" joint2="joint6"/></equality>)",
+              "<joint> acts on its joint 'joint6'"},
+             {R"(<tendon><fixed><joint joint="joint1" coef="1"/></fixed></tendon>)",
+              "<joint> acts on its joint 'joint1'"},
+             {R"(<tendon><spatial><site site="dot"/><site site="wrist"/></spatial></tendon>)",
+              "<site> acts on its site 'wrist'"},
+             {R"(<contact><exclude body1="mine" body2="link3"/></contact>)",
+              "<exclude> acts on its body 'link3'"},
+             {R"(<contact><pair geom1="tip" geom2="floor"/></contact>)", "<pair> acts on its geom 'tip'"}}) {
+      const SceneError error = told(section, before);
+      CAPTURE(section, before);
+      CHECK(error.cause() == "the scene changes the arm: " + cause);
+      CHECK(error.place() == (folder.path() / "acting.xml").string() + (before ? ":2" : ":3"));
+      CHECK_FALSE(error.hint().empty());
+    }
+  }
+  // The class of all that names none has a name, too.
+  CHECK(told(R"(<default class="main"><geom friction="0 0 0"/></default>)", false).cause() ==
+        "the scene changes the machine's class 'main'");
+  CHECK(told(R"(<default class="mine"><geom friction="0 0 0"/></default>)", false).cause() ==
+        "the class 'mine' stands in no <default>");
+  CHECK(told(R"(<statistic meaninertia="100"/>)", false).cause() ==
+        "the scene changes the physics: meaninertia");
+  CHECK(told(R"(<worldbody><body name="finger left"/></worldbody>)", false).cause() ==
+        "'finger left' is the name of a part of a tool");
+}
+
+TEST_CASE("a scene in MJCF may act on what it adds") {
+  const Folder folder;
+  const Scene scene =
+      folder.add("own", "<mujoco>" + parts + start +
+                            R"(<default><default class="mine"><geom rgba="1 0 0 1"/></default></default>
+                 <worldbody><body name="one" pos="-1 0 1"><joint name="hinge"/><geom class="mine" size="0.01" mass="1"/></body>
+                 <body name="other" pos="-1 0 1"><joint name="other"/><geom size="0.01" mass="1"/></body></worldbody>
+                 <actuator><motor joint="hinge"/></actuator>
+                 <equality><joint joint1="hinge" joint2="other"/></equality>
+                 <contact><exclude body1="one" body2="other"/></contact>
+                 <sensor><jointpos joint="joint1"/></sensor></mujoco>)");
+  CHECK_NOTHROW(Workcell(scene));
+}

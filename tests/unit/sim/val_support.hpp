@@ -87,6 +87,8 @@ class PlainAlter final : public AlterControl {
     return std::exchange(trouble, {});
   }
   bool is_open() const override { return opened; }
+  void on_end(std::function<void(const std::string&)> tell) override { ended = std::move(tell); }
+  std::function<void(const std::string&)> ended;
   AlterMode mode;
   bool opened = false;
   std::string trouble;

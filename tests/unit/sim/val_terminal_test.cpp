@@ -264,6 +264,40 @@ TEST_CASE("VAL: a program runs beside the monitor") {
   CHECK(bench.type("\r", 1s) == "\r\n.\r\nProgram PROG2 stopped at step 3: *Undefined value* NOWHERE\r\n.");
 }
 
+TEST_CASE("VAL: a program is typed, changed and run") {
+  Bench bench;
+  CHECK(bench.type("EDIT PROG1\r") == "EDIT PROG1\r\n .PROGRAM PROG1\r\n   1? ");
+  CHECK(bench.type("do nothing\r") == "do nothing\r\n   2? ");
+  CHECK(bench.type("COUNT = COUNT + 1\r") == "COUNT = COUNT + 1\r\n   3? ");
+  CHECK(bench.type("TYPE 5\r") == "TYPE 5\r\n   4? ");
+  CHECK(bench.type("E\r") == "E\r\n.");
+  CHECK(bench.machine.store.programs.at("PROG1") ==
+        std::vector<std::string>{"do nothing", "COUNT = COUNT + 1", "TYPE 5"});
+  // The first step is deleted, the second stays, one is put before the third, which is replaced.
+  CHECK(bench.type("EDIT PROG1\r") == "EDIT PROG1\r\n .PROGRAM PROG1\r\n   1  do nothing\r\n   1? ");
+  CHECK(bench.type("D\r") == "D\r\n   1  COUNT = COUNT + 1\r\n   1? ");
+  CHECK(bench.type("\r") == "\r\n   2  TYPE 5\r\n   2? ");
+  CHECK(bench.type("I DELAY 0.01\r") == "I DELAY 0.01\r\n   3  TYPE 5\r\n   3? ");
+  CHECK(bench.type("TYPE 6\r") == "TYPE 6\r\n   4? ");
+  CHECK(bench.type("\x03") == "^C\r\n.");
+  CHECK(bench.machine.store.programs.at("PROG1") ==
+        std::vector<std::string>{"COUNT = COUNT + 1", "DELAY 0.01", "TYPE 6"});
+  bench.machine.store.programs["PROG1"].erase(bench.machine.store.programs["PROG1"].begin());
+  CHECK(bench.type("EXECUTE PROG1,2\r", 300ms).find("Program PROG1: 6") != std::string::npos);
+  // A program without steps is none; ABORT leaves the editor.
+  bench.type("EDIT PROG2\r");
+  CHECK(bench.type("ABORT\r") == "ABORT\r\n.");
+  CHECK(bench.ask("EXECUTE PROG2") == "*Undefined program* PROG2\r\n");
+}
+
+TEST_CASE("VAL: ALTER that ends by itself is told behind a prompt") {
+  Bench bench;
+  bench.seen.clear();
+  bench.terminal.monitor().alter_ended("got no correction within 2.4 ms");
+  bench.timeline.advance_to(bench.timeline.now() + 1s);
+  CHECK(bench.seen == "\r\n*ALTER ended* got no correction within 2,4 ms\r\n.");
+}
+
 TEST_CASE("VAL: ABORT stops the arm, the program and ALTER") {
   Bench bench;
   bench.ask("DO HERE a");

@@ -14,6 +14,7 @@
 #include "pal/runtime/real_time.hpp"
 #include "pal/runtime/run_control.hpp"
 #include "pal/runtime/trace_ring.hpp"
+#include "pal/trace/spool.hpp"
 #include "pal/trace/trace.hpp"
 
 namespace pal::runtime {
@@ -38,11 +39,14 @@ struct RunOptions {
   Time horizon = std::chrono::minutes(10);  // a run that is longer ends with its error completion
   TraceMode trace = TraceMode::all;
   std::size_t trace_capacity = 1U << 16U;  // events; a whole trace that is longer takes memory during the run
-  TraceRing* live = nullptr;               // gets all events as they happen; outlives the run; null: none
-  RunControl* control = nullptr;           // outlives the run; null: none
-  MessageObserver* observer = nullptr;     // outlives the run; null: none
-  WorkObserver* work = nullptr;            // likewise
-  std::optional<RealTime> real_time{};     // by the wall clock; nothing: in virtual time
+  /// Takes the events of a whole trace as they come; Outcome::trace then has none. Not in real time, where
+  /// the disk would hold up the kernel. Outlives the run; null: none.
+  trace::EventSpool* spool = nullptr;
+  TraceRing* live = nullptr;            // gets all events as they happen; outlives the run; null: none
+  RunControl* control = nullptr;        // outlives the run; null: none
+  MessageObserver* observer = nullptr;  // outlives the run; null: none
+  WorkObserver* work = nullptr;         // likewise
+  std::optional<RealTime> real_time{};  // by the wall clock; nothing: in virtual time
   OnBrokenPromise on_broken_promise = OnBrokenPromise::report;
   std::vector<SlowStatement> slow{};  // of virtual time: to see what comes of it
 };

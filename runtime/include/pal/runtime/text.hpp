@@ -12,18 +12,18 @@
 
 namespace pal::runtime {
 
-/// Up to 24 characters of printable ASCII. Allocates nothing.
+/// Up to 100 characters of printable ASCII. Allocates nothing.
 class Text {
  public:
-  static constexpr std::size_t capacity = 24;
+  static constexpr std::size_t capacity = 100;
   /// The count of numbers of a payload that hold a text: six characters in each, the first in the lowest
   /// eight bits. Each is a whole number below 2^48, which a double holds exactly. Behind the text are zeros.
-  static constexpr std::size_t slots = 4;
+  static constexpr std::size_t slots = 17;
 
   constexpr Text() = default;
   /// Throws std::invalid_argument unless fits(characters).
   constexpr explicit Text(std::string_view characters) {
-    if (!fits(characters)) throw std::invalid_argument("a text has up to 24 characters of printable ASCII");
+    if (!fits(characters)) throw std::invalid_argument("a text has up to 100 characters of printable ASCII");
     std::copy(characters.begin(), characters.end(), characters_.begin());
   }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pal/trace/meter.hpp"
+#include "pal/trace/spool.hpp"
 #include "pal/trace/trace.hpp"
 
 namespace pal::trace {
@@ -35,6 +36,14 @@ struct Responses {
 /// statements of `at`. A message that is withdrawn before it is taken awaits no response.
 Responses responses(const Trace& trace, const std::string& sender, const std::string& message,
                     const std::vector<StatementName>& at);
+
+/// The longest of these ages, and of the answered responses: the first of several, nothing if there is none.
+/// The events come from `events`; of `tables` only the tables count.
+std::optional<Occurrence> longest_age(const Trace& tables, const EventSource& events,
+                                      const std::string& condition, const std::vector<StatementName>& at);
+std::optional<Occurrence> longest_response(const Trace& tables, const EventSource& events,
+                                           const std::string& sender, const std::string& message,
+                                           const std::vector<StatementName>& at);
 
 /// The longest; the first of several. Null if there is none.
 const Occurrence* longest(const std::vector<Occurrence>& occurrences);
