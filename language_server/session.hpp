@@ -107,13 +107,11 @@ class Session {
   Json document_symbol(const Json& params);
   Json workspace_symbol(const Json& params);
   Json folding_range(const Json& params);
-  Json selection_range(const Json& params);
   Json document_link(const Json& params);
   Json semantic_tokens(const Json& params);
 
   // hover.cpp
   Json hover(const Json& params);
-  Json signature_help(const Json& params);
   std::string about(const check::Symbol& symbol, const Family& family);
 
   // completion.cpp
