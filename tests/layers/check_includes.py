@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["trace", "pal", "analyzer", "codegen", "operations", "server", "runtime", "skills_pal", "sim", "programs", "tests"]
+FOLDERS = ["trace", "pal", "analyzer", "codegen", "operations", "server", "language_server", "runtime", "skills_pal", "sim", "programs", "tests"]
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((?:.*?)\)\1"|"(?:\\.|[^"\\\n])*"', re.S)
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 # At the beginning of a line: of a namespace.
