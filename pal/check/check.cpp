@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "pal/check/network/build_network.hpp"
 #include "pal/check/network/environment.hpp"
@@ -111,14 +112,13 @@ class Checker {
 
   /// Modules in the file of a skill that it does not list: checked by themselves.
   void check_left_modules(std::size_t index, const std::vector<const pan::Network*>& skills) {
+    std::set<std::string_view> listed;
+    for (const pan::Network* skill : skills) {
+      for (const pan::Module& module : skill->modules) listed.insert(module.name);
+    }
     for (const auto& unit : trees_[index].units) {
       const auto* module = std::get_if<syntax::ModuleUnit>(&unit);
-      if (module == nullptr || module->name.text.empty()) continue;
-      const auto lists = [&](const pan::Network* skill) {
-        return std::any_of(skill->modules.begin(), skill->modules.end(),
-                           [&](const pan::Module& listed) { return listed.name == module->name.text; });
-      };
-      if (std::any_of(skills.begin(), skills.end(), lists)) continue;
+      if (module == nullptr || module->name.text.empty() || listed.contains(module->name.text)) continue;
       diagnostics_.report(Code::PAL0209, module->name.where,
                           "no skill uses this module, so it is not checked",
                           "list it in the skill's template, or move it to a file of its own");

@@ -34,16 +34,19 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
 
   const analyzer::Problem& problem() const { return problem_; }
 
-  /// What is known after it has ended, or soon after Ctrl-C.
-  analyzer::Analysis run() {
+  /// What is known after it has ended, or soon after Ctrl-C. `observer` sees what is known by then.
+  analyzer::Analysis run(const ProofObserver& observer) {
     using namespace std::chrono_literals;
     constexpr auto look = 20ms;
     constexpr auto patience = 60ms;
-    constexpr auto patience_for_a_first_word = 2s;  // what has been explored by then may say something
+    // Exploring alone says nothing before it ends.
+    const auto patience_for_a_first_word =
+        choice_ == analyzer::AnalysisChoice::exact ? std::chrono::milliseconds(2s) : patience;
     std::thread([self = shared_from_this()] { self->work(); }).detach();
     std::optional<Clock::time_point> asked;
     std::unique_lock lock(mutex_);
     while (!done_.wait_for(lock, look, [this] { return ended_; })) {
+      if (observer && !known_.verdicts.empty() && !Interruption::asked_for()) observer(problem_, known_);
       if (!Interruption::asked_for()) continue;
       if (!asked) asked = Clock::now();
       const bool any =
@@ -125,7 +128,7 @@ void limit_checks(const ProofLimits& limits, Session& session) {
   session.stop = end_after(limits.seconds / 2, limits.begun);
 }
 
-std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
+std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer) {
   const Interruption interruption;
   const analyzer::Options options = options_of(limits);
   std::vector<Proof> proofs;
@@ -135,8 +138,13 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
       if (!problem) continue;
       const bool explored =
           limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
+      if (Interruption::asked_for()) {
+        analyzer::Analysis none = analyzer::nothing_known(*problem, "The proof had not begun.");
+        proofs.push_back({std::move(*problem), std::move(none), explored, true, true});
+        continue;
+      }
       const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
-      analyzer::Analysis analysis = attempt->run();
+      analyzer::Analysis analysis = attempt->run(observer);
       proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || proof_left),
                         Interruption::asked_for()});
     }
