@@ -385,6 +385,29 @@ std::optional<Verdict> by_shorter_rows(const Provers& provers, const Problem& pr
   return known;
 }
 
+/// So many runs are made for all requirements together that hold by a bound which no run is known to attain:
+/// in a small skill they show for nothing that it is exact.
+constexpr std::size_t runs_for_held = 240;
+constexpr std::size_t least_runs_for_held = 40;  // of each
+constexpr std::size_t few_threads_for_held = 16;
+
+void look_whether_exact(const Problem& problem, const Options& options, Analysis& analysis) {
+  const auto open = [](const Verdict& verdict) {
+    return verdict.state == State::holds && !verdict.exact && verdict.bound &&
+           verdict.measure != Requirement::Measure::load;
+  };
+  const auto held =
+      static_cast<std::size_t>(std::count_if(analysis.verdicts.begin(), analysis.verdicts.end(), open));
+  if (held == 0 || problem.threads.size() > few_threads_for_held) return;
+  RunSearchOptions how;
+  how.runs = runs_for_held / held;
+  if (how.runs < least_runs_for_held) return;
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    if (open(analysis.verdicts[r]))
+      look_for_run(problem, problem.requirements[r], options, how, analysis.verdicts[r]);
+  }
+}
+
 /// A value that grows in a loop needs no further search.
 void say_what_grows(const Problem& problem, const Options& options, Analysis& analysis) {
   for (std::size_t r = 0; r < analysis.verdicts.size(); ++r)
@@ -405,7 +428,11 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   tell(options, analysis);
   settle(provers, problem, options, bounds, analysis);
   share_bounds(problem, analysis);
-  if (thorough) search_all(problem, options, analysis);
+  if (thorough) {
+    search_all(problem, options, analysis);
+  } else {
+    look_whether_exact(problem, share_of(options, 0.2), analysis);
+  }
   const auto go_on = [&options] { return !(options.stop && options.stop()); };
   if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
   Options failing = options;

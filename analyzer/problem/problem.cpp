@@ -45,7 +45,7 @@ const std::string& receiver_name(const Problem& problem, ChannelId channel) {
 }
 
 bool is_in(const Problem& problem, StepId step, LoopId loop) {
-  const Loop& of = problem.loops[loop];
+  const ProgramLoop& of = problem.loops[loop];
   const auto within = [&of](ModuleId module, NodeId node) {
     return module == of.module && node > of.repeat && node <= of.until;
   };
@@ -65,7 +65,7 @@ LoopId innermost_loop(const Problem& problem, StepId step) {
   const auto around = [&problem](ModuleId module, NodeId node) {
     LoopId innermost;
     for (const LoopId l : problem.loops.ids()) {
-      const Loop& loop = problem.loops[l];
+      const ProgramLoop& loop = problem.loops[l];
       // Of the loops around a statement the one that begins last is the innermost.
       if (module == loop.module && node > loop.repeat && node <= loop.until) innermost = l;
     }
@@ -110,7 +110,7 @@ void ProblemBuilder::loops() {
     const std::vector<Node>& nodes = network_.modules[m].body.nodes;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       if (!std::holds_alternative<pan::Loop>(nodes[n].content)) continue;
-      Loop made{ModuleId(m), NodeId(n), nodes[n].mate, {}, 0, nodes[n].where};
+      ProgramLoop made{ModuleId(m), NodeId(n), nodes[n].mate, {}, 0, nodes[n].where};
       if (sources_ != nullptr && made.where.valid()) {
         made.file = sources_->name(made.where.file);
         made.line = sources_->line_column(made.where.file, made.where.begin).line;

@@ -111,7 +111,7 @@ struct Statement {
 };
 
 /// A REPEAT of a module.
-struct Loop {
+struct ProgramLoop {
   pan::ModuleId module{};
   pan::NodeId repeat{};
   pan::NodeId until{};
@@ -181,7 +181,7 @@ struct Problem {
   Table<ConditionId, std::string> conditions;
   Table<StatementId, Statement> statements;
   Table<CallId, Call> calls;
-  Table<LoopId, Loop> loops;  // of all modules
+  Table<LoopId, ProgramLoop> loops;  // of all modules
   Table<KeptId, Kept> kept;
   std::vector<Requirement> requirements;
   Range within_processor;    // latency of a message to a thread on the sender's processor

@@ -37,7 +37,7 @@ Table<StepId, bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at
 /// The steps of loops, and of what is executed in them.
 Table<StepId, bool> ProblemBuilder::steps_in(const std::vector<StatementRef>& loops) const {
   const auto is_meant = [&](LoopId l) {
-    const Loop& known = problem_.loops[l];
+    const ProgramLoop& known = problem_.loops[l];
     return std::any_of(loops.begin(), loops.end(), [&known](const StatementRef& loop) {
       return loop.module == known.module && loop.node == known.repeat;
     });

@@ -344,8 +344,8 @@ std::optional<GrowingLoop> find_growing_loop(const Problem& problem, const Requi
 std::string phase_without(const Problem& problem, const Requirement& requirement, LoopId loop,
                           const std::function<bool()>& stop) {
   if (!loop.valid() || requirement.phase.limits() || requirement.measure == Measure::duration) return {};
-  const Loop& left_out = problem.loops[loop];
-  const auto has_left_out = [&](const Loop& each) {
+  const ProgramLoop& left_out = problem.loops[loop];
+  const auto has_left_out = [&](const ProgramLoop& each) {
     return each.module == left_out.module && each.repeat <= left_out.repeat && left_out.until <= each.until;
   };
   for (const StatementId statement : renewing(problem, requirement)) {

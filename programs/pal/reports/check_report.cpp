@@ -75,7 +75,7 @@ std::vector<std::string> table_rows(const analyzer::Problem& problem, const anal
 
 void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out) {
   for (const Proof& proof : proofs) {
-    out << proof.problem.skill << " in " << proof.problem.environment << "\n";
+    out << heading_of(proof) << "\n";
     const std::vector<std::string> rows = table_rows(proof.problem, proof.analysis, false);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       out << rows[i] << "\n";
@@ -108,6 +108,7 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
       nlohmann::ordered_json row;
       row["name"] = verdict.requirement;
       row["skill"] = proof.problem.skill;
+      if (!proof.file.empty()) row["skill_file"] = proof.file;
       row["environment"] = proof.problem.environment;
       row["measure"] = verdict.at_least ? "least_interval" : analyzer::name(verdict.measure);
       row["limit_ns"] = verdict.limit.count();
@@ -119,7 +120,7 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
       row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
       if (verdict.loop_growth && verdict.loop_growth->loop.valid()) {
-        const analyzer::Loop& loop = proof.problem.loops[verdict.loop_growth->loop];
+        const analyzer::ProgramLoop& loop = proof.problem.loops[verdict.loop_growth->loop];
         row["grows_in_loop"] = {{"file", loop.file}, {"line", loop.line}};
       }
       row["taken_as_lost"] = nlohmann::ordered_json::array();

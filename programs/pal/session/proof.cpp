@@ -128,28 +128,61 @@ void limit_checks(const ProofLimits& limits, Session& session) {
   session.stop = end_after(limits.seconds / 2, limits.begun);
 }
 
+namespace {
+
+/// Of environments of one name a skill has those that its file sees, or all if it sees none of them.
+bool is_of(const pan::Network& skill, const pan::Environment& environment,
+           const check::Specification& specification) {
+  const auto seen = specification.seen.find(skill.skill.where.file);
+  const auto sees = [&](const pan::Environment& other) {
+    return seen != specification.seen.end() && seen->second.contains(other.where.file);
+  };
+  return sees(environment) ||
+         std::none_of(
+             specification.environments.begin(), specification.environments.end(),
+             [&](const pan::Environment& other) { return other.name == environment.name && sees(other); });
+}
+
+/// Of a skill, if another one has its name.
+std::string file_of(const pan::Network& skill, const Session& session) {
+  const auto same =
+      std::count_if(session.specification.skills.begin(), session.specification.skills.end(),
+                    [&](const pan::Network& other) { return other.skill.name == skill.skill.name; });
+  if (same < 2 || !skill.skill.where.valid()) return {};
+  return session.sources.name(skill.skill.where.file);
+}
+
+}  // namespace
+
 std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer) {
   const Interruption interruption;
   const analyzer::Options options = options_of(limits);
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
+      if (!is_of(skill, environment, session.specification)) continue;
       auto problem = problem_of(skill, environment, session);
       if (!problem) continue;
       const bool explored =
           limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
       if (Interruption::asked_for()) {
         analyzer::Analysis none = analyzer::nothing_known(*problem, "The proof had not begun.");
-        proofs.push_back({std::move(*problem), std::move(none), explored, true, true});
+        proofs.push_back(
+            {std::move(*problem), std::move(none), explored, true, true, file_of(skill, session)});
         continue;
       }
       const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
       analyzer::Analysis analysis = attempt->run(observer);
       proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || proof_left),
-                        Interruption::asked_for()});
+                        Interruption::asked_for(), file_of(skill, session)});
     }
   }
   return proofs;
+}
+
+std::string heading_of(const Proof& proof) {
+  return proof.problem.skill + " in " + proof.problem.environment +
+         (proof.file.empty() ? "" : " (" + proof.file + ")");
 }
 
 bool is_proof_left() {

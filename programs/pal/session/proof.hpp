@@ -22,7 +22,11 @@ struct Proof {
   bool explored = true;         // by the exact analysis, which more time and states may help
   bool ended = false;           // by --timeout or Ctrl-C, as far as it had come
   bool ended_by_user = false;   // by Ctrl-C
+  std::string file = {};        // of the skill, if another one has its name; else empty
 };
+
+/// "touch in workcell", with the skill's file where its name is not enough.
+std::string heading_of(const Proof& proof);
 
 struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement

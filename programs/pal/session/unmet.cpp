@@ -25,7 +25,7 @@ SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& re
 
 /// "tap.pal:68".
 std::string loop_place(const analyzer::Problem& problem, analyzer::LoopId loop) {
-  const analyzer::Loop& of = problem.loops[loop];
+  const analyzer::ProgramLoop& of = problem.loops[loop];
   return of.line == 0 ? "REPEAT of " + problem.module_names[of.module]
                       : std::filesystem::path(of.file).filename().string() + ":" + std::to_string(of.line);
 }
@@ -83,7 +83,7 @@ std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdi
   if (proof.analysis.zeno_run) return "give something in the loop a time";
   if (proof.ended_by_user) return "ended by you; let the proof go on, or limit it with --timeout";
   if (proof.explored)
-    return "allow more with --max-states or --timeout, or make the skill or its times simpler";
+    return "allow more with --max-states, --max-memory or --timeout, or make the skill or its times simpler";
   if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
   if (!verdict.bound) return "change what the note names: without it there may be a bound";
   return verdict.at_least ? "keep the passes further apart, so that the bound reaches what is required"
