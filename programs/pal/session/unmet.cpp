@@ -92,7 +92,7 @@ std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdi
 }
 
 /// How to end the growth, or to leave it out.
-std::string hint_of_growth(const analyzer::Problem& problem, const analyzer::Verdict& verdict) {
+std::string hint_of_growth(const analyzer::Verdict& verdict) {
   const analyzer::LoopGrowth& growth = *verdict.loop_growth;
   if (verdict.measure == Measure::duration)
     return "let the loop end after so many turns, or so much time: WTM … WITHIN";
@@ -108,7 +108,7 @@ std::string hint_of_growth(const analyzer::Problem& problem, const analyzer::Ver
 std::string hint_of(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   if (verdict.state == State::undecided) return hint_of_undecided(proof, verdict);
-  if (verdict.loop_growth) return hint_of_growth(proof.problem, verdict);
+  if (verdict.loop_growth) return hint_of_growth(verdict);
   switch (verdict.measure) {
     case Measure::load:
     case Measure::busy:
