@@ -387,7 +387,7 @@ std::optional<Verdict> by_shorter_rows(const Provers& provers, const Problem& pr
 
 /// So many runs are made for all requirements together that hold by a bound which no run is known to attain:
 /// in a small skill they show for nothing that it is exact.
-constexpr std::size_t runs_for_held = 240;
+constexpr std::size_t runs_for_held = 400;
 constexpr std::size_t least_runs_for_held = 40;  // of each
 constexpr std::size_t few_threads_for_held = 16;
 

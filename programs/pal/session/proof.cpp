@@ -37,8 +37,8 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
   /// What is known after it has ended, or soon after Ctrl-C. `observer` sees what is known by then.
   analyzer::Analysis run(const ProofObserver& observer) {
     using namespace std::chrono_literals;
-    constexpr auto look = 20ms;
-    constexpr auto patience = 60ms;
+    constexpr auto look = 10ms;
+    constexpr auto patience = 30ms;
     // Exploring alone says nothing before it ends.
     const auto patience_for_a_first_word =
         choice_ == analyzer::AnalysisChoice::exact ? std::chrono::milliseconds(2s) : patience;
