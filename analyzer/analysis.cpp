@@ -555,8 +555,8 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
   std::vector<std::optional<Verdict>> by_rows;
   std::vector<std::optional<Verdict>> bounds_by_rows;  // of what is open
   for (const Requirement& requirement : problem.requirements) {
-    auto shown = choice == AnalysisChoice::automatic ? by_shorter_rows(provers, problem, requirement, options)
-                                                     : std::nullopt;
+    const bool chooses = choice == AnalysisChoice::automatic || choice == AnalysisChoice::thorough;
+    auto shown = chooses ? by_shorter_rows(provers, problem, requirement, options) : std::nullopt;
     const bool holds = shown && shown->state == VerdictState::holds;
     by_rows.push_back(holds ? std::move(shown) : std::nullopt);
     if (holds) continue;

@@ -20,7 +20,7 @@ program::Proof proof_of_touch() {
   return std::move(program::prove(session, limits).front());
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t number = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++number;
   return number;
@@ -35,7 +35,7 @@ TEST_CASE("a check at work shows what is known, and takes it back") {
     program::CheckDisplay display(out, {24, 200}, std::chrono::milliseconds(0));
     analyzer::Analysis known = analyzer::nothing_known(proof.problem, "");
     display.show(proof.problem, known);
-    CHECK(count(out.str(), "  open ") == known.verdicts.size());
+    CHECK(occurrences(out.str(), "  open ") == known.verdicts.size());
     CHECK(out.str().find("] 0 of ") != std::string::npos);
     const std::string before = out.str();
     display.show(proof.problem, known);
@@ -44,7 +44,7 @@ TEST_CASE("a check at work shows what is known, and takes it back") {
     CHECK(out.str().find("  holds ") != std::string::npos);
   }
   const std::string up = "\x1b[" + std::to_string(proof.analysis.verdicts.size() + 2) + "A\r\x1b[J";
-  CHECK(count(out.str(), up) == 2);  // once for each that was shown
+  CHECK(occurrences(out.str(), up) == 2);  // once for each that was shown
   CHECK(out.str().ends_with(up));
 }
 

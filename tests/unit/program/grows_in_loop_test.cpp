@@ -14,7 +14,7 @@ MemoryFileSystem tapping() {
 }
 
 /// The beginning of a report, up to where it says how the run goes.
-std::string head(const std::string& text) {
+std::string beginning_of(const std::string& text) {
   return text.substr(0, text.find(" in bench"));
 }
 
@@ -25,7 +25,7 @@ TEST_CASE("what grows in a loop has no figure that follows the limits of the sea
   const Answer many = pal({"check", "s.pal", "--max-states", "50000"}, tapping());
   CHECK(few.status == program::ExitStatus::not_met);
   CHECK(few.err == many.err);
-  CHECK(head(few.err).find("grows with each turn of the loop at s.pal:") != std::string::npos);
+  CHECK(beginning_of(few.err).find("grows with each turn of the loop at s.pal:") != std::string::npos);
   CHECK(few.out.find("unbounded") != std::string::npos);
 }
 
