@@ -28,10 +28,6 @@ void run(const Call& call, RunOperation::How how) {
   call.ask(RunOperation{how});
 }
 
-Json or_null(const std::optional<operations::Value>& value) {
-  return value ? describe(*value) : Json();
-}
-
 constexpr std::array operation_methods{
     Method{"skill.run", Role::programmer, true,
            [](const Call& call) {
@@ -57,7 +53,7 @@ constexpr std::array operation_methods{
            [](const Call& call) {
              const SetParameter command = set_parameter(call.members());
              call.ask(command, [value = command.value](const Done& done) {
-               return Json{{"value", describe(value)}, {"before", or_null(done.before)}};
+               return Json{{"value", describe(value)}, {"before", value_or_null(done.before)}};
              });
            }},
     Method{"operation.values", Role::viewer, true,

@@ -11,7 +11,7 @@
 namespace pal::server {
 namespace {
 
-Json describe(const StateChanged& state) {
+Json describe_state(const StateChanged& state) {
   Json json;
   json["state"] = operations::name(state.state);
   json["token"] = state.token;
@@ -50,10 +50,6 @@ Json describe_asking(const ControlsAsked& asking) {
   return {{"client", asking.client}, {"name", asking.name}, {"reason", asking.reason}};
 }
 
-Json or_null(const std::optional<operations::Value>& value) {
-  return value ? describe(*value) : Json();
-}
-
 Json describe_source(const operations::Source& source) {
   using Kind = operations::Source::Kind;
   if (source.kind == Kind::count) return {{"count-of", source.icon}};
@@ -61,7 +57,7 @@ Json describe_source(const operations::Source& source) {
   return {{"output-of", source.icon}, {"name", source.name}};
 }
 
-Json describe(const operations::Step& step, bool ended) {
+Json describe_step(const operations::Step& step, bool ended) {
   Json json = Json::parse(operations::log_line(step));
   if (ended) return json;
   for (const char* later : {"reading", "readings", "answer", "figures", "kind", "code", "reason", "end_s"})
@@ -103,6 +99,10 @@ Json describe(const operations::Value& value) {
   return std::visit([](const auto& each) { return Json(each); }, value);
 }
 
+Json value_or_null(const std::optional<operations::Value>& value) {
+  return value ? describe(*value) : Json();
+}
+
 Json describe(const std::vector<operations::Parameter>& parameters) {
   Json json = Json::object();
   for (const operations::Parameter& each : parameters)
@@ -132,18 +132,18 @@ struct EventFields {
   void operator()(const OperationLoaded& what) const {
     put("loaded", {{"operation", what.name}, {"by", what.by}});
   }
-  void operator()(const StateChanged& what) const { put("state", describe(what)); }
+  void operator()(const StateChanged& what) const { put("state", describe_state(what)); }
   void operator()(const HaltAsked& what) const {
     put("pausing", {{"pausing", what.pausing}, {"stopping", what.stopping}, {"by", what.by}});
   }
   void operator()(const IconReached& what) const { put("icon", {{"icon", what.icon}}); }
-  void operator()(const StepBegins& what) const { put("begins", describe(what.step, false)); }
-  void operator()(const StepEnds& what) const { put("ends", describe(what.step, true)); }
+  void operator()(const StepBegins& what) const { put("begins", describe_step(what.step, false)); }
+  void operator()(const StepEnds& what) const { put("ends", describe_step(what.step, true)); }
   void operator()(const ParameterSet& what) const {
     put("set", {{"icon", what.icon},
                 {"parameter", what.parameter},
                 {"value", describe(what.value)},
-                {"before", or_null(what.before)},
+                {"before", value_or_null(what.before)},
                 {"by", what.by}});
   }
   void operator()(const BreakpointsChanged& what) const {
@@ -205,7 +205,7 @@ Json describe(const Status& status) {
   json["stopping"] = status.stopping;
   json["running"] = nullptr;
   if (status.running) {
-    json["running"] = describe(status.running->step, false);
+    json["running"] = describe_step(status.running->step, false);
     json["running"]["begin_wall"] = wall_text(status.running->begin);
     json["running"]["alone"] = status.running->alone;
   }
@@ -256,7 +256,7 @@ Json describe(const Snapshot& snapshot) {
     json["changed"].push_back({{"icon", at.first},
                                {"parameter", at.second},
                                {"value", describe(change.value)},
-                               {"before", or_null(change.before)},
+                               {"before", value_or_null(change.before)},
                                {"by", change.by}});
   json["breakpoints"] = describe(snapshot.breakpoints);
   json["icons"] = Json::array();
@@ -299,7 +299,7 @@ Json describe(const Outlook& outlook) {
 Json describe(const IconValues& values) {
   Json json{{"icon", values.icon}, {"skill", values.skill}, {"parameters", Json::array()}};
   for (const IconValue& value : values.values) {
-    Json each{{"name", value.name}, {"value", or_null(value.value)}, {"set", value.set}};
+    Json each{{"name", value.name}, {"value", value_or_null(value.value)}, {"set", value.set}};
     if (!value.source.written()) each["source"] = describe_source(value.source);
     if (value.limits) each["operator"] = {{"low", value.limits->first}, {"high", value.limits->second}};
     json["parameters"].push_back(std::move(each));

@@ -25,6 +25,7 @@ std::string wall_text(WallTime time);
 std::string dump(const Json& json);
 
 Json describe(const operations::Value& value);
+Json value_or_null(const std::optional<operations::Value>& value);
 Json describe(const std::vector<operations::Parameter>& parameters);
 Json describe(const Event& event);
 Json describe(const Status& status);

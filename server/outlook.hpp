@@ -17,11 +17,11 @@ struct Choice {
   Where where = Where::other;
   const char* method = "operation.from";  // how
   bool repeats = false;                   // a step that had begun begins again
-  std::string skill;                      // the first one; empty: none, or not known
-  std::vector<operations::Parameter> parameters;  // of that skill
-  std::vector<std::string> preconditions;
+  std::string skill{};                      // the first one; empty: none, or not known
+  std::vector<operations::Parameter> parameters{};  // of that skill
+  std::vector<std::string> preconditions{};
   bool forgets = false;  // counts and figures
-  std::string text;      // the same in words
+  std::string text{};    // the same in words
 };
 
 struct Outlook {
@@ -33,7 +33,7 @@ struct Outlook {
 /// A parameter of a skill's icon, as it would run next.
 struct IconValue {
   std::string name;
-  std::optional<operations::Value> value;  // nothing: it is not known yet
+  std::optional<operations::Value> value{};  // nothing: it is not known yet
   bool set = false;                        // else it is the default
   operations::Source source{};
   std::optional<std::pair<double, double>> limits{};  // what an operator may set

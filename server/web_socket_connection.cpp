@@ -142,8 +142,9 @@ class WebSocketConnection final : public Connection {
 }  // namespace
 
 ConnectionPointer web_socket_connection(ConnectionContext& connection_context, const AccessRules& rules,
-                                        boost::asio::ip::tcp::socket socket, bool full) {
-  return std::make_shared<WebSocketConnection>(connection_context, rules, std::move(socket), full);
+                                        const PageFiles& files,
+                                        boost::asio::ip::tcp::socket socket) {
+  return std::make_shared<WebSocketConnection>(connection_context, rules, files, std::move(socket));
 }
 
 }  // namespace pal::server
