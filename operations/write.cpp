@@ -88,6 +88,11 @@ Json content(const Icon& icon) {
   for (const Parameter* parameter : in_order(icon.parameters))
     result["parameters"][parameter->name] =
         parameter->source.written() ? json(parameter->value) : json(parameter->source);
+  for (const OperatorMaySet& each : icon.operator_may_set) {
+    Json& limits = result["operator"][each.parameter] = Json::object();
+    if (each.from) limits["from"] = number(*each.from);
+    if (each.to) limits["to"] = number(*each.to);
+  }
   put(result, "repeat", icon.repeat);
   put(result, "time-limit", icon.time_limit);
   if (icon.retries != 0) result["retries"] = icon.retries;
