@@ -41,7 +41,7 @@ export function Canvas() {
   useKeys();
   const name = useDrawing((state) => state.drawing.name);
   const fits = `${name}:${prefix}`;
-  useEffect(() => void requestAnimationFrame(() => flow.fitView({ maxZoom: 1, padding: 0.12 })), [fits, flow]);
+  useEffect(() => void requestAnimationFrame(() => flow.fitView({ minZoom: 0.5, maxZoom: 1, padding: 0.12 })), [fits, flow]);
 
   const onNodesChange = useCallback((changes: NodeChange<IconNodeType>[]) => changed(changes), []);
   const onConnect = useCallback(({ source, sourceHandle, target }: Connection) => {

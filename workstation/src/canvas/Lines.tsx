@@ -84,7 +84,7 @@ const LinePath = memo(function LinePath({ line, d, operation, prefix, loose, cho
         <title>{from ? t("line.title", { from: line.from, port: portText(from, line.port), to: line.to }) : ""}</title>
       </path>
       <path className="stroke" d={d} />
-      {end && <path className="head" d="M-9 -4.5L-1 0L-9 4.5" transform={`translate(${end[1]} ${end[2]})`} />}
+      {end && <path className="head" d="M-13 -4.5L-6 0L-13 4.5" transform={`translate(${end[1]} ${end[2]})`} />}
     </g>
   );
 });

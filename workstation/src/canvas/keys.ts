@@ -29,6 +29,10 @@ export const keys: readonly { keys: string; word: Word }[] = [
   { keys: "Ctrl+↓", word: "key.enter" },
   { keys: "Ctrl+↑", word: "key.leave" },
   { keys: "Shift+F10", word: "key.menu" },
+  { keys: "F5", word: "key.run" },
+  { keys: "F6", word: "key.pause" },
+  { keys: "F8", word: "key.step" },
+  { keys: "F9", word: "key.stop" },
   { keys: "F1", word: "key.help" },
 ];
 

@@ -23,7 +23,7 @@ export interface Spot {
 
 export function inputSpot(icon: Icon, family: Family): Spot {
   const { width, height } = sizeOf(icon);
-  const y = inputHeight(icon);
+  const y = inputHeight;
   return { name: "in", x: indent(family, width, height, y, "left"), y };
 }
 

@@ -14,11 +14,11 @@ const row = 24;
 
 export function sizeOf(icon: Icon): Size {
   switch (icon.kind) {
-    case "start": return { width: 96, height: 40 };
-    case "exit": return { width: 104, height: 40 };
-    case "restart": return { width: 104, height: 40 };
+    case "start": return { width: 104, height: 40 };
+    case "exit": return { width: 136, height: 40 };
+    case "restart": return { width: 120, height: 40 };
     case "merge": return { width: 40, height: 40 };
-    case "case": return { width: 192, height: 32 + row * outputs(icon).length + 8 };
+    case "case": return { width: 192, height: 40 + row * outputs(icon).length + 8 };
     case "question": return { width: 192, height: 48 + row * outputs(icon).length + 8 };
     default: return { width: 184, height: 56 };
   }
@@ -26,20 +26,15 @@ export function sizeOf(icon: Icon): Size {
 
 /** From the icon's top to the connector of its output. */
 export function outputHeight(icon: Icon, index: number): number {
-  const { height } = sizeOf(icon);
   const count = outputs(icon).length;
-  if (icon.kind === "case") return 32 + row * index + row / 2;
+  if (icon.kind === "case") return 40 + row * index + row / 2;
   if (icon.kind === "question") return 48 + row * index + row / 2;
   if (count === 2) return index === 0 ? 20 : 44;
-  return height / 2;
+  return 20;
 }
 
-export const inputHeight = (icon: Icon): number => {
-  if (icon.kind === "case") return 16;
-  if (icon.kind === "question") return 24;
-  const count = outputs(icon).length;
-  return count === 2 ? 20 : sizeOf(icon).height / 2;
-};
+/** All at one height, so that icons that stand in a row are joined by straight lines. */
+export const inputHeight = 20;
 
 /** The outline as an SVG path, from (0, 0) to the size. */
 export function outline(family: Family, { width: w, height: h }: Size): string {

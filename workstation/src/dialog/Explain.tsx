@@ -16,5 +16,5 @@ export default function Explain({ about }: { about: string }) {
   }, [about]);
   if (page === undefined) return <p className="nothing">{t("loading")}</p>;
   if (typeof page === "string") return <p className="nothing">{page}</p>;
-  return <article className="page"><h3>{page.title}</h3><Markdown text={page.markdown} /></article>;
+  return <article className="explained"><h3>{page.title}</h3><Markdown text={page.markdown} /></article>;
 }

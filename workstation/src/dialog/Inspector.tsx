@@ -56,7 +56,7 @@ function Whole({ operation }: { operation: Operation }) {
   }, { run: `operation:${operation.name}:${run}` });
   return (
     <>
-      {main && result && <Times shortest={result.shortest_s} longest={result.longest_s} runs={result.runs} />}
+      {main && result && result.ways.length > 0 && <Times shortest={result.shortest_s} longest={result.longest_s} runs={result.runs} />}
       <TextBox label={t("inspector.description")} long value={operation.description ?? ""} onChange={(description) => put({ description }, "description")} />
       <h3 className="section-title">{t("findings.all")}</h3>
       <FindingsList operation={operation.name} icon="" />

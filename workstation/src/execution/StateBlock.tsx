@@ -78,7 +78,7 @@ function Bounds() {
   if (!result) return null;
   if (result.errors > 0)
     return <Button className="button quiet small state-findings" data-error onPress={() => openWindow("findings", "/")}><Symbol name="error" size={16} />{t("state.errors", { count: result.errors })}</Button>;
-  if (result.shortest_s === null) return null;
+  if (result.shortest_s === null || result.ways.length === 0) return null;
   return (
     <Button className="button quiet small state-bounds" onPress={() => openWindow("ways")}>
       {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}

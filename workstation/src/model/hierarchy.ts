@@ -70,6 +70,17 @@ function waysOut(operation: Operation, exits: Border["exits"], taken: Set<string
   });
 }
 
+const ends = new Set(["skill", "wait", "test", "zero", "operation"]);
+
+/** The icons inside whose code a CASE outside reads: those that lead there by `next`, also over MERGEs and delays. */
+function readOutside(operation: Operation, ids: ReadonlySet<string>): Icon[] {
+  return operation.icons.filter((icon) => {
+    if (!ids.has(icon.id) || !ends.has(icon.kind)) return false;
+    const branch = caseBehind(operation, icon.next);
+    return branch !== undefined && !ids.has(branch.id);
+  });
+}
+
 export function collapse(drawing: Drawing, into: string, ids: ReadonlySet<string>, wanted: string): Outcome {
   const operation = operationNamed(drawing, into);
   if (!operation || ids.size === 0) return { refused: "collapse.nothing" };
@@ -79,6 +90,11 @@ export function collapse(drawing: Drawing, into: string, ids: ReadonlySet<string
   const taken = new Set(inside.map((icon) => icon.id));
   const ways = waysOut(operation, edge.exits, taken);
   if ("refused" in ways) return ways;
+
+  const read = readOutside(operation, ids);
+  // Inside, the CASE no longer comes before `error`.
+  if (read.some((icon) => icon.error !== undefined && ids.has(icon.error))) return { refused: "collapse.code" };
+  const open = new Set(read.filter((icon) => icon.error === undefined).map((icon) => icon.id));
 
   const name = freeName(wanted, operationsOf(drawing).map((each) => each.name));
   const outside = operation.icons.filter((icon) => !ids.has(icon.id));
@@ -91,7 +107,7 @@ export function collapse(drawing: Drawing, into: string, ids: ReadonlySet<string
     name,
     icons: [
       { id: freeName("start", taken), kind: "start", next: edge.entry, at: [left - 168, top] } as Icon,
-      ...inside.map((icon) => redirect(icon, (to) => exitOf.get(to) ?? to)),
+      ...inside.map((icon) => redirect(open.has(icon.id) ? ({ ...icon, error: icon.next } as Icon) : icon, (to) => exitOf.get(to) ?? to)),
       ...ways.map((way, i) => ({
         id: way.exit, kind: "exit", ...(way.code === undefined ? {} : { code: way.code }), at: [right + 240, top + i * 96],
       }) as Icon),
@@ -118,10 +134,12 @@ export function collapse(drawing: Drawing, into: string, ids: ReadonlySet<string
   return { drawing: addOperation(withOperation(drawing, into, { ...operation, icons }), sub), id, name };
 }
 
-/** Where the token goes that leaves the hierarchical icon by this EXIT. `port`: the line that leads to the EXIT. */
-function targetOf(operation: Operation, icon: Icon, exit: Icon, port: string): string | undefined | { refused: string } {
+/** Where the token goes that leaves the hierarchical icon by this EXIT, to which `from` leads by `port`. */
+function targetOf(operation: Operation, icon: Icon, exit: Icon, port: string, from: Icon): string | undefined | { refused: string } {
   const branch = caseBehind(operation, icon.next);
-  if (exit.code === undefined) return branch || port !== "error" ? icon.next : icon.error;
+  // Behind a MERGE it is no longer known whether the code was normal, which decides between `error` and the CASE's default.
+  if (exit.code === undefined && branch && icon.error !== undefined && !ends.has(from.kind)) return { refused: "expand.code" };
+  if (exit.code === undefined) return port === "error" ? (icon.error ?? (branch ? icon.next : undefined)) : icon.next;
   if (typeof exit.code !== "number") return { refused: "expand.code" };
   const code = exit.code;
   if (!branch) return code === 0 ? icon.next : icon.error;
@@ -155,17 +173,17 @@ export function expand(drawing: Drawing, inside: string, id: string): Outcome {
   const exits = new Map(sub.icons.filter((each) => each.kind === "exit").map((each) => [each.id, each]));
   const [dx, dy] = offset(icon, moved);
   let refused: string | undefined;
-  const out = (to: string, port: string): string | undefined => {
+  const out = (to: string, port: string, from: Icon): string | undefined => {
     const exit = exits.get(to);
     if (!exit) return names.get(to);
-    const target = targetOf(operation, icon, exit, port);
+    const target = targetOf(operation, icon, exit, port, from);
     if (typeof target === "object") return (refused = target.refused), undefined;
     return target;
   };
   const brought = moved.map((each) => ({
-    ...redirect(each, out), id: names.get(each.id)!, at: [(each.at?.[0] ?? 0) + dx, (each.at?.[1] ?? 0) + dy] as Point,
+    ...redirect(each, (to, port) => out(to, port, each)), id: names.get(each.id)!, at: [(each.at?.[0] ?? 0) + dx, (each.at?.[1] ?? 0) + dy] as Point,
   }));
-  const entry = out(start.next, "next");
+  const entry = out(start.next, "next", start);
   if (refused !== undefined) return { refused };
   const redirected = kept.map((each) => redirect(each, (to) => (to === id ? entry : to)));
   const index = operation.icons.indexOf(icon);

@@ -67,6 +67,7 @@ export function number(value: number, digits?: number): string {
 
 /** A length of time with no more digits than it means: 0.35 s, 4.2 s, 38 s, 2 min 5 s. */
 export function duration(seconds: number): string {
+  if (seconds < 0.005) return "0 s";
   if (seconds < 9.95) return `${number(seconds, seconds < 0.995 ? 2 : 1)} s`;
   if (seconds < 120) return `${number(Math.round(seconds))} s`;
   const minutes = Math.floor(Math.round(seconds) / 60);

@@ -14,14 +14,16 @@ const free = (points: readonly XY[], blocked: readonly Rect[]): boolean => {
   return true;
 };
 
+/** `blocked` has the icons at both ends, too: the pieces at the connectors are left out. */
 function simple(from: XY, to: XY, blocked: readonly Rect[]): XY[] | undefined {
   const gap = to.x - from.x;
   if (gap < 2 * margin) return undefined;
-  if (Math.abs(from.y - to.y) < 1) return free([from, to], blocked) ? [from, to] : undefined;
+  const out = { x: from.x + margin - 2, y: from.y }, into = { x: to.x - margin + 2, y: to.y };
+  if (Math.abs(from.y - to.y) < 1) return free([out, into], blocked) ? [from, to] : undefined;
   // The turn is near the source: lines that leave one icon part at once, and those that meet run together.
   for (const x of [to.x - margin, from.x + margin, from.x + gap / 2]) {
-    const points = [from, { x, y: from.y }, { x, y: to.y }, to];
-    if (free(points, blocked)) return points;
+    const turn = [{ x, y: from.y }, { x, y: to.y }];
+    if (free([out, ...turn, into], blocked)) return [from, ...turn, to];
   }
   return undefined;
 }
