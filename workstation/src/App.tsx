@@ -8,6 +8,7 @@ import { Bar } from "./execution/Bar";
 import { GoOn } from "./execution/GoOn";
 import { Notices } from "./execution/Notices";
 import { Question } from "./execution/Question";
+import { Fallen } from "./Fallen";
 import { NoToken } from "./NoToken";
 import { Palette } from "./palette/Palette";
 import { useCell } from "./state/cell";
@@ -24,6 +25,7 @@ export function App() {
   if (noToken) return <NoToken />;
   return (
     <I18nProvider locale={language}>
+      <Fallen>
       <ReactFlowProvider>
         <div className="page" key={language}>
           <Bar />
@@ -38,6 +40,7 @@ export function App() {
         <Pending />
         <div className="hidden" role="status" aria-live="polite">{said}</div>
       </ReactFlowProvider>
+      </Fallen>
     </I18nProvider>
   );
 }

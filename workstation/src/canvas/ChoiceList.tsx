@@ -28,9 +28,9 @@ export function ChoiceList<T>({ label, title, text, onText, screen, choices, not
   const list = useRef<HTMLUListElement>(null);
   const id = useId();
   const at = Math.min(marked, choices.length - 1);
-  useEffect(() => input.current?.focus(), []);
+  useEffect(() => void input.current?.focus(), []);
   useEffect(() => setMarked(0), [text]);
-  useEffect(() => list.current?.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest" }), [at]);
+  useEffect(() => void list.current?.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest" }), [at]);
   const pressed = (event: KeyboardEvent) => {
     const move = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (move !== undefined) setMarked(Math.max(0, Math.min(choices.length - 1, at + move)));

@@ -9,6 +9,25 @@ import { sizeOf } from "./shape";
 
 export const useFollow = create<{ on: boolean; jump: number }>()(() => ({ on: true, jump: 0 }));
 
+/** The icon that the keyboard has come to, or that was just added, comes into view. */
+function Reveal() {
+  const flow = useReactFlow();
+  const focus = useDrawing((state) => state.focus);
+  useEffect(() => {
+    const icon = shownOperation(useDrawing.getState()).icons.find((each) => each.id === focus);
+    const box = document.querySelector(".canvas")?.getBoundingClientRect();
+    if (!icon || !box) return;
+    const { x, y, zoom } = flow.getViewport();
+    const size = sizeOf(icon), room = 40;
+    const left = (icon.at?.[0] ?? 0) * zoom + x, top = (icon.at?.[1] ?? 0) * zoom + y;
+    const right = left + size.width * zoom, bottom = top + size.height * zoom;
+    const dx = left < 0 ? room - left : right > box.width ? box.width - room - right : 0;
+    const dy = top < 0 ? room - top : bottom > box.height ? box.height - room - bottom : 0;
+    if (dx !== 0 || dy !== 0) void flow.setViewport({ x: x + dx, y: y + dy, zoom }, { duration: 120 });
+  }, [focus, flow]);
+  return null;
+}
+
 export function Follow() {
   const flow = useReactFlow();
   const { on, jump } = useFollow();
@@ -31,5 +50,5 @@ export function Follow() {
     if (!seen || jump > 0) void flow.setCenter(x, y, { zoom, duration: 160 });
     if (jump > 0) useFollow.setState({ jump: 0 });
   }, [here, jump, on, running, flow]);
-  return null;
+  return <Reveal />;
 }

@@ -60,7 +60,7 @@ export function nearest(operation: Operation, from: string, dx: number, dy: numb
 
 export function focusIcon(id: string | undefined): void {
   if (id === undefined) return;
-  requestAnimationFrame(() => document.querySelector<HTMLElement>(`.icon[data-id="${CSS.escape(id)}"]`)?.focus({ preventScroll: false }));
+  requestAnimationFrame(() => document.querySelector<HTMLElement>(`.icon[data-id="${CSS.escape(id)}"]`)?.focus({ preventScroll: true }));
 }
 
 const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -138,8 +138,11 @@ function insertBeside(text: string): void {
 
 /** Down from `at`, the first place where a new icon lies on no other. */
 export function freePlace(operation: Operation, at: Point): Point {
-  for (let [x, y] = at; ; y += 96) {
-    const hit = operation.icons.some((icon) => Math.abs((icon.at?.[0] ?? 0) - x) < 192 && Math.abs((icon.at?.[1] ?? 0) - y) < 80);
+  for (let [x, y] = at; ; y += 32) {
+    const hit = operation.icons.some((icon) => {
+      const [left, top] = icon.at ?? [0, 0], { width, height } = sizeOf(icon);
+      return left < x + 216 && x < left + width + 32 && top < y + 80 && y < top + height + 32;
+    });
     if (!hit) return [x, y];
   }
 }

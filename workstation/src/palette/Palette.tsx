@@ -71,7 +71,7 @@ function OfferItem({ offered }: { offered: Offered }) {
         </span>
       </button>
       {offered.offer.kind === "skill" && (
-        <Button className="button quiet only offer-act" aria-label={t("palette.help", { name: offered.name })} onPress={() => openWindow("skill", offered.offer.skill)}><Symbol name="help" size={16} /></Button>
+        <Button className="button quiet only offer-act offer-help" aria-label={t("palette.help", { name: offered.name })} onPress={() => openWindow("skill", offered.offer.skill)}><Symbol name="help" size={16} /></Button>
       )}
       <Button className="button quiet only offer-act" aria-label={t("palette.add", { name: offered.name })} onPress={() => add(offered)}><Symbol name="plus" size={16} /></Button>
     </div>
