@@ -39,9 +39,13 @@ export function Canvas() {
   const nodes = useMemo(() => flowNodes.current!.of(operation, prefix, selected, dragged, skills), [operation, prefix, selected, dragged, skills]);
 
   useKeys();
-  const name = useDrawing((state) => state.drawing.name);
-  const fits = `${name}:${prefix}`;
-  useEffect(() => void requestAnimationFrame(() => flow.fitView({ minZoom: 0.5, maxZoom: 1, padding: 0.12 })), [fits, flow]);
+  const fits = `${useDrawing((state) => state.opened)}:${prefix}`;
+  useEffect(() => void requestAnimationFrame(() => {
+    // An empty canvas begins at the left, where START goes.
+    const height = document.querySelector(".canvas")?.clientHeight ?? 800;
+    if (shownOperation(useDrawing.getState()).icons.length === 0) void flow.setViewport({ x: 64, y: Math.round(height / 2.5), zoom: 1 });
+    else void flow.fitView({ minZoom: 0.5, maxZoom: 1, padding: 0.12 });
+  }), [fits, flow]);
 
   const onNodesChange = useCallback((changes: NodeChange<IconNodeType>[]) => changed(changes), []);
   const onConnect = useCallback(({ source, sourceHandle, target }: Connection) => {

@@ -1,6 +1,8 @@
 // A window over the page. Several stay open, the one that has the focus lies on top; Escape closes it.
 import { useEffect, useId, useRef, type KeyboardEvent, type PointerEvent, type ReactNode } from "react";
 import { Button } from "react-aria-components";
+import { focusIcon } from "../canvas/keys";
+import { useDrawing } from "../state/drawing";
 import { closeWindow, moveWindow, raise, type OpenWindow } from "../state/windows";
 import { Symbol } from "../symbols/Symbol";
 import { t } from "../words/words";
@@ -25,7 +27,10 @@ export function FloatWindow({ window: own, title, wide = false, footer, children
     before.current = document.activeElement;
     const first = box.current?.querySelector<HTMLElement>(".window-body input, .window-body button, .window-body textarea");
     (first ?? box.current)?.focus();
-    return () => void (before.current instanceof HTMLElement && before.current.isConnected && before.current.focus());
+    return () => {
+      if (before.current instanceof HTMLElement && before.current.isConnected && before.current !== document.body) before.current.focus();
+      else focusIcon(useDrawing.getState().focus);
+    };
   }, []);
 
   const close = () => closeWindow(own.id);

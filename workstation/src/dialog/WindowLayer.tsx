@@ -1,6 +1,6 @@
 // All open windows, in the order in which they lie. Rare ones are loaded when they are opened first.
 import { lazy, Suspense, type ComponentType, type LazyExoticComponent } from "react";
-import { useWindows, closeWindow, openWindow, type OpenWindow, type WindowKind } from "../state/windows";
+import { useWindows, retarget, type OpenWindow, type WindowKind } from "../state/windows";
 import { t, useLanguage } from "../words/words";
 import { FloatWindow } from "./FloatWindow";
 import { FindingsList } from "./FindingsList";
@@ -25,7 +25,7 @@ const split = (about: string): [string, string] => [about.slice(0, about.lastInd
 export function WindowLayer() {
   useLanguage();
   const open = useWindows((state) => state.open);
-  return <div className="windows">{open.map((each) => <Shown key={each.id} window={each} />)}</div>;
+  return <div className="windows">{open.map((each) => <Shown key={each.key} window={each} />)}</div>;
 }
 
 function Shown({ window: each }: { window: OpenWindow }) {
@@ -34,7 +34,7 @@ function Shown({ window: each }: { window: OpenWindow }) {
   if (each.kind === "icon")
     return (
       <FloatWindow window={each} title={icon} footer={<IconHelpButton operation={operation} icon={icon} />}>
-        <IconForm operation={operation} id={icon} onRenamed={(id) => (closeWindow(each.id), openWindow("icon", `${operation}/${id}`))} />
+        <IconForm operation={operation} id={icon} onRenamed={(id) => retarget(each.id, `${operation}/${id}`)} />
       </FloatWindow>
     );
   if (each.kind === "findings")

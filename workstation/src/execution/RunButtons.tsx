@@ -23,7 +23,7 @@ function Act({ symbol, word, tip, keys, act, disabled = false, look = "" }: ActP
   return (
     <TooltipTrigger delay={500}>
       <Button className={`button act ${look}`} onPress={() => void act()} isDisabled={disabled} data-act={word}><Symbol name={symbol} size={18} /><span>{t(word)}</span></Button>
-      <Tooltip className="tooltip">{t(tip)}<kbd>{keys}</kbd></Tooltip>
+      <Tooltip className="tooltip">{t(tip)}{keys !== "" && <kbd>{keys}</kbd>}</Tooltip>
     </TooltipTrigger>
   );
 }
@@ -64,8 +64,8 @@ export function RunButtons() {
         : <Act symbol="run" word="run.run" tip={can.errors ? "run.errorsTip" : "run.runTip"} keys="F5" act={run} disabled={!can.run} look="primary" />}
       <Act symbol="pause" word="run.pause" tip="run.pauseTip" keys="F6" act={pause} disabled={!can.pause} />
       <Act symbol="step" word="run.step" tip="run.stepTip" keys="F8" act={step} disabled={!can.step} />
-      {can.halted && <Act symbol="restart" word="run.again" tip="run.againTip" keys="" act={restart} />}
       <Act symbol="stop" word="run.stop" tip="run.stopTip" keys="F9" act={stop} look="stop" />
+      {can.halted && <Act symbol="restart" word="run.again" tip="run.againTip" keys="" act={restart} />}
     </div>
   );
 }

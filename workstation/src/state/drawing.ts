@@ -16,6 +16,8 @@ export interface DrawingState {
   version: number;
   /** As it was saved or opened; another object: something has changed. */
   saved: Drawing;
+  /** Counts the documents that were opened: each is shown whole at first. */
+  opened: number;
   /** Said to a screen reader. */
   said: string;
 }
@@ -31,6 +33,7 @@ export const useDrawing = create<DrawingState>()(() => ({
   name: undefined,
   version: 0,
   saved: nothing,
+  opened: 0,
   said: "",
 }));
 
@@ -114,7 +117,7 @@ export function redo(): Entry | undefined {
 /** Another document: a new one, one of the store, or one that the cell runs. */
 export function show(drawing: Drawing, from: { name?: string | undefined; version?: number; changed?: boolean } = {}): void {
   useDrawing.setState({
-    drawing, trail: [], selected: new Set(), focus: undefined, history: noHistory,
+    opened: useDrawing.getState().opened + 1, drawing, trail: [], selected: new Set(), focus: undefined, history: noHistory,
     name: from.name, version: from.version ?? 0, saved: from.changed ? { ...drawing } : drawing,
   });
 }

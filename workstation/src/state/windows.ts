@@ -5,6 +5,8 @@ export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints"
 
 export interface OpenWindow {
   id: string;
+  /** Stays the same when the window comes to be about something else. */
+  key: number;
   kind: WindowKind;
   /** What it is about: "operation/icon", a skill, a code. */
   about: string;
@@ -34,7 +36,12 @@ export function openWindow(kind: WindowKind, about = ""): void {
   if (there) return raise(id);
   const shift = (opened++ % 6) * 28;
   const x = Math.max(16, Math.min(innerWidth - 480, 320 + shift)), y = 96 + shift;
-  useWindows.setState({ open: [...open, { id, kind, about, x, y }] });
+  useWindows.setState({ open: [...open, { id, key: opened, kind, about, x, y }] });
+}
+
+/** The icon has another name now. */
+export function retarget(id: string, about: string): void {
+  useWindows.setState((state) => ({ open: state.open.map((each) => (each.id === id ? { ...each, id: `${each.kind}:${about}`, about } : each)) }));
 }
 
 export function raise(id: string): void {

@@ -32,8 +32,7 @@ test("rub in a square, by mouse", async () => {
     await line(page, "touch", "next", "case");
     for (const [i, direction] of [0, 90, 180, 270].entries()) {
       await drop(page, "skill:rub", 140 + i * 250, 340);
-      const id = i === 0 ? "rub" : `rub-${i + 1}`;
-      await dialog(page, id, `side-${i + 1}`, { direction: String(direction), distance: "2", speed: "0.5" });
+      await dialog(page, "rub", `side-${i + 1}`, { direction: String(direction), distance: "2", speed: "0.5" });
     }
     await drop(page, "skill:relative-move", 850, 500);
     await dialog(page, "relative-move", "lift", { dz: "-20" });
@@ -61,6 +60,9 @@ test("rub in a square, by mouse", async () => {
     assert.equal(await icon(page, "side-4").getAttribute("data-run"), "passed");
     await shot(page, "run-to-its-end");
     assert.deepEqual(errors.get(page), []);
+  } catch (problem) {
+    await shot(page, "failed-draw");
+    throw problem;
   } finally {
     await page.context().close();
     await served.end();
@@ -120,6 +122,9 @@ test("the same by keyboard alone", async () => {
     await page.keyboard.press("F5");
     await untilState(page, "Ended");
     assert.equal(await icon(page, "side-4").getAttribute("data-run"), "passed");
+  } catch (problem) {
+    await shot(page, "failed-draw");
+    throw problem;
   } finally {
     await page.context().close();
     await served.end();

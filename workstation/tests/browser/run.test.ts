@@ -26,6 +26,9 @@ async function within(scene: string, options: readonly string[], what: (page: Pa
   const page = await openPage(chromium, served.url);
   try {
     await what(page, served);
+  } catch (problem) {
+    await shot(page, "failed-run");
+    throw problem;
   } finally {
     await page.context().close();
     await served.end();
