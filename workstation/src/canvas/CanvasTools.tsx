@@ -29,7 +29,7 @@ export function CanvasTools() {
       <Panel position="bottom-left" className="canvas-tools">
         <div className="tool-group">
           <Tool symbol="minus" text={t("canvas.zoomOut")} onPress={() => void flow.zoomOut({ duration: 120 })} />
-          <Button className="button zoom" aria-label={t("canvas.zoomFull")} onPress={() => void flow.zoomTo(1, { duration: 120 })}>{number(Math.round(zoom * 100))} %</Button>
+          <Button className="button zoom" aria-label={t("canvas.zoomFull", { percent: Math.round(zoom * 100) })} onPress={() => void flow.zoomTo(1, { duration: 120 })}>{number(Math.round(zoom * 100))} %</Button>
           <Tool symbol="plus" text={t("canvas.zoomIn")} onPress={() => void flow.zoomIn({ duration: 120 })} />
           <Tool symbol="fit" text={t("canvas.fit")} onPress={() => void flow.fitView({ maxZoom: 1, padding: 0.12, duration: 160 })} />
         </div>
