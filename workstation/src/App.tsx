@@ -21,7 +21,6 @@ export function App() {
   const language = useLanguage();
   const noToken = useCell((state) => state.link === "no-token");
   const palette = useWindows((state) => state.palette), inspector = useWindows((state) => state.inspector);
-  const name = useDrawing((state) => state.drawing.name);
   const said = useDrawing((state) => state.said);
   if (noToken) return <NoToken />;
   return (
@@ -29,7 +28,6 @@ export function App() {
       <Fallen>
       <ReactFlowProvider>
         <div className="page" key={language}>
-          <h1 className="hidden">{name}</h1>
           <Bar />
           <main className="middle">
             {palette && <Palette />}

@@ -52,12 +52,12 @@ export function FloatWindow({ window: own, title, wide = false, footer, children
   return (
     <section ref={box} className={wide ? "window wide" : "window"} role="dialog" aria-labelledby={id} tabIndex={-1} data-window={own.kind}
       style={{ left: own.x, top: own.y }} onKeyDown={pressed} onPointerDownCapture={() => raise(own.id)}>
-      <header className="window-head" onPointerDown={held} onPointerMove={dragged} onPointerUp={() => (grip.current = undefined)}>
+      <div className="window-head" onPointerDown={held} onPointerMove={dragged} onPointerUp={() => (grip.current = undefined)}>
         <h2 id={id}>{title}</h2>
         <Button className="button quiet only" aria-label={t("window.close", { title })} onPress={close}><Symbol name="cross" size={18} /></Button>
-      </header>
+      </div>
       <div className="window-body">{children}</div>
-      {footer && <footer className="window-foot">{footer}</footer>}
+      {footer && <div className="window-foot">{footer}</div>}
     </section>
   );
 }

@@ -62,8 +62,8 @@ function Field({ icon, operation, parameter, findings }: FieldProps) {
     <div className="parameter" data-changed={changed || undefined}>
       <Control {...{ parameter, value, set, hint, operation, locations: locations?.map((each) => each.location) ?? [], ...(refusal ? { refusal } : {}) }} />
       {changed && (
-        <Button className="button quiet small reset" aria-label={t("parameters.reset", { name: parameter.name })} onPress={() => set(undefined)}>
-          <Symbol name="undo" size={14} />{t("parameters.default", { value: amountText(parameter.default, parameter.unit) })}
+        <Button className="button quiet small reset" onPress={() => set(undefined)}>
+          <Symbol name="undo" size={14} /><span className="hidden">{parameter.name}</span>{t("parameters.default", { value: amountText(parameter.default, parameter.unit) })}
         </Button>
       )}
     </div>

@@ -20,9 +20,11 @@ export function Bar() {
   const palette = useWindows((state) => state.palette);
   const inspector = useWindows((state) => state.inspector);
   const past = useDrawing((state) => state.history.past.length > 0), future = useDrawing((state) => state.history.future.length > 0);
+  const name = useDrawing((state) => state.drawing.name);
   useSaveKey();
   return (
     <header className="bar" aria-label={t("bar.label")}>
+      <h1 className="hidden">{name}</h1>
       <div className="bar-part">
         <Button className="button quiet only" aria-label={t("bar.palette")} data-selected={palette || undefined} onPress={() => useWindows.setState({ palette: !palette, ...(innerWidth < 900 && !palette ? { inspector: false } : {}) })}><Symbol name="panel" /></Button>
         <FileMenu />

@@ -45,7 +45,7 @@ export function Palette() {
       <div className="groups">
         {shown.map((group) => (
           <section key={group.word} aria-label={t(group.word)}>
-            <h3>{t(group.word)}</h3>
+            <h2>{t(group.word)}</h2>
             <ul>{group.offers.map((each) => <li key={each.key}><OfferItem offered={each} /></li>)}</ul>
           </section>
         ))}
