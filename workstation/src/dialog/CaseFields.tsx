@@ -20,7 +20,7 @@ export function CaseFields({ icon, operation }: { icon: Icon; operation: string 
   return (
     <div className="ways">
       {ways.map((way, i) => (
-        <section key={i} className="way" aria-label={t("case.way", { number: i + 1 })}>
+        <div key={i} role="group" className="way" aria-label={t("case.way", { number: i + 1 })}>
           <div className="way-head">
             <CodesBox codes={way.codes} onChange={(codes) => put(ways.map((each, j) => (j === i ? { ...each, codes } : each)))} label={t("case.codes", { number: i + 1 })} />
             <Button className="button quiet only" aria-label={t("case.remove", { number: i + 1 })} isDisabled={ways.length <= (icon.default === undefined ? 2 : 1)} onPress={() => put(ways.filter((_, j) => j !== i))}>
@@ -33,9 +33,9 @@ export function CaseFields({ icon, operation }: { icon: Icon; operation: string 
             ))}
           </ul>
           <NextField operation={operation} icon={icon} port={`way:${i}`} />
-        </section>
+        </div>
       ))}
-      <section className="way"><NextField operation={operation} icon={icon} port="default" /></section>
+      <div className="way"><NextField operation={operation} icon={icon} port="default" /></div>
       {open.length > 0 && ways.length < 4 && (
         <div className="field">
           <span className="label">{t("case.unhandled")}</span>

@@ -95,13 +95,13 @@ export function ReadingFields({ icon, operation }: { icon: Icon; operation: stri
       <Choose label={t("reading.combine")} value={name} options={[{ id: "all", name: t("reading.all") }, { id: "any", name: t("reading.any") }]}
         onChange={(to) => put((each) => { const { all, any, ...rest } = each; return { ...rest, [to]: all ?? any } as Icon; })} />
       {several.map((each, i) => (
-        <section key={i} className="way" aria-label={t("reading.condition", { number: i + 1 })}>
+        <div key={i} role="group" className="way" aria-label={t("reading.condition", { number: i + 1 })}>
           <div className="way-head">
             <Subject operation={operation} reading={each} onChange={(next) => list(several.map((one, j) => (j === i ? (next as Condition) : one)))} />
             <Button className="button quiet only" aria-label={t("reading.remove", { number: i + 1 })} isDisabled={several.length <= 2} onPress={() => list(several.filter((_, j) => j !== i))}><Symbol name="trash" size={16} /></Button>
           </div>
           <Limits operation={operation} reading={each} onChange={(next) => list(several.map((one, j) => (j === i ? (next as Condition) : one)))} />
-        </section>
+        </div>
       ))}
       {several.length < 8 && <Button className="button" onPress={() => list([...several, several.at(-1)!])}><Symbol name="plus" size={16} />{t("reading.add")}</Button>}
     </>
