@@ -58,6 +58,11 @@ export class Connection {
     this.#attempt = 0;
   }
 
+  /** It does not answer: hangs up and tries again. */
+  drop(): void {
+    this.#socket?.close();
+  }
+
   /** No attempts any more. */
   end(): void {
     this.#ended = true;

@@ -57,6 +57,7 @@ const name = () => {
 
 async function welcome(): Promise<void> {
   if (!connection) return;
+  const patience = setTimeout(() => connection?.drop(), 8000);
   const former = useCell.getState().present?.snapshot;
   try {
     const snapshot = await connection.call("hello", { token, name: name() });
@@ -65,10 +66,12 @@ async function welcome(): Promise<void> {
     const present = begin(watched.snapshot ?? snapshot, Date.now());
     const before = useCell.getState().present;
     const same = former?.epoch === snapshot.epoch && former.operation === snapshot.operation;
+    clearTimeout(patience);
     connection.settled();
     useCell.setState({ link: "ready", present: same && before ? { ...present, taken: before.taken } : present });
     await Promise.all([readSkills(), readSensors(), readLocations(), readStore()]);
   } catch (problem) {
+    clearTimeout(patience);
     if (problem instanceof Refused && problem.code === 1) {
       connection.end();
       useCell.setState({ link: "no-token" });
