@@ -9,12 +9,6 @@
 namespace pal::operations {
 namespace {
 
-/// Whether a parameter names a place that is taught.
-bool is_location(const pan::Parameter& parameter) {
-  return parameter.type == pan::ScalarType::text &&
-         parameter.description.find("location") != std::string::npos;
-}
-
 std::vector<std::string> names_of(const std::vector<pan::Parameter>& parameters) {
   std::vector<std::string> names;
   for (const pan::Parameter& each : parameters) names.push_back(each.name);
@@ -22,6 +16,11 @@ std::vector<std::string> names_of(const std::vector<pan::Parameter>& parameters)
 }
 
 }  // namespace
+
+bool is_location(const pan::Parameter& parameter) {
+  return parameter.type == pan::ScalarType::text &&
+         parameter.description.find("location") != std::string::npos;
+}
 
 SkillChecks::SkillChecks(const Graph& graph, const Cell& cell, Diagnostics& diagnostics)
     : graph_(graph),

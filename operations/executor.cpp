@@ -122,10 +122,35 @@ void Executor::allow() {
   runner_.allow();
 }
 
-bool Executor::at_breakpoint() const {
-  return std::any_of(breakpoints_.begin(), breakpoints_.end(), [&](const Breakpoint& each) {
-    return (!each.code || *each.code == last_code_) && each.icon == token();
-  });
+void Executor::end_pause() {
+  pause_.store(false, std::memory_order_relaxed);
+  if (state_ == ExecutionState::paused) halt(ExecutionState::stopped, "stopped before " + token());
+}
+
+/// Counts the arrival at all that fit.
+bool Executor::at_breakpoint() {
+  bool halts = false;
+  for (Breakpoint& each : breakpoints_) {
+    if (!each.enabled || (each.code && *each.code != last_code_) || each.icon != token() ||
+        (each.condition && !meets(*each.condition)))
+      continue;
+    halts = ++each.hits % std::max<std::size_t>(each.every, 1) == 0 || halts;
+  }
+  return halts;
+}
+
+bool Executor::meets(const BreakCondition& condition) const {
+  try {
+    const Value value = value_of(token_.back(), condition.source);
+    const auto* truth = std::get_if<bool>(&value);
+    const auto* number = std::get_if<double>(&value);
+    if (truth == nullptr && number == nullptr) return false;
+    const double known_value = truth != nullptr ? (*truth ? 1.0 : 0.0) : *number;
+    return (!condition.at_least || known_value >= *condition.at_least) &&
+           (!condition.at_most || known_value <= *condition.at_most);
+  } catch (const MissingValue&) {
+    return false;
+  }
 }
 
 std::string Executor::token() const {
@@ -211,9 +236,31 @@ void Executor::set_parameter(const std::string& icon, const std::string& paramet
   program_.operations[place.operation].icons[place.icon].parameters = std::move(changed.parameters);
 }
 
-void Executor::add_breakpoint(Breakpoint breakpoint) {
-  find(breakpoint.icon);
+Breakpoint Executor::add_breakpoint(Breakpoint breakpoint) {
+  const Place at = find(breakpoint.icon).back();
+  if (breakpoint.condition) {
+    const Source& source = breakpoint.condition->source;
+    const Operation& here = program_.operations[at.operation];
+    const bool argument =
+        std::any_of(here.arguments.begin(), here.arguments.end(),
+                    [&](const pan::Parameter& each) { return each.name == source.name; });
+    if (source.kind == Source::Kind::argument && !argument)
+      throw ExecutionError(fmt::format("operation '{}' has no argument '{}'", here.name, source.name));
+    if (source.kind != Source::Kind::argument && !graph_.find(at.operation, source.icon))
+      throw ExecutionError(fmt::format("operation '{}' has no icon '{}'", here.name, source.icon));
+  }
+  for (Breakpoint& each : breakpoints_) {
+    if (breakpoint.number == 0 || each.number != breakpoint.number) continue;
+    breakpoint.hits = each.hits;
+    return each = std::move(breakpoint);
+  }
+  breakpoint.number = ++last_breakpoint_;
   breakpoints_.push_back(std::move(breakpoint));
+  return breakpoints_.back();
+}
+
+bool Executor::remove_breakpoint(std::size_t number) {
+  return std::erase_if(breakpoints_, [number](const Breakpoint& each) { return each.number == number; }) > 0;
 }
 
 /// The cell is readied once, before the first thing that happens, wherever the token starts.

@@ -123,10 +123,21 @@ class StepObserver {
   virtual void done(const Step& step) = 0;
 };
 
+/// What must hold of a value that is known when it runs. A value that is missing does not meet it.
+struct BreakCondition {
+  Source source;  // not `written`; its icon is one of the operation in which the breakpoint lies
+  std::optional<double> at_least{}, at_most{};
+};
+
 /// Halts the token when it arrives at the icon; with a code, only when that was the last completion code.
 struct Breakpoint {
   std::string icon;  // with the icons around it: "rub-in-square/side-1"
   std::optional<int> code;
+  std::optional<BreakCondition> condition{};
+  std::size_t every = 1;  // at each so manieth arrival that fits
+  bool enabled = true;
+  std::size_t number = 0;  // its name, from 1; never used twice
+  std::size_t hits = 0;    // arrivals that fitted
 };
 
 /// A request that cannot be met: an icon that does not exist, or a change while a skill runs.
@@ -170,6 +181,8 @@ class Executor {
   /// itself for a stop. If another thread may stop the operation, call this first. Then run() obeys exactly
   /// the stops that are asked for afterwards.
   void allow();
+  /// What is paused is stopped from now on; its operation on stop does not run, for the robot is at rest.
+  void end_pause();
 
   /// Puts the token before an icon, with last completion code 0, whatever had run before. Throws
   /// ExecutionError.
@@ -177,8 +190,11 @@ class Executor {
   /// Changes a parameter of a skill, or an argument of a hierarchical icon, from its next run on. Throws
   /// ExecutionError: no such icon, running, or a parameter or value that the cell does not allow.
   void set_parameter(const std::string& icon, const std::string& parameter, Value value);
-  /// Throws ExecutionError if there is no such icon.
-  void add_breakpoint(Breakpoint breakpoint);
+  /// With a number that there is, replaces that one and keeps its hits; else adds one. Returns it as it stands
+  /// now. Throws ExecutionError if there is no such icon, or none that the condition names.
+  Breakpoint add_breakpoint(Breakpoint breakpoint);
+  /// False: there is none of this number.
+  bool remove_breakpoint(std::size_t number);
   void clear_breakpoints() { breakpoints_.clear(); }
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
   /// The value of a parameter as it is set; nothing: it has its default. Throws ExecutionError if there is no
@@ -220,7 +236,8 @@ class Executor {
   const Operation& operation() const { return program_.operations[token_.back().operation]; }
   const Icon& icon() const { return graph_.icon(token_.back().place()); }
   IconName icon_name() const { return {token_.back().operation, icon().id}; }
-  bool at_breakpoint() const;
+  bool at_breakpoint();
+  bool meets(const BreakCondition& condition) const;
   void run_on(std::size_t last, bool resumed);
   void run_on_stop();
   bool pausing() const { return !stopping_ && pause_.load(std::memory_order_relaxed); }
@@ -260,6 +277,7 @@ class Executor {
   StepObserver* observer_;
   const Cell* cell_;
   std::vector<Breakpoint> breakpoints_;
+  std::size_t last_breakpoint_ = 0;
   std::vector<Frame> token_;  // the innermost operation last
   ExecutionState state_ = ExecutionState::ready;
   std::string reason_;

@@ -65,6 +65,14 @@ struct Condition {
   SourceSpan subject{};
 };
 
+/// A parameter that an operator may set at the cell, and within what: in the parameter's unit; nothing: its
+/// whole range.
+struct OperatorMaySet {
+  std::string parameter;
+  std::optional<double> from{}, to{};
+  SourceSpan where{};
+};
+
 /// One output of a CASE, or an answer to a question, whose code is its place among the answers, from 0.
 struct Way {
   std::vector<int> codes;
@@ -105,6 +113,7 @@ struct Icon {
   std::vector<Way> ways;  // of a CASE and a question
   std::string skill;
   std::vector<Parameter> parameters;  // of a skill and a hierarchical icon
+  std::vector<OperatorMaySet> operator_may_set;  // likewise
   std::optional<Amount> repeat{};  // of these: how often it runs; it ends early by a code that is not normal
   int retries = 0;                 // of a skill: how often it begins again if it does not end normally
   std::vector<int> retry_on;       // … with these codes only; empty: with any

@@ -259,6 +259,28 @@ void read_skill(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
     fields.report(codes->where, "'retry-on' says nothing without 'retries'", "add \"retries\", or remove it");
 }
 
+/// "operator": {"force": {"from": 2, "to": 10}, "place": {}}.
+void read_operator(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  const JsonValue* allowed = fields.find("operator", Kind::object, "an object: what an operator may set");
+  if (allowed == nullptr) return;
+  for (const JsonMember& member : allowed->members) {
+    if (member.value.kind != Kind::object) {
+      fields.report(member.value.where, "what an operator may set is an object",
+                    "write {\"from\": …, \"to\": …}, or {} for all that the skill allows");
+      continue;
+    }
+    OperatorMaySet each{member.name, {}, {}, member.where};
+    Fields limits(member.value, diagnostics);
+    each.from = read_number("from", any_number, limits, diagnostics);
+    each.to = read_number("to", any_number, limits, diagnostics);
+    limits.refuse_the_rest();
+    if (each.from && each.to && *each.from > *each.to)
+      limits.report(member.value.where, fmt::format("from {} to {} runs backwards", *each.from, *each.to),
+                    "exchange the two");
+    icon.operator_may_set.push_back(std::move(each));
+  }
+}
+
 void read_position(Icon& icon, Fields& fields) {
   const JsonValue* at = fields.find("at", Kind::array, "a pair of numbers, [x, y]");
   if (at == nullptr) return;
@@ -336,6 +358,8 @@ std::optional<Icon> read_icon(const JsonValue& value, std::string& id, Diagnosti
   }
   if (has_next(icon.kind)) icon.next = fields.connection("next");
   if (has_completions(icon.kind)) icon.error = fields.connection("error");
+  if (icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation)
+    read_operator(icon, fields, diagnostics);
   read_position(icon, fields);
   icon.note = fields.text("note");
   fields.refuse_the_rest();

@@ -179,34 +179,6 @@ class Walk {
     if (icon.otherwise.connected()) go(icon.otherwise, code, times);
   }
 
-  /// What is not known of the time of one run of an icon; with a bound, nothing.
-  struct Longest {
-    std::optional<Duration> time;
-    std::string unknown;
-  };
-  /// Of a sensor and of a person nothing is proved.
-  Longest longest_of(const Icon& icon, int code) const {
-    if (icon.kind == IconKind::question) return {std::nullopt, "the person who answers " + icon.id};
-    if (icon.kind != IconKind::skill) {
-      const bool reads =
-          !icon.sensor.empty() || std::any_of(icon.conditions.begin(), icon.conditions.end(),
-                                              [](const Condition& each) { return !each.sensor.empty(); });
-      if (!reads && icon.kind == IconKind::test) return {Duration::zero(), {}};
-      return {std::nullopt, (reads ? "the sensor " : "") + subjects_text(icon)};
-    }
-    const auto time = skill_times_.find({icon.skill, code});
-    // What comes to rest after its time limit does so in a time that nobody has proved.
-    if (code == time_over && time == skill_times_.end())
-      return {std::nullopt, icon.skill + " after its limit"};
-    std::optional<Duration> longest;
-    if (time != skill_times_.end()) longest = time->second;
-    if (icon.time_limit && icon.time_limit->source.written()) {
-      const Duration limit(static_cast<std::int64_t>(icon.time_limit->number * 1e9));
-      longest = std::min(longest.value_or(limit), limit);
-    }
-    return {longest, longest ? "" : icon.skill};
-  }
-
   /// All runs of the icon: rounds, and attempts before the last one.
   void after(Place at, const Icon& icon, const Connection& way, const Ending& ending, Times times) {
     std::vector<std::string> unbounded;
@@ -216,24 +188,18 @@ class Walk {
       if (!longest.time && std::find(unbounded.begin(), unbounded.end(), longest.unknown) == unbounded.end())
         unbounded.push_back(longest.unknown);
     };
-    add(longest_of(icon, ending.code), 1);
+    add(longest_of(icon, ending.code, skill_times_), 1);
     if (icon.repeat || icon.retries > 0) {
       const bool counted = icon.repeat && !icon.repeat->source.written();
       const double rounds = icon.repeat && !counted ? icon.repeat->number : 1;
       for (const Ending& before : endings_of(graph_, at, skills_, exits_)) {
         if (counted) add({std::nullopt, to_text(*icon.repeat)}, 1);
         // Each round but the last ends normally, and in each as many attempts fail as may.
-        add(longest_of(icon, before.code), before.normal() ? rounds - 1 : rounds * icon.retries);
+        add(longest_of(icon, before.code, skill_times_), before.normal() ? rounds - 1 : rounds * icon.retries);
       }
     }
     go(way, ending.code, times, {fmt::format("{} ({})", icon.id, code_text(ending.code))},
        std::move(unbounded));
-  }
-
-  static std::optional<Duration> multiplied(Duration time, double by) {
-    const double product = static_cast<double>(time.count()) * by;
-    if (product > 9e18) return std::nullopt;
-    return Duration(static_cast<std::int64_t>(product));
   }
 
   void through(Place at, const Icon& icon, const Times& before) {

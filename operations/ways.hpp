@@ -1,20 +1,16 @@
 // The duration of an operation, way by way.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "operations/check.hpp"
+#include "operations/icon_times.hpp"
 #include "operations/model.hpp"
 #include "pal/support/time.hpp"
 
 namespace pal::operations {
-
-/// The longest time of a skill to a completion code, where it is proved.
-using SkillTimes = std::map<std::pair<std::string, int>, Duration>;
 
 /// One way from START to an end, on which the token comes to no icon twice.
 struct WayThrough {

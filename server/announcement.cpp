@@ -6,10 +6,15 @@
 #include <unistd.h>
 
 #include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -57,7 +62,45 @@ std::string default_announcement() {
   return fmt::format("/tmp/workcell-{}/workcell.json", ::geteuid());
 }
 
+namespace {
+
+/// Whether a server listens where the file says. One that was killed has left its file and does not.
+bool still_listens(const Announcement& announced) {
+  boost::asio::io_context io;
+  boost::system::error_code problem;
+  const auto address = boost::asio::ip::make_address(
+      announced.address == "localhost" ? "127.0.0.1" : announced.address, problem);
+  if (problem) return false;
+  boost::beast::tcp_stream stream(io);
+  bool connected = false;
+  stream.expires_after(std::chrono::seconds(1));
+  stream.async_connect({address, announced.port},
+                       [&connected](const boost::system::error_code& failed) { connected = !failed; });
+  io.run();
+  return connected;
+}
+
+std::optional<Announcement> announced_at(const std::string& path) {
+  try {
+    return read_announcement(path);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void withdraw(const std::string& path, const Announcement& announcement) {
+  const auto there = announced_at(path);
+  if (there && there->tokens.programmer == announcement.tokens.programmer) ::unlink(path.c_str());
+}
+
 void announce(const std::string& path, const Announcement& announcement) {
+  const auto there = announced_at(path);
+  // Our own port is open already, so a file that names it is of a server that is gone.
+  if (there && there->port != announcement.port && still_listens(*there))
+    fail_at(path, fmt::format("another server is announced here, and listens at {}:{}; end it first",
+                              there->address, there->port));
   make_folder(std::filesystem::path(path).parent_path().string());
   const std::string fresh = fmt::format("{}.{}", path, ::getpid());
   const Descriptor file(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
@@ -65,7 +108,11 @@ void announce(const std::string& path, const Announcement& announcement) {
   const nlohmann::ordered_json json{{"workcell-server", 1},
                                     {"address", announcement.address},
                                     {"port", announcement.port},
-                                    {"token", announcement.token}};
+                                    {"token", announcement.tokens.programmer},
+                                    {"tokens",
+                                     {{"programmer", announcement.tokens.programmer},
+                                      {"operator", announcement.tokens.operating},
+                                      {"viewer", announcement.tokens.viewer}}}};
   const std::string text = json.dump() + "\n";
   if (::write(file.number(), text.data(), text.size()) != static_cast<ssize_t>(text.size()) ||
       ::rename(fresh.c_str(), path.c_str()) != 0) {
@@ -89,7 +136,10 @@ Announcement read_announcement(const std::string& path) {
   const auto json = nlohmann::json::parse(text.begin(), text.begin() + size, nullptr, false);
   if (!json.is_object() || json.value("workcell-server", 0) != 1) fail_at(path, "this announces no server");
   try {
-    return {json.at("address"), json.at("port"), json.at("token")};
+    const auto tokens = json.value("tokens", nlohmann::json::object());
+    return {json.at("address"),
+            json.at("port"),
+            {json.at("token"), tokens.value("operator", ""), tokens.value("viewer", "")}};
   } catch (const nlohmann::json::exception&) {
     fail_at(path, "this announces no server");
   }

@@ -4,20 +4,25 @@
 #include <cstdint>
 #include <string>
 
+#include "server/session.hpp"
+
 namespace pal::server {
 
 struct Announcement {
   std::string address;
   std::uint16_t port = 0;
-  std::string token;
+  Tokens tokens;
 };
 
 /// $XDG_RUNTIME_DIR/workcell.json, or /tmp/workcell-UID/workcell.json.
 std::string default_announcement();
 
 /// Makes the file, and its folder if that is not there, so that others cannot read it. What was there before
-/// is replaced. Throws std::runtime_error: it cannot be made, or the folder belongs to another user.
+/// is replaced, unless the server that it announces still listens. Throws std::runtime_error: it cannot be
+/// made, the folder belongs to another user, or another server has it.
 void announce(const std::string& path, const Announcement& announcement);
+/// Removes the file, if it still announces this server.
+void withdraw(const std::string& path, const Announcement& announcement);
 
 /// Throws std::runtime_error: it is not there, is no announcement, or others can read it.
 Announcement read_announcement(const std::string& path);

@@ -18,6 +18,18 @@ using Json = nlohmann::ordered_json;
 // Of an answer: a skill may last.
 constexpr std::chrono::hours patience{24};
 
+/// With the place and the way out in its text.
+RemoteError remote_error(const Json& error) {
+  std::string text = error.value("message", std::string());
+  const Json data = error.value("data", Json::object());
+  const Json place = data.value("place", Json::object());
+  if (place.contains("file") && place.contains("line"))
+    text = fmt::format("{}:{}:{}: {}", place.value("file", std::string()), place.value("line", 0),
+                       place.value("column", 0), text);
+  if (const std::string hint = data.value("hint", std::string()); !hint.empty()) text += "; " + hint;
+  return {error.value("code", 0), text};
+}
+
 }  // namespace
 
 struct Client::Parts {
@@ -83,7 +95,11 @@ std::optional<std::string> Client::receive(std::chrono::milliseconds longest) {
   }
   if (!parts_->read) return std::nullopt;
   parts_->reading = false;
-  if (*parts_->read) throw std::runtime_error("the server has hung up: " + parts_->read->message());
+  if (*parts_->read) {
+    const auto& reason = parts_->stream.reason().reason;
+    throw std::runtime_error("the server has hung up: " +
+                             (reason.empty() ? parts_->read->message() : std::string(reason.data(), reason.size())));
+  }
   std::string text = beast::buffers_to_string(parts_->buffer.data());
   parts_->buffer.clear();
   return text;
@@ -101,9 +117,7 @@ std::string Client::call(const std::string& method, const std::string& parameter
     if (!message.contains("id")) {
       parts_->notifications.push_back(std::move(message));
     } else if (message["id"].is_null() || message["id"] == id) {
-      if (message.contains("error"))
-        throw RemoteError(message["error"].value("code", 0),
-                          message["error"].value("message", std::string()));
+      if (message.contains("error")) throw remote_error(message["error"]);
       return message["result"].dump();
     }
   }

@@ -31,10 +31,20 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   virtual void start() = 0;
   bool gone() const { return gone_; }
+  /// It has not shown the token yet, and goes when newcomers need its place. A line that stays never does.
+  virtual bool may_be_dropped() const { return !session_ || !session_->admitted(); }
   Session* session() { return session_.get(); }
   /// So many samples that it wanted were left out before they came here.
   void lose(std::uint64_t samples) {
     if (session_ && session_->looks()) outbox_.lose(samples);
+  }
+  /// The server ends: the client is told, after all that waits for it.
+  void end() {
+    if (gone_ || closing_) return;
+    ends_ = true;
+    reason_ = "the server ends";
+    closing_ = true;
+    pump();
   }
   /// The client has gone, or must. Not from inside its session.
   void leave() {
@@ -59,7 +69,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
               outbox_.put_sample(std::move(sample));
               pump();
             },
-            [this] {
+            [this](std::string reason) {
+              reason_ = std::move(reason);
               closing_ = true;
               pump();
             }};
@@ -83,6 +94,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   virtual void overflow() { leave(); }
   void forget_what_waits() { outbox_ = Outbox(context_.outbox); }
   bool closing() const { return closing_; }
+  /// Why it is closing, in a few words.
+  const std::string& reason() const { return reason_; }
+  /// … because the server ends.
+  bool ends() const { return ends_; }
   /// After close(): the next client may come by the same line.
   void stay_open() { closing_ = false; }
 
@@ -109,8 +124,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   Outbox outbox_;
   boost::asio::steady_timer admission_;
-  std::string current_;
-  bool writing_ = false, closing_ = false, gone_ = false;
+  std::string current_, reason_;
+  bool writing_ = false, closing_ = false, gone_ = false, ends_ = false;
 };
 
 using ConnectionPointer = std::shared_ptr<Connection>;

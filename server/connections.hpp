@@ -6,13 +6,14 @@
 
 #include "server/access.hpp"
 #include "server/connection.hpp"
+#include "server/page_files.hpp"
 
 namespace pal::server {
 
-/// JSON-RPC over a WebSocket. Refuses a Host and an Origin that the rules do not allow, and every client if
-/// the server is `full`.
+/// JSON-RPC over a WebSocket, and files for a browser. Refuses a Host and an Origin that the rules do not
+/// allow. Both outlive the connection.
 ConnectionPointer web_socket_connection(ConnectionContext& connection_context, const AccessRules& rules,
-                                        boost::asio::ip::tcp::socket socket, bool full);
+                                        const PageFiles& files, boost::asio::ip::tcp::socket socket);
 
 /// Lines over TCP.
 ConnectionPointer line_connection(ConnectionContext& connection_context, boost::asio::ip::tcp::socket socket);

@@ -15,27 +15,11 @@
 #include "operations/executor.hpp"
 #include "server/command.hpp"
 #include "server/event.hpp"
+#include "server/outlook.hpp"
+#include "server/role.hpp"
+#include "server/status.hpp"
 
 namespace pal::server {
-
-using ClientId = std::uint64_t;
-
-enum class Activity { idle, skill, operation };
-const char* name(Activity activity);
-
-struct Status {
-  std::string cell;
-  Activity activity = Activity::idle;
-  std::string operation;  // its name; empty: none is loaded
-  operations::ExecutionState state = operations::ExecutionState::ready;
-  std::string token, reason;
-  int last_code = 0;
-  std::size_t steps = 0;
-  std::string holder;  // of the controls; empty: none
-  bool yours = false;
-  std::uint64_t last_event = 0;
-  Duration time{};  // of the cell, when something last happened
-};
 
 struct DeskOptions {
   std::string cell;  // what the cell is called
@@ -48,6 +32,9 @@ struct DeskOptions {
   std::optional<std::set<std::string>> locations{};
   std::optional<operations::Sensors> figures{};  // that skills report; nothing: not known
   std::map<std::string, std::string> unable{};   // skills that the cell cannot run, and why
+  /// How long the cell waits on the wall before it looks for an answer again. A cell in virtual time needs
+  /// this: its own time would rush past.
+  std::chrono::milliseconds answer_wait{0};
 };
 
 /// Clients are served by any threads; the cell works in one, which calls work(). A pause or a stop that is
@@ -62,15 +49,30 @@ class Desk final {
   Desk& operator=(const Desk&) = delete;
 
   // For clients.
-  ClientId enter(std::string name);
-  /// The client has gone; what it ran pauses or goes on, as configured, and the controls are free.
+  ClientId enter(std::string name, Role role = Role::programmer);
+  /// The client has gone; what it ran pauses or goes on, as configured, and the controls are free. A skill
+  /// that it ran alone is stopped.
   void leave(ClientId client);
   /// A command that needs the controls takes them, if they are free. Every client may pause and stop. The
-  /// answer comes at once, of RunSkill when the skill has ended.
-  void ask(ClientId client, Command command, Answerer answer);
+  /// answer comes at once, of RunSkill when the skill has ended. An operation that is to be loaded is checked
+  /// first, in the calling thread, while the desk serves others; `stop` ends the check.
+  void ask(ClientId client, Command command, Answerer answer, const operations::Stop& stop = {});
   Status status(ClientId client) const;
+  Snapshot snapshot(ClientId client) const;
+  std::vector<Present> clients() const;
+  std::vector<operations::Breakpoint> breakpoints() const;
+  /// What would happen first if the operation went on from `icon`; empty: from each sensible place.
+  std::variant<Outlook, Refusal> outlook(const std::string& icon) const;
+  /// The values with which the icon's skill runs next.
+  std::variant<IconValues, Refusal> values(const std::string& icon) const;
   const operations::Skills& skills() const;
   const operations::Sensors& sensors() const;
+  /// What operations are checked against now.
+  std::shared_ptr<const operations::Cell> cell() const;
+  /// New at each start: numbers of events and clients count within it.
+  const std::string& epoch() const;
+  /// Tells all clients something that has happened outside the desk.
+  void tell(decltype(Event::what) what);
   /// The cell stops at once, and nothing is obeyed from now on.
   void end();
 
@@ -80,9 +82,12 @@ class Desk final {
   /// Until something is asked for, the desk ends, or this time is over.
   void wait(std::chrono::milliseconds longest);
   bool ended() const;
+  /// The cell's time is this now. From any thread.
+  void tell_time(Duration now) noexcept;
+
+  struct Parts;
 
  private:
-  struct Parts;
   std::unique_ptr<Parts> parts_;
 };
 

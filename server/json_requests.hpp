@@ -1,6 +1,9 @@
 // Requests of the JSON protocol: JSON-RPC 2.0, and the parameters of its methods.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,17 +11,23 @@
 
 namespace pal::server {
 
-// JSON-RPC's own error codes, then ours.
-constexpr int no_json = -32700, no_request = -32600, no_method = -32601, bad_parameters = -32602;
+// JSON-RPC's own error codes, then ours: `first_refusal` + Refusal::Why.
+constexpr int no_json = -32700, no_request = -32600, no_method = -32601, bad_parameters = -32602,
+              internal_error = -32603;
 constexpr int not_admitted = 1, first_refusal = 2;
 
 /// Why a request is refused; what the functions below throw.
 struct Problem {
   int code = 0;
   std::string message;
+  Json data = Json::object();  // the schema's ErrorData
 };
 
+Problem problem_of(const Refusal& refusal);
+Problem problem_of(int code, std::string message, std::string hint = {});
+
 [[noreturn]] void fail(int code, std::string message);
+[[noreturn]] void fail(Refusal::Why why, std::string message, std::string hint = {});
 
 /// A discarded value if the text is not JSON. Throws Problem if it is too deep, so that nothing deep gets as
 /// far as to code that calls itself.
@@ -34,6 +43,15 @@ class Members {
   std::string text(const char* name, const char* otherwise) const;
   /// Null if it is not there.
   const Json* find(const char* name) const;
+  /// A whole number within these bounds. Throws Problem.
+  std::int64_t whole(const char* name, std::int64_t low, std::int64_t high) const;
+  std::optional<std::int64_t> may_be_whole(const char* name, std::int64_t low, std::int64_t high) const;
+  /// False if it is not there.
+  bool truth(const char* name) const;
+  /// The text of each file by its name; empty if it is not there.
+  std::map<std::string, std::string> files() const;
+  /// A text of at most so many bytes; empty if it is not there.
+  std::string short_text(const char* name, std::size_t most) const;
 
  private:
   Json json_ = Json::object();
@@ -44,8 +62,8 @@ operations::Value value_of(const std::string& name, const Json& json);
 
 // The commands that these members make. They throw Problem.
 RunSkill run_skill(const Members& members);
-LoadOperation load_operation(const Members& members);
 SetParameter set_parameter(const Members& members);
-operations::Breakpoint breakpoint(const Members& members);
+SetBreakpoint set_breakpoint(const Members& members);
+AnswerQuestion answer_question(const Members& members);
 
 }  // namespace pal::server

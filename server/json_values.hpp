@@ -1,26 +1,45 @@
-// What the JSON protocol says of events, the state, skills and sensors (docs/reference/protocols.md).
+// What the JSON protocol says of events, the state, skills and sensors (docs/reference/protocols.md). The schema
+// is server/schema/protocol.json.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "server/command.hpp"
 #include "server/desk.hpp"
 #include "server/event.hpp"
+#include "server/knowledge.hpp"
+#include "server/store.hpp"
 
 namespace pal::server {
 
 using Json = nlohmann::ordered_json;
 
 double seconds(Duration time);
+/// "2026-11-28T10:59:24.123Z".
+std::string wall_text(WallTime time);
 
 /// In one line. Bytes that are not UTF-8 are replaced.
 std::string dump(const Json& json);
 
+Json describe(const operations::Value& value);
+Json value_or_null(const std::optional<operations::Value>& value);
+Json describe(const std::vector<operations::Parameter>& parameters);
 Json describe(const Event& event);
 Json describe(const Status& status);
-Json describe(const operations::Skills& skills);
+Json describe(const Snapshot& snapshot);
+Json describe(const std::vector<Present>& clients);
+Json describe(const operations::Breakpoint& breakpoint);
+Json describe(const std::vector<operations::Breakpoint>& breakpoints);
+Json describe(const Outlook& outlook);
+Json describe(const IconValues& values);
+/// `unable`: the skills that this cell cannot run, and why.
+Json describe(const operations::Skills& skills, const Facts& facts, const std::map<std::string, std::string>& unable);
+Json describe(const KnownRequirement& requirement);
 Json describe(const operations::Sensors& sensors);
+Json describe(const StoredEntry& entry);
 /// Of a `skill` its result and times; of another command nothing: an empty object.
 Json describe(const Done& done, bool skill);
 

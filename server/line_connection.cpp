@@ -20,6 +20,7 @@ class LineConnection final : public Connection {
   LineConnection(ConnectionContext& connection_context, Stream stream)
       : Connection(connection_context), stream_(std::move(stream)), again_(connection_context.io) {}
 
+  bool may_be_dropped() const override { return !stays && Connection::may_be_dropped(); }
   void start() override {
     begin_session();
     read();
@@ -74,7 +75,7 @@ class LineConnection final : public Connection {
   void close() override {
     asio::post(context_.io, [self = here()] {
       if (self->gone()) return;
-      if (!stays) return self->leave();
+      if (!stays || self->ends()) return self->leave();
       self->session_.reset();
       self->stay_open();
       self->begin_session();

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <deque>
 #include <optional>
 #include <sstream>
 #include <utility>
 
-#include "server/access.hpp"
+#include "pal/support/text_width.hpp"
 #include "server/session.hpp"
 
 namespace pal::server {
@@ -17,6 +18,8 @@ constexpr std::size_t longest_line = 1000;
 constexpr std::size_t largest_operation = std::size_t{1} << 20;
 // How many characters a workstation reads after a '!'.
 constexpr std::size_t message_size = 50;
+// Lines that may wait for the check of an operation.
+constexpr std::size_t most_held = 10'000;
 
 using Words = std::vector<std::string>;
 
@@ -95,6 +98,7 @@ class LineSession final : public Session {
   }
   void show(Duration, const std::shared_ptr<const Profile>&) override {}
   bool admitted() const override { return client_.has_value(); }
+  bool extra() const override { return extra_; }
   bool looks() const override { return client_ && (showing_ || show_this_); }
 
  private:
@@ -102,12 +106,26 @@ class LineSession final : public Session {
   void go() {
     if (client_) context_.desk.leave(*client_);
     client_.reset();
-    waiting_ = showing_ = show_this_ = watching_ = false;
+    waiting_ = showing_ = show_this_ = watching_ = extra_ = loading_ = false;
+    held_.clear();
+    *alive_ = false;
+    alive_ = std::make_shared<bool>(true);
   }
 
   void end_line() {
     const std::string line = std::exchange(line_, {});
     if (uploading()) return upload(line);
+    // What follows the text of an operation waits until it is checked; a stop does not.
+    if (loading_ && line != "stop" && line != "pause") {
+      held_.push_back(line);
+      if (held_.size() <= most_held) return;
+      complain("too many lines wait");
+      return output_.close("too many lines wait");
+    }
+    take_line(line);
+  }
+
+  void take_line(const std::string& line) {
     if (line.size() > longest_line)
       return complain(fmt::format("a line has at most {} characters", longest_line));
     const Words words = words_of(line);
@@ -119,12 +137,12 @@ class LineSession final : public Session {
     if (verb == "token") return token(words);
     if (!client_) {
       complain("say 'token' and the token first");
-      return output_.close();
+      return output_.close("no token was shown");
     }
     if (verb == "bye") {
       go();
       acknowledge(0);
-      return output_.close();
+      return output_.close("bye");
     }
     if (verb == "why") return tell(why_);
     if (verb == "state") return tell_state();
@@ -145,6 +163,7 @@ class LineSession final : public Session {
       upload_name_ = words[1];
       return;
     }
+    if (verb == "answer" && words.size() >= 3) return answer(words);
     if (verb == "from" && words.size() == 2) return ask(PutToken{words[1]});
     if (verb == "break" && (words.size() == 2 || words.size() == 3)) return set_breakpoint(words);
     if (verb == "set" && words.size() == 4) return set_parameter(words);
@@ -155,11 +174,14 @@ class LineSession final : public Session {
 
   void token(const Words& words) {
     if (client_) return complain("the token has been shown");
-    if (words.size() < 2 || !same_token(words[1], context_.token)) {
+    const auto role = context_.tokens.role_of(words.size() < 2 ? std::string() : words[1]);
+    if (!role) {
       complain("this is not the token");
-      return output_.close();
+      return output_.close("a wrong token");
     }
-    client_ = context_.desk.enter(words.size() > 2 ? words[2].substr(0, 60) : "a line");
+    extra_ = context_.full && context_.full();
+    client_ = context_.desk.enter(words.size() > 2 ? words[2].substr(0, 60) : "a line",
+                                  extra_ ? Role::viewer : *role);
     acknowledge(0);
   }
 
@@ -206,13 +228,51 @@ class LineSession final : public Session {
     ask(SetBreakpoint{std::move(breakpoint)});
   }
 
+  /// The place of the answer, or its text.
+  void answer(const Words& words) {
+    const auto place = number(words[2]);
+    if (words.size() == 3 && place && *place >= 0 && *place <= 1000)
+      return ask(AnswerQuestion{words[1], static_cast<std::size_t>(*place)});
+    std::string text;
+    for (std::size_t i = 2; i < words.size(); ++i) text += (i == 2 ? "" : " ") + words[i];
+    ask(AnswerQuestion{words[1], text});
+  }
+
   void upload(const std::string& line) {
     if (line == ".") {
       const std::string text = *std::exchange(upload_, std::nullopt);
       if (text.size() > largest_operation) return complain("an operation has at most 1 MiB");
-      return ask(LoadOperation{{{upload_name_, text}}, upload_name_});
+      return load({{{upload_name_, text}}, upload_name_});
     }
     if (upload_->size() <= largest_operation) *upload_ += line + "\n";
+  }
+
+  /// Beside the desk, for the check takes its time.
+  void load(LoadOperation command) {
+    loading_ = true;
+    const auto answer = in_turn([this](const Reply& reply) {
+      loading_ = false;
+      if (const auto* refusal = std::get_if<Refusal>(&reply)) {
+        complain(refusal->text());
+      } else {
+        acknowledge(0);
+      }
+      while (!loading_ && !uploading() && !held_.empty()) {
+        const std::string line = std::move(held_.front());
+        held_.pop_front();
+        if (client_) end_held(line);
+      }
+    });
+    const auto ticket = context_.checks.submit(
+        *client_, [&desk = context_.desk, client = *client_, command = std::move(command),
+                   answer](const Workshop::Stop& stop) mutable { desk.ask(client, std::move(command), answer, stop); });
+    if (ticket) return;
+    loading_ = false;
+    complain("too many texts of this client wait");
+  }
+  void end_held(const std::string& line) {
+    if (uploading()) return upload(line);
+    take_line(line);
   }
 
   /// Answered when it halts.
@@ -223,7 +283,7 @@ class LineSession final : public Session {
       const auto* refusal = std::get_if<Refusal>(&reply);
       if (refusal == nullptr) return;
       waiting_ = false;
-      complain(refusal->message);
+      complain(refusal->text());
     }));
   }
   void ask(Command command, bool show = false) {
@@ -231,7 +291,7 @@ class LineSession final : public Session {
     const bool skill = std::holds_alternative<RunSkill>(command);
     context_.desk.ask(*client_, std::move(command), in_turn([this, skill](const Reply& reply) {
       if (skill) show_this_ = false;
-      if (const auto* refusal = std::get_if<Refusal>(&reply)) return complain(refusal->message);
+      if (const auto* refusal = std::get_if<Refusal>(&reply)) return complain(refusal->text());
       const auto& result = std::get<Done>(reply).result;
       if (result.kind == operations::SkillResult::Kind::stopped) return complain(result.reason);
       why_ = result.reason;
@@ -279,9 +339,19 @@ class LineSession final : public Session {
       std::string operator()(const ControlsChanged& what) const {
         return "controls " + (what.holder.empty() ? "-" : what.holder);
       }
+      std::string operator()(const ControlsAsked& what) const { return "asked " + what.name; }
+      std::string operator()(const ClientsChanged& what) const {
+        return fmt::format("clients {}", what.clients.size());
+      }
+      std::string operator()(const HoldChanged& what) const {
+        return "hold " + (what.hold ? what.hold->by + " " + what.hold->reason : "-");
+      }
       std::string operator()(const OperationLoaded& what) const { return "loaded " + what.name; }
       std::string operator()(const StateChanged& what) const {
         return fmt::format("state {} {} {}", operations::name(what.state), what.token, what.reason);
+      }
+      std::string operator()(const HaltAsked& what) const {
+        return fmt::format("{} {}", what.stopping ? "stopping" : "pausing", what.by);
       }
       std::string operator()(const IconReached& what) const { return "icon " + what.icon; }
       std::string operator()(const StepBegins& what) const {
@@ -293,6 +363,25 @@ class LineSession final : public Session {
                            what.step.icon.empty() ? "-" : what.step.icon, subject(what.step),
                            what.step.result.code);
       }
+      std::string operator()(const ParameterSet& what) const {
+        return fmt::format("set {} {} {}", what.icon, what.parameter, operations::to_text(what.value));
+      }
+      std::string operator()(const BreakpointsChanged& what) const {
+        return fmt::format("breakpoints {}", what.breakpoints.size());
+      }
+      std::string operator()(const QuestionAsked& what) const {
+        std::string text = "question " + what.question.question.icon + " " + what.question.question.text;
+        for (const std::string& answer : what.question.question.answers) text += " | " + answer;
+        return text;
+      }
+      std::string operator()(const QuestionClosed& what) const {
+        return fmt::format("answered {} {}", what.icon, what.answer.value_or("-"));
+      }
+      std::string operator()(const StoreChanged& what) const {
+        return fmt::format("stored {} {}", what.name, what.version);
+      }
+      std::string operator()(const LocationChanged& what) const { return "location " + what.location; }
+      std::string operator()(const ServerEnds& what) const { return "ending " + what.reason; }
     };
     say(fmt::format("*{} {}", event.number, std::visit(Visitor{}, event.what)));
   }
@@ -303,10 +392,11 @@ class LineSession final : public Session {
     say(fmt::format("!{:<{}}", message.substr(0, message_size), message_size));
   }
   void tell(const std::string& text) { say("=" + text); }
+  /// Names of operations and icons come from other clients: nothing in them commands this one's terminal.
   void say(std::string text) {
     for (char& each : text)
-      if (static_cast<unsigned char>(each) < ' ') each = ' ';
-    output_.send(std::move(text) + "\r\n");
+      if (each == '\n' || each == '\r') each = ' ';
+    output_.send(printable(text) + "\r\n");
   }
 
   SessionContext& context_;
@@ -315,7 +405,10 @@ class LineSession final : public Session {
   std::optional<ClientId> client_;
   std::string line_, why_, upload_name_;
   std::optional<std::string> upload_;
+  std::deque<std::string> held_;  // lines that wait
   bool last_was_return_ = false;
+  bool loading_ = false;    // an operation is being checked
+  bool extra_ = false;      // it may look, pause and stop
   bool waiting_ = false;    // for the operation to halt
   bool showing_ = false;    // forces are wanted
   bool show_this_ = false;  // … until the skill ends

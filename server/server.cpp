@@ -7,13 +7,11 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
-#include <boost/asio/write.hpp>
 #include <condition_variable>
 #include <csignal>
 #include <deque>
 #include <mutex>
 #include <stdexcept>
-#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -46,9 +44,6 @@ tcp::acceptor listen_at(asio::io_context& io, const std::string& address, std::u
   return acceptor;
 }
 
-/// To a client by lines for which there is no room: 50 characters after the '!', as every refusal.
-constexpr std::string_view no_room = "!the server has as many clients as it takes       \r\n";
-
 /// What another thread leaves for the server's.
 struct Waiting {
   std::vector<Event> events;
@@ -64,7 +59,9 @@ struct Server::Parts {
       : options(std::move(the_options)),
         web(listen_at(io, options.address, options.port)),
         signals(io),
-        glance(io) {
+        glance(io),
+        farewell(io),
+        page_files(options.pages) {
     options.access.port = web.local_endpoint().port();
     if (options.line_port) lines.emplace(listen_at(io, options.address, *options.line_port));
     if (options.line_terminal) {
@@ -78,9 +75,15 @@ struct Server::Parts {
 
   void start(Desk& the_desk, bool with_signals) {
     desk = &the_desk;
-    context.emplace(SessionContext{the_desk, history, options.token, [this](std::function<void()> action) {
-                                     asio::post(io, std::move(action));
-                                   }});
+    checks.emplace(true);
+    disk.emplace(true);
+    context.emplace(SessionContext{the_desk, history, options.tokens,
+                                   [this](std::function<void()> action) { asio::post(io, std::move(action)); },
+                                   *checks, *disk});
+    context->store = options.store;
+    context->knowledge = options.knowledge;
+    context->version = options.version;
+    context->full = [this] { return count_of([](Session& each) { return !each.extra(); }) >= options.most_clients; };
     connection_context.emplace(
         ConnectionContext{io, *context, options.outbox, options.admit_within, options.idle});
     if (with_signals) {
@@ -105,11 +108,25 @@ struct Server::Parts {
       web.close(ignored);
       if (lines) lines->close(ignored);
       signals.cancel(ignored);
-      for (const ConnectionPointer& client : clients) client->leave();
-      io.stop();
+      // Those that stand in a queue have been told what happened; a client that does not read does not keep us.
+      for (const ConnectionPointer& client : clients) client->end();
+      goodbye_by = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
+      wait_for_farewells();
     });
     thread.join();
+    // What these do for a client that is not served any more is not wanted.
+    checks.reset();
+    disk.reset();
     clients.clear();
+  }
+  void wait_for_farewells() {
+    forget_gone();
+    if (clients.empty() || std::chrono::steady_clock::now() > goodbye_by) {
+      for (const ConnectionPointer& client : clients) client->leave();
+      return io.stop();
+    }
+    farewell.expires_after(std::chrono::milliseconds(5));
+    farewell.async_wait([this](const error_code&) { wait_for_farewells(); });
   }
 
   void accept_web() {
@@ -118,12 +135,9 @@ struct Server::Parts {
       error_code ignored;
       // Answers are short, and a client waits for them.
       if (!problem) socket.set_option(tcp::no_delay(true), ignored);
-      forget_gone();
-      const std::size_t most = options.most_clients;
-      // A client that is too many is told so, but not each of hundreds.
-      if (!problem && clients.size() < 2 * most)
-        enter(web_socket_connection(*connection_context, options.access, std::move(socket),
-                                    clients.size() >= most));
+      if (!problem) make_place();
+      if (!problem)
+        enter(web_socket_connection(*connection_context, options.access, page_files, std::move(socket)));
       accept_web();
     });
   }
@@ -132,15 +146,37 @@ struct Server::Parts {
       if (problem == asio::error::operation_aborted) return;
       error_code ignored;
       if (!problem) socket.set_option(asio::socket_base::keep_alive(true), ignored);
-      forget_gone();
-      if (!problem && clients.size() < options.most_clients) {
-        enter(line_connection(*connection_context, std::move(socket)));
-      } else if (!problem) {
-        socket.non_blocking(true, ignored);
-        asio::write(socket, asio::buffer(no_room), ignored);
-      }
+      if (!problem) make_place();
+      if (!problem) enter(line_connection(*connection_context, std::move(socket)));
       accept_line();
     });
+  }
+  /// Nobody keeps others out: clients that have shown no token go oldest first, and so do those that came when
+  /// the places were taken.
+  void make_place() {
+    forget_gone();
+    drop_oldest(options.most_unknown, [](Connection& each) { return each.may_be_dropped(); });
+    drop_oldest(options.most_extra, [](Connection& each) {
+      return each.session() != nullptr && each.session()->admitted() && each.session()->extra();
+    });
+  }
+  template <class Which>
+  void drop_oldest(std::size_t most, const Which& which) {
+    std::size_t count = 0;
+    for (const ConnectionPointer& each : clients) count += which(*each) ? 1U : 0U;
+    for (const ConnectionPointer& each : clients) {
+      if (count < most) break;
+      if (!which(*each)) continue;
+      each->leave();
+      --count;
+    }
+    forget_gone();
+  }
+  template <class Which>
+  std::size_t count_of(const Which& which) {
+    std::size_t count = 0;
+    for_each([&](Session& each) { count += each.admitted() && which(each) ? 1U : 0U; });
+    return count;
   }
   void forget_gone() {
     clients.erase(std::remove_if(clients.begin(), clients.end(),
@@ -204,9 +240,12 @@ struct Server::Parts {
   std::optional<asio::posix::stream_descriptor> terminal, serial;
   std::string terminal_path;
   asio::signal_set signals;
-  asio::steady_timer glance;
+  asio::steady_timer glance, farewell;
+  std::chrono::steady_clock::time_point goodbye_by{};
+  PageFiles page_files;
   Desk* desk = nullptr;
   History history;
+  std::optional<Workshop> checks, disk;
   std::optional<SessionContext> context;
   std::optional<ConnectionContext> connection_context;
   std::vector<ConnectionPointer> clients;

@@ -7,11 +7,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "server/access.hpp"
 #include "server/desk.hpp"
 #include "server/event.hpp"
 #include "server/outbox.hpp"
+#include "server/page_files.hpp"
+#include "server/session.hpp"
 #include "server/telemetry.hpp"
 
 namespace pal::server {
@@ -23,13 +26,19 @@ struct ServerOptions {
   bool line_terminal = false;              // lines over a pseudo-terminal
   std::string line_serial;                 // lines over this serial port; empty: none
   unsigned baud = 9600;                    // of the serial port
-  std::string token;
+  Tokens tokens;
   AccessRules access;  // its port is filled in
-  std::size_t most_clients = 16;
+  std::size_t most_clients = 16;  // that have shown a token and may do what their role may
+  std::size_t most_extra = 4;     // beyond these: they may look, pause and stop; the oldest goes first
+  std::size_t most_unknown = 32;  // that have shown no token yet; likewise
   std::chrono::milliseconds admit_within = std::chrono::seconds(10);  // from coming to showing the token
   std::chrono::milliseconds idle =
       std::chrono::seconds(30);  // a WebSocket that does not answer a ping is closed
   OutboxLimits outbox;
+  std::vector<PageFolder> pages;         // for browsers
+  Store* store = nullptr;                // operations on the disk; null: none
+  const Knowledge* knowledge = nullptr;  // of skills; null: none
+  std::string version;                   // of the program
 };
 
 /// Keeps slow clients from the cell: it is only ever given a copy, and the rest is done in the server's

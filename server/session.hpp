@@ -4,23 +4,46 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "server/desk.hpp"
 #include "server/history.hpp"
+#include "server/knowledge.hpp"
+#include "server/store.hpp"
 #include "server/telemetry.hpp"
+#include "server/workshop.hpp"
 
 namespace pal::server {
+
+/// By which a client shows what it may do. Empty: there is none of this role.
+struct Tokens {
+  std::string programmer, operating, viewer;
+
+  /// Takes the same time wherever the first difference is. Nothing: it is no token.
+  std::optional<Role> role_of(std::string_view given) const;
+};
 
 /// What all sessions share.
 struct SessionContext {
   Desk& desk;
   const History& history;
-  std::string token;
+  Tokens tokens;
   /// Runs the function in the thread of the sessions: answers of the desk come from other threads. It may run
   /// it at once, or later; or never, when the server ends.
   std::function<void(std::function<void()>)> in_turn;
+  Workshop& checks;  // of texts
+  Workshop& disk;
+  Store* store = nullptr;                // null: this server has none
+  const Knowledge* knowledge = nullptr;  // null: nothing is known of skills but what running needs
+  std::string version{};                 // of the program
+  /// Whether the places for clients that may do anything are taken. The next one may look, pause and stop.
+  std::function<bool()> full{};
+
+  std::shared_ptr<const Facts> facts() const {
+    return knowledge != nullptr ? knowledge->now() : std::make_shared<const Facts>();
+  }
 };
 
 /// Where a session's texts go. These functions must not throw, nor call the session.
@@ -29,8 +52,8 @@ struct SessionOutput {
   std::function<void(std::string)> send;
   /// Telemetry; the text is made when it is sent.
   std::function<void(std::function<std::string(std::uint64_t dropped)>)> send_sample;
-  /// No more is read from this client; what was sent before still reaches it.
-  std::function<void()> close;
+  /// No more is read from this client; what was sent before still reaches it. The reason is a few words.
+  std::function<void(std::string reason)> close;
 };
 
 /// One thread only. Its end is the client's going.
@@ -45,6 +68,8 @@ class Session {
   virtual void show(Duration time, const std::shared_ptr<const Profile>& profile) = 0;
   /// It has shown the token.
   virtual bool admitted() const = 0;
+  /// It came when the places were taken, and may look, pause and stop.
+  virtual bool extra() const = 0;
   /// It wants telemetry.
   virtual bool looks() const = 0;
 };

@@ -23,8 +23,8 @@ constexpr std::size_t largest_message = (std::size_t{1} << 20) + 65536;
 class WebSocketConnection final : public Connection {
  public:
   WebSocketConnection(ConnectionContext& connection_context, const AccessRules& rules,
-                      asio::ip::tcp::socket socket, bool full)
-      : Connection(connection_context), rules_(rules), stream_(std::move(socket)), full_(full) {}
+                      const PageFiles& files, asio::ip::tcp::socket socket)
+      : Connection(connection_context), rules_(rules), files_(files), stream_(std::move(socket)) {}
 
   void start() override {
     parser_.emplace();
@@ -50,14 +50,11 @@ class WebSocketConnection final : public Connection {
   void on_request() {
     const auto& request = parser_->get();
     const auto text = [](beast::string_view view) { return std::string_view(view.data(), view.size()); };
-    if (!websocket::is_upgrade(request))
-      return respond(http::status::upgrade_required, "This is a WebSocket that talks JSON-RPC 2.0.\n");
     if (!host_allowed(text(request[http::field::host]), rules_))
       return respond(http::status::forbidden, "This host is not allowed; --allow-host allows it.\n");
+    if (!websocket::is_upgrade(request)) return send_file();
     if (!origin_allowed(text(request[http::field::origin]), rules_))
       return respond(http::status::forbidden, "This origin is not allowed; --allow-origin allows it.\n");
-    if (full_)
-      return respond(http::status::service_unavailable, "The server has as many clients as it takes.\n");
     beast::get_lowest_layer(stream_).expires_never();
     stream_.set_option(websocket::stream_base::timeout{context_.admit_within, context_.idle, true});
     stream_.read_message_max(largest_hello);
@@ -70,12 +67,35 @@ class WebSocketConnection final : public Connection {
       self->read();
     });
   }
+  void send_file() {
+    const auto& request = parser_->get();
+    const auto text = [](beast::string_view view) { return std::string(view.data(), view.size()); };
+    if (request.method() != http::verb::get && request.method() != http::verb::head) {
+      response_.set(http::field::allow, "GET, HEAD");
+      return respond(http::status::method_not_allowed, "This is a WebSocket that talks JSON-RPC 2.0, and files.\n");
+    }
+    const PageAnswer answer = files_.answer({text(request.target()), text(request[http::field::host]),
+                                             text(request[http::field::accept_encoding]),
+                                             text(request[http::field::if_none_match])});
+    for (const auto& [name, value] : answer.fields) response_.set(name, value);
+    response_.result(answer.status);
+    response_.version(11);
+    response_.keep_alive(false);
+    response_.body() = request.method() == http::verb::head ? std::string() : answer.body;
+    response_.content_length(answer.body.size());
+    http::async_write(stream_.next_layer(), response_,
+                      [self = here()](beast::error_code, std::size_t) { self->hang_up(); });
+  }
+  void hang_up() {
+    beast::error_code ignored;
+    beast::get_lowest_layer(stream_).socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+    leave();
+  }
   void respond(http::status status, std::string text) {
     response_.result(status);
     response_.version(11);
     response_.keep_alive(false);
     response_.set(http::field::content_type, "text/plain; charset=utf-8");
-    if (status == http::status::upgrade_required) response_.set(http::field::upgrade, "websocket");
     response_.body() = std::move(text);
     response_.prepare_payload();
     http::async_write(stream_.next_layer(), response_,
@@ -87,7 +107,8 @@ class WebSocketConnection final : public Connection {
     stream_.async_read(buffer_, [self = here()](beast::error_code problem, std::size_t) {
       if (problem) return self->leave();
       if (!self->session_ || self->closing()) return;
-      if (!self->stream_.got_text()) return self->close(websocket::close_code::unknown_data);
+      if (!self->stream_.got_text())
+        return self->close(websocket::close_code::unknown_data, "send text, not bytes");
       const auto data = self->buffer_.cdata();
       self->session_->take({static_cast<const char*>(data.data()), data.size()});
       if (self->session_ && self->session_->admitted()) self->stream_.read_message_max(largest_message);
@@ -99,29 +120,31 @@ class WebSocketConnection final : public Connection {
     stream_.async_write(asio::buffer(text),
                         [self = here()](beast::error_code problem, std::size_t) { self->written(!problem); });
   }
-  void close() override { close(websocket::close_code::policy_error); }
-  void close(websocket::close_code why) {
+  void close() override {
+    close(ends() ? websocket::close_code::going_away : websocket::close_code::policy_error, reason());
+  }
+  void close(websocket::close_code why, const std::string& words) {
     // From outside the session, which is at work.
-    asio::post(context_.io, [self = here(), why] {
+    asio::post(context_.io, [self = here(), why, words] {
       if (self->gone() || std::exchange(self->closed_, true)) return;
-      self->stream_.async_close(why, [self](beast::error_code) { self->leave(); });
+      self->stream_.async_close({why, words}, [self](beast::error_code) { self->leave(); });
     });
   }
-
   const AccessRules& rules_;
+  const PageFiles& files_;
   websocket::stream<beast::tcp_stream> stream_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
-  const bool full_;
   bool closed_ = false;
 };
 
 }  // namespace
 
 ConnectionPointer web_socket_connection(ConnectionContext& connection_context, const AccessRules& rules,
-                                        boost::asio::ip::tcp::socket socket, bool full) {
-  return std::make_shared<WebSocketConnection>(connection_context, rules, std::move(socket), full);
+                                        const PageFiles& files,
+                                        boost::asio::ip::tcp::socket socket) {
+  return std::make_shared<WebSocketConnection>(connection_context, rules, files, std::move(socket));
 }
 
 }  // namespace pal::server

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pal/pan/network.hpp"
 
@@ -23,5 +24,13 @@ std::string to_dot(const Network& network, ModuleId module, const DotOptions& op
 /// Lays a DOT graph out and draws it as SVG, by Graphviz. Throws std::runtime_error with Graphviz' message if
 /// the text is not DOT or cannot be laid out.
 std::string svg(const std::string& dot);
+
+/// The middle of a node on the paper, in points; y grows downwards.
+struct DotPlace {
+  std::string node;
+  double x = 0, y = 0;
+};
+/// Lays a DOT graph out: where its nodes are. Throws as svg().
+std::vector<DotPlace> lay_out(const std::string& dot);
 
 }  // namespace pal::pan

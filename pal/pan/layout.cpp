@@ -2,6 +2,7 @@
 #include <graphviz/gvc.h>
 
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "pal/pan/dot.hpp"
@@ -24,10 +25,13 @@ struct CloseGraph {
   throw std::runtime_error(text.empty() ? what : what + ": " + text);
 }
 
-}  // namespace
-
-std::string svg(const std::string& dot) {
-  // Graphviz prints its complaints unless it is told to keep them.
+/// Calls `use` with the graph, laid out; Graphviz keeps its complaints meanwhile.
+template <class Use>
+void with_layout(const std::string& dot, const Use& use) {
+  // Graphviz has globals, and draws in one thread at a time.
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  // It prints its complaints unless it is told to keep them.
   const agerrlevel_t before = agseterr(AGMAX);
   struct Restore {
     agerrlevel_t level;
@@ -42,14 +46,37 @@ std::string svg(const std::string& dot) {
   const std::unique_ptr<Agraph_t, CloseGraph> graph(agmemread(dot.c_str()));
   if (!graph) fail("the graph is not DOT");
   if (gvLayout(context.get(), graph.get(), "dot") != 0) fail("the graph cannot be laid out");
-  char* data = nullptr;
-  unsigned length = 0;
-  const int failed = gvRenderData(context.get(), graph.get(), "svg", &data, &length);
-  std::string result = failed == 0 && data != nullptr ? std::string(data, length) : std::string();
-  if (data != nullptr) gvFreeRenderData(data);
-  gvFreeLayout(context.get(), graph.get());
-  // Some errors, such as a label that is no table, only leave their part of the picture out.
-  if (failed != 0 || result.empty() || agerrors() >= AGERR) fail("the graph cannot be drawn");
+  struct FreeLayout {
+    GVC_t* context;
+    Agraph_t* graph;
+    ~FreeLayout() { gvFreeLayout(context, graph); }
+  } free_layout{context.get(), graph.get()};
+  use(context.get(), graph.get());
+}
+
+}  // namespace
+
+std::string svg(const std::string& dot) {
+  std::string result;
+  with_layout(dot, [&result](GVC_t* context, Agraph_t* graph) {
+    char* data = nullptr;
+    unsigned length = 0;
+    const int failed = gvRenderData(context, graph, "svg", &data, &length);
+    if (failed == 0 && data != nullptr) result.assign(data, length);
+    if (data != nullptr) gvFreeRenderData(data);
+    // Some errors, such as a label that is no table, only leave their part of the picture out.
+    if (failed != 0 || result.empty() || agerrors() >= AGERR) fail("the graph cannot be drawn");
+  });
+  return result;
+}
+
+std::vector<DotPlace> lay_out(const std::string& dot) {
+  std::vector<DotPlace> result;
+  with_layout(dot, [&result](GVC_t*, Agraph_t* graph) {
+    const double top = GD_bb(graph).UR.y;
+    for (Agnode_t* node = agfstnode(graph); node != nullptr; node = agnxtnode(graph, node))
+      result.push_back({agnameof(node), ND_coord(node).x, top - ND_coord(node).y});
+  });
   return result;
 }
 

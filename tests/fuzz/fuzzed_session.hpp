@@ -46,7 +46,7 @@ class FuzzedSession final : public server::EventSink {
 
   explicit FuzzedSession(Make make)
       : session(make(context, {[](const std::string&) {}, [](const auto& sample) { sample(0); },
-                               [this] { hung_up = true; }})) {
+                               [this](const std::string&) { hung_up = true; }})) {
     runner.desk = &desk;
   }
   void happened(const server::Event& event) override {
@@ -89,8 +89,13 @@ class FuzzedSession final : public server::EventSink {
   server::History history;
   std::vector<server::Event> waiting;
   server::Desk desk{runner, skills(), *this, options()};
-  server::SessionContext context{desk, history, "0123456789abcdef0123456789abcdef",
-                                 [](const std::function<void()>& action) { action(); }};
+  server::Workshop at_once{false};
+  server::SessionContext context{desk,
+                                 history,
+                                 {"0123456789abcdef0123456789abcdef", "", ""},
+                                 [](const std::function<void()>& action) { action(); },
+                                 at_once,
+                                 at_once};
   bool hung_up = false, was_admitted = false;
   std::unique_ptr<server::Session> session;
 };

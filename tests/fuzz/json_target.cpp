@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   if (!rest.empty() && rest.front() == '+') {
     rest.remove_prefix(1);
-    dialogue.give(R"({"jsonrpc": "2.0", "method": "hello", "params": {"token": ")" + dialogue.context.token +
+    dialogue.give(R"({"jsonrpc": "2.0", "method": "hello", "params": {"token": ")" + dialogue.context.tokens.programmer +
                   "\"}}");
   }
   while (!rest.empty()) {

@@ -45,7 +45,7 @@ LAYERS = {
     "analyzer/run_checker": ["analyzer/problem"] + MODEL,  # of the analysis nothing
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
-    "server": ["operations", "pal/support", "pal/pan"],  # likewise
+    "server": ["operations", "pal/explain", "pal/support", "pal/pan"],  # likewise
     "language_server": ["pal/support", "pal/pan", "pal/doc", "pal/syntax", "pal/check"],  # proofs come from the program
     **rooms("pal", COMPILER),
     **{room: KERNEL[:i] + ["trace"] for i, room in enumerate(KERNEL)},

@@ -49,7 +49,7 @@ class Terminal {
     try {
       const auto announced = server::read_announcement(path);
       client_.emplace(announced.address, announced.port);
-      const Json hello{{"token", announced.token},
+      const Json hello{{"token", announced.tokens.programmer},
                        {"name", fmt::format("workcell operation {}", command.verb)}};
       state_ = call("hello", hello.dump());
     } catch (const std::exception& problem) {

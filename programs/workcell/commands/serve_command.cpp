@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 #include <ostream>
 
@@ -10,6 +11,7 @@
 #include "programs/workcell/session/cell_runner.hpp"
 #include "programs/workcell/session/fault_file.hpp"
 #include "programs/workcell/session/instruments.hpp"
+#include "programs/workcell/session/skill_facts.hpp"
 #include "runtime/drivers/streams/outside.hpp"
 #include "server/announcement.hpp"
 #include "server/server.hpp"
@@ -30,7 +32,9 @@ server::ServerOptions server_options(const ServeCommand& command) {
   options.baud = command.baud;
   options.access.hosts.insert(options.access.hosts.end(), command.hosts.begin(), command.hosts.end());
   options.access.origins = command.origins;
-  options.token = server::make_token();
+  options.tokens = {server::make_token(), server::make_token(), server::make_token()};
+  if (!command.page.empty()) options.pages.push_back({"/", command.page});
+  options.version = PAL_VERSION;
   return options;
 }
 
@@ -46,29 +50,44 @@ std::unique_ptr<server::Server> open_server(const server::ServerOptions& options
 /// The file by which programs find the server, for as long as it serves.
 class Announced {
  public:
-  Announced(std::string path, const server::Announcement& announcement) : path_(std::move(path)) {
+  Announced(std::string path, server::Announcement announcement)
+      : path_(std::move(path)), announcement_(std::move(announcement)) {
     try {
-      server::announce(path_, announcement);
+      server::announce(path_, announcement_);
     } catch (const std::exception& problem) {
       throw Failure(ExitStatus::usage, "serve", problem.what(), "name another file: --announce FILE");
     }
   }
-  ~Announced() { ::unlink(path_.c_str()); }
+  ~Announced() { server::withdraw(path_, announcement_); }
   Announced(const Announced&) = delete;
   Announced& operator=(const Announced&) = delete;
 
  private:
   std::string path_;
+  server::Announcement announcement_;
 };
 
+std::optional<server::Store> open_store(const std::string& folder) {
+  if (folder.empty()) return std::nullopt;
+  try {
+    return server::Store(folder);
+  } catch (const std::exception& problem) {
+    throw Failure(ExitStatus::usage, "--store " + folder, problem.what(), "name a folder that can be written");
+  }
+}
+
 void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const server::Server& server,
-                    const std::string& announcement, std::ostream& out) {
+                    const std::string& announcement, const server::Tokens& tokens, std::ostream& out) {
   out << fmt::format("serving scene {}; Ctrl-C ends it\n", scene.name)
       << fmt::format("  JSON-RPC at ws://{}:{}\n", command.address, server.port());
   if (const auto port = server.line_port()) out << fmt::format("  lines at {}:{}\n", command.address, *port);
   if (!server.terminal().empty()) out << fmt::format("  lines at {}\n", server.terminal());
   if (!command.line_serial.empty()) out << fmt::format("  lines at {}\n", command.line_serial);
   out << fmt::format("  the token is in {}\n", announcement);
+  if (command.open)
+    out << fmt::format("  a browser shows the cell at http://{}:{}/#token={}\n",
+                       command.address == "localhost" ? "127.0.0.1" : command.address, server.port(),
+                       tokens.programmer);
   if (!server::is_loopback(command.address))
     out << "  warning: others can reach this address, and nothing is encrypted, not even the token\n";
   check_told(out);
@@ -85,7 +104,14 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     if (!log_file) throw Failure(ExitStatus::usage, "--log " + command.log, "it cannot be written");
   }
   operations::StepLog log(log_file);
-  const server::ServerOptions offered = server_options(command);
+  if (command.open && command.page.empty())
+    throw Failure(ExitStatus::usage, "--open", "there is no page for browsers here",
+                  "name its folder: --page FOLDER");
+  std::optional<server::Store> store = open_store(command.store);
+  server::Knowledge knowledge;
+  server::ServerOptions offered = server_options(command);
+  offered.store = store ? &*store : nullptr;
+  offered.knowledge = &knowledge;
   const auto server = open_server(offered);
 
   std::optional<runtime::drivers::Outside> wall;
@@ -95,8 +121,16 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   options.keep_log = false;
   options.faults = faults_of_lines(command.faults);
   if (command.paced > 0) options.pace = &wall.emplace(command.paced);
+  std::atomic<server::Desk*> clock_reader = nullptr;
   options.watch = [&](sim::Workcell& workcell) {
-    return std::make_unique<WatchedWorld>(workcell, std::vector{instrument_watcher(workcell, *server)});
+    const Watcher clock{20ms, [&workcell, &clock_reader] {
+                          if (auto* reader = clock_reader.load()) reader->tell_time(workcell.now());
+                        }};
+    auto watched =
+        std::make_unique<WatchedWorld>(workcell, std::vector{instrument_watcher(workcell, *server), clock});
+    // Without this nobody would look, ever.
+    watched->begin(workcell.now());
+    return watched;
   };
   std::optional<sim::Cell> opened;
   try {
@@ -109,24 +143,34 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
   runner.on_broken_promise(policy_named(command.on_broken_promise));
   const operations::Cell known_of_cell = cell_of(cell, known, scene, command.scene_folders);
-  server::Desk desk(
-      runner, *known_of_cell.skills, *server,
-      {scene.name, !command.goes_on, command.log.empty() ? nullptr : &log, *known_of_cell.sensors,
-       known_of_cell.locations, known_of_cell.figures, known_of_cell.unable});
+  server::DeskOptions desk_options{scene.name,
+                                   !command.goes_on,
+                                   command.log.empty() ? nullptr : &log,
+                                   *known_of_cell.sensors,
+                                   known_of_cell.locations,
+                                   known_of_cell.figures,
+                                   known_of_cell.unable};
+  if (command.paced <= 0) desk_options.answer_wait = 10ms;
+  server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
+  clock_reader = &desk;
+  desk.tell_time(runner.now());
+  const SkillScholar scholar(known, command.skill_folders, knowledge);
   server->start(desk, true);
   const std::string path =
       command.announcement.empty() ? server::default_announcement() : command.announcement;
-  const Announced announced(path, {command.address, server->port(), offered.token});
-  tell_addresses(command, scene, *server, path, out);
+  const Announced announced(path, {command.address, server->port(), offered.tokens});
+  tell_addresses(command, scene, *server, path, offered.tokens, out);
   while (!desk.ended()) {
     if (desk.work()) continue;
     if (command.paced > 0) {
       cell.station().idle(10ms);
+      desk.tell_time(runner.now());
     } else {
       desk.wait(100ms);
     }
   }
   server->stop();
+  clock_reader = nullptr;
   out << fmt::format("served for {:.1f} s of the cell\n",
                      std::chrono::duration<double>(cell.station().now()).count());
   const bool untried =

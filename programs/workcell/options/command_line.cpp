@@ -234,6 +234,9 @@ void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::strin
                "in virtual time, as fast as possible; the cell's clock stands between skills")
       ->excludes(paced);
   app.add_option("--log", command.log, "a file that gets a line of JSON for each step");
+  app.add_option("--page", command.page, "the folder of the page for browsers; without it the installed one");
+  app.add_option("--store", command.store, "a folder that keeps operations, with all their versions");
+  app.add_flag("--open", command.open, "prints the address at which a browser shows the cell");
 }
 
 struct Verb {
@@ -369,6 +372,10 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
     run_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
     if (cell_app->parsed()) {
       if (cell_command.fast) cell_command.paced = 0;
+      cell_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
+      if (cell_command.page.empty())
+        for (const std::string& folder : folders_of({}, "workstation", PAL_PAGE_FOLDER))
+          if (cell_command.page.empty() && std::filesystem::is_directory(folder)) cell_command.page = folder;
       return serve(cell_command, skills, out);
     }
     if (!remote.verb.empty()) return command_server(remote, out, error);

@@ -98,6 +98,10 @@ struct ServeCommand {
   double paced = 1;      // station seconds a second; 0: as fast as can be
   bool fast = false;
   std::string log;
+  std::string page;   // the folder of the page for browsers; empty: the installed one, or none
+  std::string store;  // the folder of operations on the disk; empty: none
+  bool open = false;  // print the address for a browser
+  std::vector<std::string> skill_folders;  // with the PAL of the skills; the first that is there counts
 };
 
 /// "workcell serve": until Ctrl-C. Throws Failure.

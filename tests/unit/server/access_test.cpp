@@ -45,11 +45,11 @@ TEST_CASE("only this machine's names and pages are accepted, unless others are n
 TEST_CASE("others cannot read the token's file, and a readable one is not trusted") {
   const std::string folder = std::filesystem::temp_directory_path() / ("pal-announcement-" + make_token());
   const std::string path = folder + "/workcell.json";
-  announce(path, {"127.0.0.1", 7400, "secret"});
+  announce(path, {"127.0.0.1", 7400, {"secret", "", ""}});
   struct stat found {};
   REQUIRE(::stat(path.c_str(), &found) == 0);
   CHECK((found.st_mode & 0777) == 0600);
-  CHECK(read_announcement(path).token == "secret");
+  CHECK(read_announcement(path).tokens.programmer == "secret");
   CHECK(read_announcement(path).port == 7400);
   ::chmod(path.c_str(), 0644);
   CHECK_THROWS(read_announcement(path));

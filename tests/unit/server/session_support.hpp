@@ -15,7 +15,10 @@ struct SessionFixture : server::EventSink {
     hung_up = false;
     session =
         make_(context, {[this](std::string text) { said.push_back(std::move(text)); },
-                        [this](auto sample) { said.push_back(sample(0)); }, [this] { hung_up = true; }});
+                        [this](auto sample) { said.push_back(sample(0)); }, [this](std::string reason) {
+                          hung_up = true;
+                          why = std::move(reason);
+                        }});
   }
   void happened(const server::Event& event) override {
     history.add(event);
@@ -44,10 +47,16 @@ struct SessionFixture : server::EventSink {
   server::History history;
   std::vector<server::Event> waiting;
   server::Desk desk{cell, clockwork_skills(), *this};
-  server::SessionContext context{desk, history, "secret",
-                                 [](const std::function<void()>& action) { action(); }};
+  server::Workshop at_once{false};
+  server::SessionContext context{desk,
+                                 history,
+                                 {"secret", "operators", "viewers"},
+                                 [](const std::function<void()>& action) { action(); },
+                                 at_once,
+                                 at_once};
   std::vector<std::string> said;
   bool hung_up = false;
+  std::string why;  // it hung up
   std::unique_ptr<server::Session> session;
 
  private:

@@ -1,0 +1,133 @@
+#include "programs/workcell/session/skill_facts.hpp"
+
+#include <sys/resource.h>
+
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <variant>
+
+#include "analyzer/analysis.hpp"
+#include "pal/support/file_system.hpp"
+#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/selection.hpp"
+#include "programs/workcell/session/needed_tool.hpp"
+#include "sim/arm/tool.hpp"
+
+namespace pal::workcell {
+namespace {
+
+using server::KnownRequirement;
+using Verdict = KnownRequirement::Verdict;
+
+Verdict verdict_of(analyzer::VerdictState state) {
+  if (state == analyzer::VerdictState::holds || state == analyzer::VerdictState::never) return Verdict::holds;
+  return state == analyzer::VerdictState::fails ? Verdict::fails : Verdict::undecided;
+}
+
+bool is_load(const pan::Requirement& requirement) {
+  return std::holds_alternative<pan::Load>(requirement.measure);
+}
+
+/// Seconds, or per cent of a load: nanoseconds of work in a second.
+double in_unit(const pan::Requirement& requirement, Duration value) {
+  const double seconds = static_cast<double>(value.count()) / 1e9;
+  return is_load(requirement) ? 100 * seconds : seconds;
+}
+
+std::string text_of(const pan::Requirement& requirement, const SourceManager& sources) {
+  if (!requirement.where.valid()) return {};
+  const auto at = sources.line_column(requirement.where.file, requirement.where.begin);
+  std::string text(sources.line_text(requirement.where.file, at.line));
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+/// As read, before anything is proved.
+server::SkillFacts facts_of(const pan::Network& network, const std::string& environment,
+                            const SourceManager& sources) {
+  server::SkillFacts facts;
+  facts.skill = network.skill;
+  facts.environment = environment;
+  for (const pan::Requirement& requirement : network.requirements)
+    facts.requirements.push_back({requirement.name, text_of(requirement, sources), Verdict::proving, std::nullopt,
+                                  in_unit(requirement, requirement.limit), is_load(requirement) ? "%" : "s"});
+  return facts;
+}
+
+void note(const pan::Network& network, const analyzer::Analysis& analysis, server::Facts& facts) {
+  server::SkillFacts& skill = facts.skills[network.skill.name];
+  for (std::size_t i = 0; i < network.requirements.size(); ++i) {
+    const pan::Requirement& requirement = network.requirements[i];
+    for (const analyzer::Verdict& verdict : analysis.verdicts) {
+      if (verdict.requirement != requirement.name) continue;
+      KnownRequirement& known = skill.requirements[i];
+      known.verdict = verdict_of(verdict.state);
+      if (verdict.bound) known.bound = in_unit(requirement, *verdict.bound);
+      const auto* completing = std::get_if<pan::Completing>(&requirement.measure);
+      if (completing != nullptr && verdict.bound)
+        facts.times[{network.skill.name, completing->code}] = *verdict.bound;
+    }
+  }
+}
+
+}  // namespace
+
+SkillScholar::SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
+                           server::Knowledge& knowledge) {
+  for (const std::string& folder : folders) {
+    if (!std::filesystem::is_directory(folder)) continue;
+    thread_ = std::thread([this, &known, folder, &knowledge] { study(known, folder, knowledge); });
+    return;
+  }
+}
+
+SkillScholar::~SkillScholar() {
+  ending_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string& folder,
+                         server::Knowledge& knowledge) const {
+  // The cell's own threads come first; on Linux this is of the thread.
+  constexpr int least_urgent = 19;
+  ::setpriority(PRIO_PROCESS, 0, least_urgent);
+  const DiskFileSystem files;
+  std::ostringstream out, error;
+  const program::Console console{out, error, files};
+  program::Session session;
+  session.stop = [this] { return ending_.load(); };
+  program::Selection selection;
+  const auto found = files.list(folder, ".pal");
+  if (!found) return;
+  selection.files = *found;
+  selection.environments = {folder + "/workcell.pal"};
+  if (!program::read(selection, console, session) || session.diagnostics.has_errors()) return;
+
+  auto facts = std::make_shared<server::Facts>();
+  const pan::Environment* cell = nullptr;
+  for (const pan::Environment& environment : session.specification.environments)
+    if (environment.name == "workcell") cell = &environment;
+  for (const pan::Network& network : session.specification.skills) {
+    auto& skill = facts->skills[network.skill.name] =
+        facts_of(network, cell != nullptr ? cell->name : "", session.sources);
+    for (const KnownSkill& each : known)
+      if (each.name == network.skill.name)
+        if (const auto tool = needed_tool(*each.make())) skill.tool = sim::to_string(*tool);
+  }
+  knowledge.learn(std::make_shared<server::Facts>(*facts));
+  if (cell == nullptr) return;
+  program::ProofLimits limits;
+  limits.threads = 1;
+  analyzer::Options options = program::options_of(limits);
+  options.stop = [this, usual = options.stop] { return ending_.load() || (usual && usual()); };
+  for (const pan::Network& network : session.specification.skills) {
+    if (ending_) return;
+    const auto problem = program::problem_of(network, *cell, session);
+    if (!problem) continue;
+    note(network, analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options), *facts);
+    if (!ending_) knowledge.learn(std::make_shared<server::Facts>(*facts));
+  }
+}
+
+}  // namespace pal::workcell

@@ -1,0 +1,34 @@
+// What clients of a server may know of the skills: their templates, and what is proved of them.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "programs/workcell/session/skills.hpp"
+#include "server/knowledge.hpp"
+
+namespace pal::workcell {
+
+/// Reads the PAL of the skills in a thread of its own and proves them there, one after the other; the knowledge
+/// grows meanwhile. A skill without PAL stays as the program knows it.
+class SkillScholar {
+ public:
+  /// The PAL is in the first of these folders that is there, and the workcell's times in its workcell.pal. All
+  /// outlive the scholar.
+  SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
+               server::Knowledge& knowledge);
+  /// Leaves what it has not proved yet.
+  ~SkillScholar();
+  SkillScholar(const SkillScholar&) = delete;
+  SkillScholar& operator=(const SkillScholar&) = delete;
+
+ private:
+  void study(const std::vector<KnownSkill>& known, const std::string& folder, server::Knowledge& knowledge) const;
+
+  std::atomic<bool> ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace pal::workcell

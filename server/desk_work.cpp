@@ -1,0 +1,147 @@
+// The cell's thread at work: skills alone, operations, and the questions that they ask.
+#include <algorithm>
+
+#include "server/desk_parts.hpp"
+
+namespace pal::server {
+
+void AskingRunner::ask(const operations::Question& question) {
+  const std::lock_guard lock(desk_.mutex);
+  desk_.set_time(runner_.now());
+  desk_.answer.reset();
+  desk_.status.question = OpenQuestion{question, runner_.now(), std::chrono::system_clock::now()};
+  desk_.publish(QuestionAsked{*desk_.status.question});
+}
+
+operations::Reply AskingRunner::answer() {
+  // The runner itself has nobody to ask, but knows whether it was stopped.
+  if (runner_.answer().stopped) return {{}, {}, true};
+  std::unique_lock lock(desk_.mutex);
+  desk_.set_time(runner_.now());
+  if (desk_.options.answer_wait.count() > 0)
+    desk_.answered.wait_for(lock, desk_.options.answer_wait, [this] {
+      return desk_.answer.has_value() || desk_.ending || desk_.status.stopping || desk_.status.pausing;
+    });
+  return {desk_.answer, {}, false};
+}
+
+void AskingRunner::withdraw() {
+  const std::lock_guard lock(desk_.mutex);
+  if (!desk_.status.question) return;
+  const operations::Question question = desk_.status.question->question;
+  desk_.status.question.reset();
+  std::optional<std::string> said;
+  if (desk_.answer) said = question.answers[*desk_.answer];
+  desk_.publish(QuestionClosed{question.icon, said, said ? desk_.answered_by : ""});
+  desk_.answer.reset();
+}
+
+void Desk::Parts::begin(Activity activity) {
+  status.activity = activity;
+  status.pausing = status.stopping = false;
+  accepted_stops = stops;
+  accepted_pauses = pauses;
+  changed.notify_all();
+}
+
+void Desk::Parts::change_between() {
+  for (auto& [change, reply_to] : std::exchange(between, {})) {
+    Reply reply;
+    try {
+      reply = change();
+    } catch (const operations::ExecutionError& problem) {
+      reply = Refusal{Refusal::Why::wrong, problem.what()};
+    }
+    if (reply_to) reply_to(reply);
+  }
+}
+
+void Desk::Parts::arrives(const std::string& icon) {
+  sink.make_room();
+  const std::lock_guard lock(mutex);
+  change_between();
+  status.token = icon;
+  set_time(runner.now());
+  here = Here{icon, time_now(), std::chrono::system_clock::now()};
+  IconState& state = icons[icon];
+  ++state.visits;
+  state.last = time_now();
+  publish(IconReached{icon});
+}
+
+void Desk::Parts::begins(const operations::Step& step) {
+  const std::lock_guard lock(mutex);
+  set_time(step.begin);
+  status.steps = step.number;
+  status.running = Running{step, std::chrono::system_clock::now(), false};
+  publish(StepBegins{step});
+}
+
+void Desk::Parts::done(const operations::Step& step) {
+  if (options.log != nullptr) options.log->done(step);
+  const std::lock_guard lock(mutex);
+  set_time(step.end);
+  status.running.reset();
+  cut_off = step.result.kind == operations::SkillResult::Kind::stopped;
+  if (!cut_off) step_before = step.icon;
+  IconState& state = icons[step.icon];
+  state.kind = step.result.kind;
+  if (step.has_code()) state.code = step.result.code;
+  if (step.result.kind == operations::SkillResult::Kind::normal) ++state.ends;
+  if (step.has_code()) status.last_code = step.result.code;
+  publish(StepEnds{step});
+}
+
+void Desk::Parts::work_on(const OperationJob& job) {
+  executor->allow();
+  // What was asked for after the command had been accepted holds; allow() may just have forgotten it.
+  {
+    const std::lock_guard lock(mutex);
+    if (stops != accepted_stops) executor->stop();
+    if (pauses != accepted_pauses) executor->pause();
+  }
+  if (job.steps > 0) {
+    executor->run(job.steps);
+  } else {
+    executor->run();
+  }
+  const std::lock_guard lock(mutex);
+  change_between();
+  status.activity = Activity::idle;
+  status.pausing = status.stopping = false;
+  status.running.reset();
+  set_time(runner.now());
+  look_at_executor();
+  publish_state();
+}
+
+void Desk::Parts::work_on(SkillJob& job) {
+  runner.allow();
+  operations::Step step{++alone, {}, job.command.skill, job.command.parameters, {}, runner.now(), {}};
+  {
+    const std::lock_guard lock(mutex);
+    if (stops != accepted_stops) runner.stop();
+    set_time(step.begin);
+    status.running = Running{step, std::chrono::system_clock::now(), true};
+    publish(StepBegins{step});
+  }
+  step.result = runner.run(job.command.skill, job.command.parameters, std::nullopt);
+  step.end = runner.now();
+  if (options.log != nullptr) options.log->done(step);
+  {
+    const std::lock_guard lock(mutex);
+    status.activity = Activity::idle;
+    status.pausing = status.stopping = false;
+    status.running.reset();
+    stops_without.reset();
+    set_time(step.end);
+    publish(StepEnds{step});
+  }
+  Done result;
+  result.result = step.result;
+  result.begin = step.begin;
+  result.end = step.end;
+  job.answer(result);
+}
+
+}  // namespace pal::server

@@ -1,0 +1,78 @@
+// The methods of the JSON protocol on texts of operations that need not be loaded.
+#include <array>
+
+#include "server/json_call.hpp"
+#include "server/services.hpp"
+#include "server/text_check.hpp"
+
+namespace pal::server {
+namespace {
+
+constexpr std::size_t usual_ways = 16;
+constexpr std::int64_t greatest_number_of_ways = 64;
+
+void check(const Call& call) {
+  const Members& members = call.members();
+  const auto ways = static_cast<std::size_t>(
+      members.may_be_whole("ways", 0, greatest_number_of_ways).value_or(usual_ways));
+  call.beside(call.context().checks, [files = members.files(), main = members.text("main"), ways,
+                                      &context = call.context()](const Workshop::Stop& stop) mutable {
+    const RequestFiles all(files, context.store);
+    Json json = checked(all, main, *context.desk.cell(), *context.facts(), ways, stop);
+    if (stop()) fail(Refusal::Why::cancelled, "it was cancelled");
+    return json;
+  });
+}
+
+void format(const Call& call) {
+  call.beside(call.context().checks, [text = call.members().text("text"),
+                                      name = call.members().text("file", "operation.op.json")](
+                                         const Workshop::Stop&) { return Json{{"text", formatted(name, text)}}; });
+}
+
+/// Two numbers above 0.
+std::pair<double, double> pair_of(const Json& json, const char* name) {
+  const auto number = [&](std::size_t i) {
+    const double value = json.is_array() && json.size() == 2 && json[i].is_number() ? json[i].get<double>() : 0;
+    if (!(value > 0 && value <= 1e4)) fail(bad_parameters, std::string("'") + name + "' is two numbers, 0 to 10000");
+    return value;
+  };
+  return {number(0), number(1)};
+}
+
+void tidy(const Call& call) {
+  const Members& members = call.members();
+  TidyOptions options;
+  options.operation = members.text("operation", "");
+  if (const Json* sizes = members.find("sizes")) {
+    if (!sizes->is_object()) fail(bad_parameters, "'sizes' must be an object");
+    for (const auto& [kind, size] : sizes->items()) options.sizes[kind] = pair_of(size, "sizes");
+  }
+  if (const Json* apart = members.find("apart"))
+    std::tie(options.ranks_apart, options.apart) = pair_of(*apart, "apart");
+  call.beside(call.context().checks, [files = members.files(), main = members.text("main"), options,
+                                      &context = call.context()](const Workshop::Stop& stop) mutable {
+    return tidied(RequestFiles(files, context.store), main, options, stop);
+  });
+}
+
+void compare(const Call& call) {
+  call.beside(call.context().checks,
+              [before = call.members().text("before"), after = call.members().text("after")](
+                  const Workshop::Stop&) { return difference(before, after); });
+}
+
+constexpr std::array text_methods{
+    Method{"operation.check", Role::viewer, false, check},
+    Method{"operation.format", Role::viewer, false, format},
+    Method{"operation.tidy", Role::viewer, false, tidy},
+    Method{"operation.difference", Role::viewer, false, compare},
+};
+
+}  // namespace
+
+std::span<const Method> methods_of_texts() {
+  return text_methods;
+}
+
+}  // namespace pal::server
