@@ -37,7 +37,7 @@ struct Fixture {
     std::string said = "not yet";
     desk.ask(client, std::move(command), [&said](const Reply& reply) {
       const auto* refusal = std::get_if<Refusal>(&reply);
-      said = refusal == nullptr ? "done" : refusal->message;
+      said = refusal == nullptr ? "done" : refusal->text();
     });
     return said;
   }
