@@ -6,10 +6,12 @@
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/slice_bound.hpp"
 #include "analyzer/exact/zeno_run.hpp"
+#include "analyzer/machine/loss_rows.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/runs/zone_walk.hpp"
 #include "analyzer/verdict/confront.hpp"
+#include "analyzer/verdict/loop_growth.hpp"
 #include "analyzer/verdict/refuted.hpp"
 #include "analyzer/verdict/sentence.hpp"
 #include "analyzer/verdict/story.hpp"
@@ -344,23 +346,12 @@ void share_bounds(const Problem& problem, Analysis& analysis) {
   }
 }
 
-/// In rows longer than this, losses are first counted in shorter ones.
+/// In rows longer than this, losses are first counted in shorter ones, up to the second.
 constexpr int short_row = 8;
+constexpr int longest_short_row = 32;
 
-/// How many of `in` in a row are lost at most, where so many of each shorter row (by its length) are.
-int most_lost(int in, const std::vector<std::pair<int, int>>& shorter) {
-  std::vector<int> most(static_cast<std::size_t>(in) + 1);
-  for (int length = 1; length <= in; ++length) {
-    int& here = most[static_cast<std::size_t>(length)];
-    here = length;
-    for (const auto& [row, lost] : shorter)
-      here = std::min(here, row >= length ? lost : lost + most[static_cast<std::size_t>(length - row)]);
-  }
-  return most.back();
-}
-
-/// A long row of losses consists of short ones, which are explored much sooner. Nothing: that does not show
-/// that the requirement holds.
+/// A long row of losses consists of short ones, which are explored much sooner. The verdict is what they
+/// show: it holds, or is undecided with a bound. Nothing: they show nothing.
 std::optional<Verdict> by_shorter_rows(const Provers& provers, const Problem& problem,
                                        const Requirement& requirement, const Options& options) {
   if (requirement.measure != Requirement::Measure::loss || requirement.in <= short_row) return std::nullopt;
@@ -369,26 +360,58 @@ std::optional<Verdict> by_shorter_rows(const Provers& provers, const Problem& pr
   Options brief = options;
   brief.max_states = std::min(options.max_states, glance(problem));
   std::vector<std::pair<int, int>> shorter;
-  for (int row = 1; row <= short_row; row *= 2) {
+  std::optional<Verdict> known;
+  for (int row = 1; row <= longest_short_row && row < requirement.in; row *= 2) {
     part.requirements.front().in = row;
     Verdict verdict = provers.exact(part, brief).verdicts.front();
-    if (verdict.gave_up || !verdict.bound || verdict.state == State::never) return std::nullopt;
+    if (verdict.state == State::never) return std::nullopt;
+    if (verdict.gave_up || !verdict.bound) return known;
     const auto lost = static_cast<int>(verdict.bound->count());
     shorter.emplace_back(row, lost);
     const int most = most_lost(requirement.in, shorter);
-    if (most > requirement.limit) continue;
-    verdict.state = State::holds;
+    if (known && Duration(most) >= *known->bound) continue;
+    verdict.state = most <= requirement.limit ? State::holds : State::undecided;
     verdict.limit = Duration(requirement.limit);
     verdict.bound = Duration(most);
-    verdict.exact = false;
-    verdict.witness.reset();
+    verdict.exact = most == 0;
+    if (!verdict.exact) verdict.witness.reset();
     verdict.reasons.clear();
     verdict.explanation = "Of any " + std::to_string(row) + " in a row at most " + std::to_string(lost) +
                           " are lost, so of any " + std::to_string(requirement.in) + " at most " +
                           std::to_string(most) + ".";
-    return verdict;
+    known = std::move(verdict);
+    if (known->state == State::holds) break;
   }
-  return std::nullopt;
+  return known;
+}
+
+/// So many runs are made for all requirements together that hold by a bound which no run is known to attain:
+/// in a small skill they show for nothing that it is exact.
+constexpr std::size_t runs_for_held = 400;
+constexpr std::size_t least_runs_for_held = 40;  // of each
+constexpr std::size_t few_threads_for_held = 16;
+
+void look_whether_exact(const Problem& problem, const Options& options, Analysis& analysis) {
+  const auto open = [](const Verdict& verdict) {
+    return verdict.state == State::holds && !verdict.exact && verdict.bound &&
+           verdict.measure != Requirement::Measure::load;
+  };
+  const auto held =
+      static_cast<std::size_t>(std::count_if(analysis.verdicts.begin(), analysis.verdicts.end(), open));
+  if (held == 0 || problem.threads.size() > few_threads_for_held) return;
+  RunSearchOptions how;
+  how.runs = runs_for_held / held;
+  if (how.runs < least_runs_for_held) return;
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    if (open(analysis.verdicts[r]))
+      look_for_run(problem, problem.requirements[r], options, how, analysis.verdicts[r]);
+  }
+}
+
+/// A value that grows in a loop needs no further search.
+void say_what_grows(const Problem& problem, const Options& options, Analysis& analysis) {
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r)
+    set_loop_growth(problem, problem.requirements[r], options.stop, analysis.verdicts[r]);
 }
 
 Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options,
@@ -401,9 +424,15 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   for (std::size_t r = 0; r < bounds.size(); ++r) complete(analysis.verdicts[r], bounds[r]);
   say_ends(problem, share_of(options, 0.2), analysis);
   tell(options, analysis);
+  say_what_grows(problem, share_of(options, 0.2), analysis);
+  tell(options, analysis);
   settle(provers, problem, options, bounds, analysis);
   share_bounds(problem, analysis);
-  if (thorough) search_all(problem, options, analysis);
+  if (thorough) {
+    search_all(problem, options, analysis);
+  } else {
+    look_whether_exact(problem, share_of(options, 0.2), analysis);
+  }
   const auto go_on = [&options] { return !(options.stop && options.stop()); };
   if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
   Options failing = options;
@@ -439,10 +468,12 @@ Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoi
   if (choice == AnalysisChoice::compositional) {
     Analysis bounds = provers.compositional(problem, options);
     search_undecided(problem, options, bounds);
+    say_what_grows(problem, options, bounds);
     return bounds;
   }
   Analysis analysis = provers.exact(problem, options);
   search_all(problem, options, analysis);
+  say_what_grows(problem, options, analysis);
   return analysis;
 }
 
@@ -474,8 +505,27 @@ void withhold(Analysis& analysis, const std::string& why) {
   }
 }
 
-/// Of which nothing is known yet.
-Analysis undecided(const Problem& problem, const std::string& why) {
+/// Without memory the exploration ends, as at its other limits, and what is known is kept.
+Analysis explored_if_there_is_memory(const Problem& problem, const Options& options) {
+  try {
+    return analyze_exactly(problem, options);
+  } catch (const std::bad_alloc&) {
+    return nothing_known(problem,
+                         "The exploration ended before all runs had been seen: there was no more memory.");
+  }
+}
+
+/// Puts verdicts that are known beside those of the other requirements.
+void join(const std::vector<std::optional<Verdict>>& known, Analysis& analysis) {
+  for (std::size_t r = 0; r < known.size(); ++r) {
+    if (known[r])
+      analysis.verdicts.insert(analysis.verdicts.begin() + static_cast<std::ptrdiff_t>(r), *known[r]);
+  }
+}
+
+}  // namespace
+
+Analysis nothing_known(const Problem& problem, const std::string& why) {
   Analysis analysis;
   for (const Requirement& requirement : problem.requirements) {
     Verdict& verdict = analysis.verdicts.emplace_back();
@@ -490,26 +540,6 @@ Analysis undecided(const Problem& problem, const std::string& why) {
   return analysis;
 }
 
-/// Without memory the exploration ends, as at its other limits, and what is known is kept.
-Analysis explored_if_there_is_memory(const Problem& problem, const Options& options) {
-  try {
-    return analyze_exactly(problem, options);
-  } catch (const std::bad_alloc&) {
-    return undecided(problem,
-                     "The exploration ended before all runs had been seen: there was no more memory.");
-  }
-}
-
-/// Puts verdicts that are known beside those of the other requirements.
-void join(const std::vector<std::optional<Verdict>>& known, Analysis& analysis) {
-  for (std::size_t r = 0; r < known.size(); ++r) {
-    if (known[r])
-      analysis.verdicts.insert(analysis.verdicts.begin() + static_cast<std::ptrdiff_t>(r), *known[r]);
-  }
-}
-
-}  // namespace
-
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   const Provers provers{
       [](const Problem& of, const Options& how) { return explored_if_there_is_memory(of, how); },
@@ -519,15 +549,19 @@ Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& o
 
 Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisChoice choice,
                       const Options& options) {
-  tell(options, undecided(problem, "The proof ended before anything was known."));
+  tell(options, nothing_known(problem, "The proof ended before anything was known."));
   Problem open = problem;
   open.requirements.clear();
   std::vector<std::optional<Verdict>> by_rows;
+  std::vector<std::optional<Verdict>> bounds_by_rows;  // of what is open
   for (const Requirement& requirement : problem.requirements) {
-    by_rows.push_back(choice == AnalysisChoice::automatic
-                          ? by_shorter_rows(provers, problem, requirement, options)
-                          : std::nullopt);
-    if (!by_rows.back()) open.requirements.push_back(requirement);
+    const bool chooses = choice == AnalysisChoice::automatic || choice == AnalysisChoice::thorough;
+    auto shown = chooses ? by_shorter_rows(provers, problem, requirement, options) : std::nullopt;
+    const bool holds = shown && shown->state == VerdictState::holds;
+    by_rows.push_back(holds ? std::move(shown) : std::nullopt);
+    if (holds) continue;
+    open.requirements.push_back(requirement);
+    bounds_by_rows.push_back(std::move(shown));
   }
   // First in a few classes: when the proofs have used up the time, none of them must hold for want of it.
   ZenoSearch look = find_zeno_run(problem, {std::min(options.max_states, first_look), options.stop});
@@ -540,6 +574,9 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
     };
   }
   Analysis analysis = analyze_as(provers, open, choice, how);
+  for (std::size_t r = 0; r < bounds_by_rows.size(); ++r) {
+    if (bounds_by_rows[r]) complete(analysis.verdicts[r], std::move(*bounds_by_rows[r]));
+  }
   join(by_rows, analysis);
   say_unread(problem, analysis);
   const bool goes_on = !look.found && !look.excluded && !look.suspected && options.max_states > first_look;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "analyzer/exact/exact.hpp"
 
@@ -19,6 +20,9 @@ enum class AnalysisChoice {
 /// Each verdict says which analysis it comes from. A run that the exact analysis found is kept, whatever the
 /// bound.
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options = {});
+
+/// Each requirement undecided, for the reason `why`: of what has not been looked at.
+Analysis nothing_known(const Problem& problem, const std::string& why);
 
 /// The two, each by itself.
 struct Provers {

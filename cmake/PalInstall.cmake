@@ -18,6 +18,12 @@ endfunction()
 
 install(TARGETS pal EXPORT palTargets RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
 pal_manual_page(pal tools)
+install(FILES "${PROJECT_BINARY_DIR}/completion.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT tools
+  RENAME pal)
+install(FILES "${PROJECT_BINARY_DIR}/completion.zsh" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT tools
+  RENAME _pal)
+install(FILES "${PROJECT_BINARY_DIR}/completion.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT tools
+  RENAME pal.fish)
 install(FILES README.md CONTRIBUTING.md DESTINATION "${pal_documents}" COMPONENT tools)
 install(DIRECTORY docs DESTINATION "${pal_documents}" COMPONENT tools PATTERN man EXCLUDE)
 

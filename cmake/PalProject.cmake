@@ -2,6 +2,7 @@
 include(GNUInstallDirs)
 
 option(PAL_BUILD_WORKCELL "Build the MuJoCo workcell and the skills that run in it" ${PROJECT_IS_TOP_LEVEL})
+option(PAL_WORKSTATION "Build the page that the workcell serves (needs Node 18 and npm)" ON)
 option(PAL_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAL_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (set by the presets)" OFF)
 option(PAL_PRECOMPILE "Read the standard library's headers once for all files; hides an #include that is missing" OFF)

@@ -64,6 +64,30 @@ void write_promise(Writer& out, const Plan& plan, const PlannedDevice& device) {
   }
 }
 
+/// Whether it answers each request, one after the other: then its class knows when it works.
+bool serves(const Plan& plan, const PlannedDevice& device) {
+  return std::any_of(plan.environment.devices.begin(), plan.environment.devices.end(),
+                     [&device](const pan::DeviceTiming& timing) {
+                       const auto* request = std::get_if<pan::RequestDevice>(&timing.behaviour);
+                       return timing.device == device.pal_name && request != nullptr && !request->may_fail;
+                     });
+}
+
+/// Whether a port's message answers a request of another port.
+bool is_answer(const PlannedDevice& device, const PlannedDevice::Port& port) {
+  return !port.to_device &&
+         std::any_of(device.ports.begin(), device.ports.end(), [&port](const PlannedDevice::Port& other) {
+           return other.to_device && other.message == "request " + port.message;
+         });
+}
+
+bool is_request(const PlannedDevice& device, const PlannedDevice::Port& port) {
+  return port.to_device &&
+         std::any_of(device.ports.begin(), device.ports.end(), [&port](const PlannedDevice::Port& other) {
+           return !other.to_device && port.message == "request " + other.message;
+         });
+}
+
 std::string specification(const Plan& plan, const PlannedDevice::Port& port) {
   std::string fields;
   if (port.fields) {
@@ -109,6 +133,7 @@ void write_receiving(Writer& out, const Plan& plan, const PlannedDevice& device)
     if (!port.to_device) continue;
     const std::string given = port.fields ? plan.messages[*port.fields].type + "::from_fields(fields)" : "";
     out.line("case " + port.name + "_port:").indent();
+    if (serves(plan, device) && is_request(device, port)) out.line("asked();");
     out.line("return on_" + port.name + "(" + given + ");").outdent();
   }
   out.line("default:").indent().line("return;  // the skill sends nothing else").outdent();
@@ -131,19 +156,21 @@ void write_functions(Writer& out, const Plan& plan, const PlannedDevice& device)
     out.line("/// False: the skill has not taken the last one; this one is lost, which is an overrun.");
     out.line("bool send_" + port.name + "(" + (type.empty() ? "" : "const " + type + "& message") + ") {")
         .indent();
-    out.line("return host().deliver(" + port.name + "_port, " + (type.empty() ? "{}" : "message.fields()") +
-             ");");
+    const bool answers = serves(plan, device) && is_answer(device, port);
+    out.line(std::string("return ") + (answers ? "answer(" : "host().deliver(") + port.name + "_port, " +
+             (type.empty() ? "{}" : "message.fields()") + ");");
     out.close();
   }
 }
 
 void write_class(Writer& out, const Plan& plan, const PlannedDevice& device) {
   out.line("/// DEVICE " + device.pal_name + (device.description.empty() ? "" : ": " + device.description));
-  out.line("class " + device.type + " : public runtime::PortDevice {");
+  const std::string base = serves(plan, device) ? "ServingDevice" : "PortDevice";
+  out.line("class " + device.type + " : public runtime::" + base + " {");
   out.line(" public:").indent();
   write_promise(out, plan, device);
   write_ports(out, plan, device);
-  out.line(device.type + "() : PortDevice(" + literal(device.pal_name) + ", port_specs()) {}");
+  out.line(device.type + "() : " + base + "(" + literal(device.pal_name) + ", port_specs()) {}");
   write_receiving(out, plan, device);
   out.outdent().line().line(" protected:").indent();
   write_functions(out, plan, device);
@@ -164,7 +191,12 @@ GeneratedFile emit_devices(const Plan& plan) {
       .line("#include <vector>")
       .line();
   out.line("#include \"" + plan.file + "_messages.hpp\"");
-  out.line("#include \"pal/runtime/port_device.hpp\"");
+  const bool any_serves = std::any_of(plan.device_classes.begin(), plan.device_classes.end(),
+                                      [&plan](const PlannedDevice& device) { return serves(plan, device); });
+  const bool any_other = std::any_of(plan.device_classes.begin(), plan.device_classes.end(),
+                                     [&plan](const PlannedDevice& device) { return !serves(plan, device); });
+  if (any_other) out.line("#include \"pal/runtime/port_device.hpp\"");
+  if (any_serves) out.line("#include \"pal/runtime/serving_device.hpp\"");
   out.line("#include \"pal/runtime/wiring.hpp\"");
   open_namespace(out, plan);
   for (const PlannedDevice& device : plan.device_classes) {

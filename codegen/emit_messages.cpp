@@ -36,9 +36,10 @@ std::string to_number(const PlannedField& field) {
   return {};
 }
 
-/// Where the field's numbers end that begin at `at`; a text takes runtime::Text::slots of them.
+/// Where the field's numbers end that begin at `at`; a text takes runtime::Text::slots of them, six
+/// characters in each.
 std::size_t end_of(const PlannedField& field, std::size_t at) {
-  constexpr std::size_t of_a_text = 4;
+  constexpr std::size_t of_a_text = (pan::longest_text + 5) / 6;
   if (field.type == pan::ScalarType::text) return at + of_a_text;
   return at + (field.size == 0 ? 1 : static_cast<std::size_t>(field.size));
 }

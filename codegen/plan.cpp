@@ -191,10 +191,12 @@ class Planner {
       plan_body(network_, flow_, pan::ModuleId(m), environment_, sources_, indices_, diagnostics_, rows,
                 plan_);
       PlannedModule& module = plan_.modules[*indices_.modules[m]];
-      if (!module.methods.empty()) module.interface = types_.unique(module.type + "Activities");
+      // By the module's own name: a message of that name takes no part in it.
+      const std::string own = camel_case(module.pal_name);
+      if (!module.methods.empty()) module.interface = types_.unique(own + "Activities");
       for (PlannedMethod& method : module.methods) {
         if (method.writes.size() > 1) {
-          method.result_type = types_.unique(module.type + camel_case(method.name) + "Result");
+          method.result_type = types_.unique(own + camel_case(method.name) + "Result");
         }
       }
       for (PlannedModule::Block& block : module.blocks) {

@@ -174,7 +174,7 @@ measure
   | INTERVAL OF step AT MOST duration                                                 # greatestInterval
   | INTERVAL OF step AT LEAST duration                                                # leastInterval
   | INTERVAL OF step BETWEEN duration AND duration                                    # boundedInterval
-  | LOSS OF party ( NONE | AT MOST NUMBER IN NUMBER )                                 # loss
+  | LOSS OF party ( NONE | AT MOST NUMBER PERCENT? IN NUMBER )                        # loss
   | DURATION TO COMPLETION NUMBER AT MOST duration                                    # completionTime
   | LOAD OF ( EACH PROCESSOR | name ) AT MOST NUMBER PERCENT                          # load
   | BUSY PERIOD OF ( EACH PROCESSOR | name ) AT MOST duration                         # busyPeriod

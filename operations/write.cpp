@@ -1,7 +1,9 @@
 #include "operations/write.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 namespace pal::operations {
 namespace {
@@ -67,16 +69,25 @@ void put_answers(Json& out, const Icon& icon) {
   }
 }
 
-Json json(const Icon& icon) {
+/// By name: two editors that set them in different order write the same.
+std::vector<const Parameter*> in_order(const std::vector<Parameter>& parameters) {
+  std::vector<const Parameter*> ordered;
+  for (const Parameter& parameter : parameters) ordered.push_back(&parameter);
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const Parameter* one, const Parameter* other) { return one->name < other->name; });
+  return ordered;
+}
+
+/// All but where it stands in the drawing, and what it is called.
+Json content(const Icon& icon) {
   Json result;
-  result["id"] = icon.id;
   result["kind"] = name(icon.kind);
   put(result, "skill", icon.skill);
   put(result, "operation", icon.operation);
   put(result, "file", icon.file);
-  for (const Parameter& parameter : icon.parameters)
-    result["parameters"][parameter.name] =
-        parameter.source.written() ? json(parameter.value) : json(parameter.source);
+  for (const Parameter* parameter : in_order(icon.parameters))
+    result["parameters"][parameter->name] =
+        parameter->source.written() ? json(parameter->value) : json(parameter->source);
   for (const OperatorMaySet& each : icon.operator_may_set) {
     Json& limits = result["operator"][each.parameter] = Json::object();
     if (each.from) limits["from"] = number(*each.from);
@@ -103,7 +114,6 @@ Json json(const Icon& icon) {
   put(result, "code", icon.code);
   put(result, "next", icon.next.icon);
   put(result, "error", icon.error.icon);
-  if (icon.at) result["at"] = {number(icon.at->x), number(icon.at->y)};
   put(result, "note", icon.note);
   return result;
 }
@@ -151,6 +161,18 @@ std::string spaced(const Json& json) {
   return result;
 }
 
+/// Where an icon stands has a line of its own, and its name is between that and its content. So a merge joins
+/// the work of one person who moves it and of another one who sets it.
+void write_icon(const Icon& icon, const std::string& indent, std::string& out) {
+  const std::string inner = indent + "  ";
+  out += indent + "{\n";
+  if (icon.at) out += inner + "\"at\": " + spaced(Json{number(icon.at->x), number(icon.at->y)}) + ",\n";
+  out += inner + "\"id\": " + spaced(Json(icon.id)) + ",\n";
+  const std::string all = spaced(content(icon));
+  out += inner + all.substr(1, all.size() - 2) + "\n";
+  out += indent + "}";
+}
+
 /// An argument a line.
 void write_arguments(const Operation& operation, const std::string& indent, std::string& out) {
   if (operation.arguments.empty()) return;
@@ -168,8 +190,10 @@ void write_body(const Operation& operation, const std::string& indent, std::stri
   write_arguments(operation, indent, out);
   if (operation.on_stop.given()) out += indent + "\"on-stop\": " + spaced(json(operation.on_stop)) + ",\n";
   out += indent + "\"icons\": [\n";
-  for (const Icon& icon : operation.icons)
-    out += indent + "  " + spaced(json(icon)) + (&icon == &operation.icons.back() ? "\n" : ",\n");
+  for (const Icon& icon : operation.icons) {
+    write_icon(icon, indent + "  ", out);
+    out += &icon == &operation.icons.back() ? "\n" : ",\n";
+  }
   out += indent + "]";
 }
 

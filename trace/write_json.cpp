@@ -1,6 +1,7 @@
 // A trace written as JSON.
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <string>
 
 #include "pal/trace/spool.hpp"
 #include "pal/trace/trace.hpp"
@@ -76,8 +77,10 @@ void write_json(const Trace& trace, const EventSource& events, std::ostream& out
   out << "\"events\": [";
   const char* separator = "\n";
   events([&](const Event& row) {
-    out << separator << '[' << row.time_ns << ",\"" << name(row.kind) << "\"," << row.actor << ','
-        << row.statement << ',' << row.subject << ',' << row.value << ']';
+    // std::to_string, since a stream's locale may group digits.
+    out << separator << '[' << std::to_string(row.time_ns) << ",\"" << name(row.kind) << "\","
+        << std::to_string(row.actor) << ',' << std::to_string(row.statement) << ','
+        << std::to_string(row.subject) << ',' << std::to_string(row.value) << ']';
     separator = ",\n";
   });
   out << (*separator == '\n' ? "]\n" : "\n]\n");

@@ -157,9 +157,19 @@ std::string data(const Book& book) {
   for (const Subject& subject : book.subjects) document["requirements"].push_back(subject_json(subject));
   for (const Timeline& run : book.runs) document["runs"].push_back(run_json(run));
   const std::string text = document.dump(-1, ' ', false, Json::error_handler_t::replace);
-  // No text of the program may end the script: in JSON, "<" stands in strings only.
+  // No text of the program may end the script: in JSON, "<" stands in strings only. Nor does a page hold U+FFFE
+  // and U+FFFF.
   std::string safe;
-  for (const char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '<') {
+      safe += "\\u003c";
+    } else if (text.compare(at, 3, "\xEF\xBF\xBE") == 0 || text.compare(at, 3, "\xEF\xBF\xBF") == 0) {
+      safe += text[at + 2] == '\xBE' ? "\\ufffe" : "\\uffff";
+      at += 2;
+    } else {
+      safe += text[at];
+    }
+  }
   return safe;
 }
 

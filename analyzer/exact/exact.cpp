@@ -6,6 +6,7 @@
 #include "analyzer/exact/growth.hpp"
 #include "analyzer/load/load.hpp"
 #include "analyzer/load/load_account.hpp"
+#include "analyzer/machine/loss_rows.hpp"
 #include "analyzer/verdict/sentence.hpp"
 #include "analyzer/verdict/story.hpp"
 
@@ -147,7 +148,9 @@ class Analyzer {
       return say(requirement, "There are longer ones: no bound was found up to " + milliseconds(cap) + ".",
                  verdict);
     }
-    const Nanoseconds bound = any ? graph.peak().value : requirement.at_least ? cap : 0;
+    const Nanoseconds bound = any                    ? bound_of_row(requirement, graph.peak().value)
+                              : requirement.at_least ? cap
+                                                     : 0;
     verdict.bound = Duration(bound);
     verdict.exact = (verdict.witness && verdict.witness->measured.value == bound) || (!any && !beyond);
     verdict.state = !breaks(requirement, bound) ? Is::holds : broken ? Is::fails : Is::undecided;

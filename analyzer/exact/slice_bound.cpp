@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analyzer/exact/cap.hpp"
+#include "analyzer/machine/loss_rows.hpp"
 #include "analyzer/slice/slice.hpp"
 #include "analyzer/slice/talk.hpp"
 
@@ -105,7 +106,7 @@ SliceBound bound_in(const Problem& slice, const Requirement& requirement, Nanose
   // The least interval is bounded whatever the others are.
   const bool grown = !watch.least && (graph.over_cap() || graph.never_answered() || graph.stuck() >= 0);
   if (found.complete && !grown && !graph.failure() && graph.peak().value >= 0)
-    found.bound = graph.peak().value;
+    found.bound = bound_of_row(requirement, graph.peak().value);
   return found;
 }
 

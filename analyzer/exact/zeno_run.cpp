@@ -7,6 +7,7 @@
 
 #include "analyzer/load/cycle_ratio.hpp"
 #include "analyzer/runs/concrete_run.hpp"
+#include "analyzer/runs/snapshot.hpp"
 #include "analyzer/runs/witness.hpp"
 
 namespace pal::analyzer {
@@ -81,23 +82,6 @@ std::vector<int> way_round(const ZoneGraph& graph, const std::vector<int>& edges
     way.push_back(edges[static_cast<std::size_t>(link)]);
   return way;
 }
-
-/// All that the future of a run depends on, at one instant.
-struct Snapshot {
-  State state;
-  std::vector<std::optional<std::tuple<Nanoseconds, Nanoseconds, Nanoseconds, bool>>> timers;
-
-  explicit Snapshot(const ConcreteRun& run) : state(run.state()) {
-    for (std::size_t t = 0; t < run.timers().size(); ++t) {
-      const ConcreteRun::Timer& timer = run.timers()[t];
-      auto& known = timers.emplace_back();
-      if (timer.active)
-        known = {timer.range.best, timer.range.worst, run.worked(static_cast<int>(t), run.now()),
-                 timer.frozen};
-    }
-  }
-  friend bool operator==(const Snapshot&, const Snapshot&) = default;
-};
 
 /// Goes one way round in the concrete machine, again and again at one instant, until everything is as it was
 /// a round before.

@@ -1,6 +1,4 @@
 // Frames, events and answers of a device that no thread takes.
-#include <bit>
-
 #include "analyzer/machine/firing.hpp"
 
 namespace pal::analyzer {
@@ -11,6 +9,11 @@ namespace {
 /// The number is doubled, because a message may be withdrawn after others have come.
 unsigned remembered(int in) {
   return 2 * static_cast<unsigned>(in) - 1;
+}
+
+/// A mask of the latest occurrences.
+Losses first_of(unsigned number) {
+  return Losses().set() >> (Losses().size() - number);
 }
 
 }  // namespace
@@ -38,8 +41,9 @@ void Firing::occurrence(DeviceId device, bool lost) {
   state_.counting = true;
   if (!counts()) return;
   outcome_.passed = true;
-  const std::uint64_t all = (std::uint64_t{1} << remembered(watch_.in)) - 1;
-  state_.lost = (state_.lost << 1U | (lost ? 1U : 0U)) & all;
+  state_.lost <<= 1U;
+  state_.lost[0] = lost;
+  state_.lost &= first_of(remembered(watch_.in));
   for (const ChannelId c : state_.slots.ids()) {
     SlotState& of = state_.slots[c];
     if (channel_of(c).sender_device != device || of.carries == tag::none) continue;
@@ -58,15 +62,14 @@ void Firing::lost_after_all(ChannelId channel) {
     if (problem_.devices[device].requests.size() > 1) outcome_.too_many = true;
     return;
   }
-  state_.lost |= std::uint64_t{1} << since;
+  state_.lost[since] = true;
   count_losses();
 }
 
 void Firing::count_losses() {
-  const std::uint64_t row = (std::uint64_t{1} << static_cast<unsigned>(watch_.in)) - 1;
-  for (std::uint64_t rest = state_.lost; rest != 0; rest >>= 1U) {
-    outcome_.lost = std::max(outcome_.lost, std::popcount(rest & row));
-  }
+  const Losses row = first_of(static_cast<unsigned>(watch_.in));
+  for (Losses rest = state_.lost; rest.any(); rest >>= 1U)
+    outcome_.lost = std::max(outcome_.lost, static_cast<int>((rest & row).count()));
   outcome_.lost = std::max(outcome_.lost, 0);
 }
 

@@ -63,7 +63,7 @@ void Firing::begin_phase() {
 void Firing::end_phase() {
   state_.in_phase = false;
   state_.reference = tag::none;
-  state_.lost = 0;
+  state_.lost.reset();
   if (watch_.kind == Watch::Kind::loss) {
     for (SlotState& of : state_.slots) of.carries = tag::none;
   }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "analyzer/machine/loss_rows.hpp"
 #include "analyzer/problem/ids.hpp"
 #include "pal/support/table.hpp"
 
@@ -114,6 +115,9 @@ struct DeviceState {
 /// One outside of the phase that is measured is only carried: it has no observer.
 enum class Pending : std::uint8_t { observed, lost, over, outside };
 
+/// Twice the longest row that is followed: a message may be withdrawn after others have come.
+using Losses = std::bitset<2 * longest_followed_row>;
+
 struct State {
   Table<ThreadId, ThreadState> threads;
   Table<ProcessorId, ThreadNumber> running;  // -1: idle
@@ -126,7 +130,7 @@ struct State {
   Table<ConditionId, std::uint8_t> known;  // samples
   Table<KeptId, std::uint8_t> kept;        // samples: by what modules keep of messages
   std::uint8_t reference = tag::none;      // the instant from which the next value is measured
-  std::uint64_t lost = 0;                  // losses: the last occurrences by bit, the latest first; 1: lost
+  Losses lost;                             // losses: the last occurrences by bit, the latest first; 1: lost
   bool counting = false;  // losses: the device has served something; samples in a phase: also
   bool in_phase = false;  // what happens now is measured, if only a phase is
   std::uint8_t observers = 0;
@@ -170,7 +174,8 @@ struct StateHash {
         static_cast<std::uint64_t>(state.failed ? 1 : 0));
     for (std::uint8_t k : state.known) mix(static_cast<std::uint64_t>(k) + 300);
     for (std::uint8_t k : state.kept) mix(static_cast<std::uint64_t>(k) + 600);
-    mix(state.lost << 9U | static_cast<std::uint64_t>(state.reference) << 1U |
+    mix(std::hash<Losses>()(state.lost));
+    mix(static_cast<std::uint64_t>(state.reference) << 1U |
         static_cast<std::uint64_t>(state.counting ? 1 : 0));
     mix(state.in_phase ? 1 : 0);
     for (Pending p : state.pending) mix(static_cast<std::uint64_t>(p) + 77);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/machine/loss_rows.hpp"
+
 namespace pal::analyzer {
 namespace {
 
@@ -194,7 +196,7 @@ Watch watch_of(const Problem& problem, const Requirement& requirement, Processor
     case Measure::loss:
       watch.kind = Watch::Kind::loss;
       watch.device = requirement.device;
-      watch.in = requirement.in;
+      watch.in = std::min(requirement.in, longest_followed_row);
       break;
     case Measure::duration:
       watch.kind = Watch::Kind::duration;

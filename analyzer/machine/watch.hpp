@@ -21,7 +21,7 @@ struct Watch {
   Table<ChannelId, bool> events;   // response
   Table<ChannelId, bool> samples;  // sample
   DeviceId device{};               // loss
-  int in = 1;                      // loss: the length of the row
+  int in = 1;                      // loss: the length of the row, at most longest_followed_row
   int code = 0;                    // duration
   ProcessorId processor;           // busy
   bool least = false;              // interval: the least is asked for

@@ -33,6 +33,9 @@ using StatementId = Id<struct StatementTag>;
 /// In Problem::calls.
 using CallId = Id<struct CallTag>;
 
+/// In Problem::loops.
+using LoopId = Id<struct LoopTag>;
+
 /// In Problem::kept.
 using KeptId = Id<struct KeptTag>;
 

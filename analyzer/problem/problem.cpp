@@ -44,6 +44,40 @@ const std::string& receiver_name(const Problem& problem, ChannelId channel) {
   return party(problem, of.receiver_device, of.receiver_module);
 }
 
+bool is_in(const Problem& problem, StepId step, LoopId loop) {
+  const ProgramLoop& of = problem.loops[loop];
+  const auto within = [&of](ModuleId module, NodeId node) {
+    return module == of.module && node > of.repeat && node <= of.until;
+  };
+  const Step& at = problem.steps[step];
+  if (!at.statement.valid()) return false;
+  const Statement& statement = problem.statements[at.statement];
+  if (within(statement.source_module, statement.source_node)) return true;
+  for (CallId c = at.call; c.valid(); c = problem.calls[c].outer) {
+    if (within(problem.calls[c].source_module, problem.calls[c].source_node)) return true;
+  }
+  return false;
+}
+
+LoopId innermost_loop(const Problem& problem, StepId step) {
+  const Step& at = problem.steps[step];
+  if (!at.statement.valid()) return {};
+  const auto around = [&problem](ModuleId module, NodeId node) {
+    LoopId innermost;
+    for (const LoopId l : problem.loops.ids()) {
+      const ProgramLoop& loop = problem.loops[l];
+      // Of the loops around a statement the one that begins last is the innermost.
+      if (module == loop.module && node > loop.repeat && node <= loop.until) innermost = l;
+    }
+    return innermost;
+  };
+  const Statement& statement = problem.statements[at.statement];
+  LoopId found = around(statement.source_module, statement.source_node);
+  for (CallId c = at.call; c.valid() && !found.valid(); c = problem.calls[c].outer)
+    found = around(problem.calls[c].source_module, problem.calls[c].source_node);
+  return found;
+}
+
 std::optional<Problem> ProblemBuilder::build() {
   const std::size_t before = diagnostics_.errors();
   problem_.skill = network_.skill.name;
@@ -57,6 +91,7 @@ std::optional<Problem> ProblemBuilder::build() {
   for (const Module& module : network_.modules) problem_.module_names.push_back(module.name);
   processors();
   known_names();
+  loops();
   common_times();
   channels();
   devices();
@@ -68,6 +103,21 @@ std::optional<Problem> ProblemBuilder::build() {
   endless_waits();
   overload();
   return std::move(problem_);
+}
+
+void ProblemBuilder::loops() {
+  for (std::size_t m = 0; m < network_.modules.size(); ++m) {
+    const std::vector<Node>& nodes = network_.modules[m].body.nodes;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      if (!std::holds_alternative<pan::Loop>(nodes[n].content)) continue;
+      ProgramLoop made{ModuleId(m), NodeId(n), nodes[n].mate, {}, 0, nodes[n].where};
+      if (sources_ != nullptr && made.where.valid()) {
+        made.file = sources_->name(made.where.file);
+        made.line = sources_->line_column(made.where.file, made.where.begin).line;
+      }
+      problem_.loops.push_back(std::move(made));
+    }
+  }
 }
 
 Range ProblemBuilder::activity(const Activity& activity) {
@@ -94,8 +144,18 @@ Range ProblemBuilder::activity(const Activity& activity) {
   return {};
 }
 
+const Placement* ProblemBuilder::placement_of(std::string thread) const {
+  for (;;) {
+    const auto found = placements_.find(thread);
+    if (found != placements_.end()) return found->second;
+    const auto slash = thread.find('/');
+    if (slash == std::string::npos) return nullptr;
+    thread.erase(0, slash + 1);
+  }
+}
+
 void ProblemBuilder::place(Thread& thread, ThreadId runner) {
-  const Placement* placement = place_of(environment_, thread.name);
+  const Placement* placement = placement_of(thread.name);
   if (placement == nullptr && runner.valid()) {
     const Thread& where = problem_.threads[runner];
     thread.processor = where.processor;

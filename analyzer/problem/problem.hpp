@@ -110,6 +110,16 @@ struct Statement {
   pan::NodeId source_node{};
 };
 
+/// A REPEAT of a module.
+struct ProgramLoop {
+  pan::ModuleId module{};
+  pan::NodeId repeat{};
+  pan::NodeId until{};
+  std::string file;
+  int line = 0;
+  SourceSpan where;
+};
+
 /// An Execute that one thread runs, at one place of its flow.
 struct Call {
   pan::ModuleId source_module{};  // where the Execute stands
@@ -156,7 +166,7 @@ struct Requirement {
 
 /// The threads that set a condition.
 struct Setters {
-  ProcessorId processor;      // on which all of them run; none: there is no such one
+  ProcessorId processor;  // on which all of them run; none: there is no such one
   Table<ThreadId, bool> threads;
 };
 
@@ -171,6 +181,7 @@ struct Problem {
   Table<ConditionId, std::string> conditions;
   Table<StatementId, Statement> statements;
   Table<CallId, Call> calls;
+  Table<LoopId, ProgramLoop> loops;  // of all modules
   Table<KeptId, Kept> kept;
   std::vector<Requirement> requirements;
   Range within_processor;    // latency of a message to a thread on the sender's processor
@@ -186,6 +197,12 @@ struct Problem {
 /// Name of the device or module that sends on the channel, or to which it leads.
 const std::string& sender_name(const Problem& problem, ChannelId channel);
 const std::string& receiver_name(const Problem& problem, ChannelId channel);
+
+/// Whether a step stands in a loop, or in what is executed there.
+bool is_in(const Problem& problem, StepId step, LoopId loop);
+
+/// The loop that a thread is in at a step, the innermost of several; none: it is in none.
+LoopId innermost_loop(const Problem& problem, StepId step);
 
 /// Builds the model of `network` in `environment`. Reports everything in the environment that is missing,
 /// unknown or impossible (PAL072x), and requirements that make no sense (PAL081x). After such an error there

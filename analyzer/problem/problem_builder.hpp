@@ -25,6 +25,9 @@ class ProblemBuilder final : public TimesAndPlaces {
       if (time.module.empty()) times_[{time.activity, time.module}] = &time;
       times_.emplace(std::pair(time.activity, time.module), &time);
     }
+    for (const pan::Placement& placement : environment_.placements)
+      placements_.emplace(placement.thread, &placement);
+    for (const pan::DeviceTiming& timing : environment_.devices) timings_[timing.device] = &timing;
   }
 
   std::optional<Problem> build();
@@ -35,8 +38,11 @@ class ProblemBuilder final : public TimesAndPlaces {
 
  private:
   // Names, places and times (problem.cpp).
+  /// Of a thread, or of the thread in whose place it runs; null: neither has one.
+  const pan::Placement* placement_of(std::string thread) const;
   void processors();
   void known_names();
+  void loops();
   void common_times();
   void channels();
   void latencies();
@@ -91,7 +97,10 @@ class ProblemBuilder final : public TimesAndPlaces {
   std::set<std::string> executed_;
   std::map<std::pair<std::string, std::string>, const pan::ActivityTime*> times_;  // by activity and module
   std::map<std::pair<pan::ModuleId, pan::NodeId>, std::vector<StepId>>
-      steps_of_;  // by statement, if asked for
+      steps_of_;                                             // by statement, if asked for
+  std::map<std::string, const pan::Placement*> placements_;  // by thread; of two the first
+  std::map<std::string, const pan::DeviceTiming*> timings_;  // by device; of two the last
+  Table<DeviceId, std::vector<ChannelId>> sent_;
   std::set<std::string> untimed_;
 };
 

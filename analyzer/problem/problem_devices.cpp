@@ -23,20 +23,20 @@ void ProblemBuilder::devices() {
                           "remove one of them");
     }
   }
+  sent_.resize(world.size());
+  for (const ChannelId c : problem_.channels.ids()) {
+    const DeviceId sender = problem_.channels[c].sender_device;
+    if (sender.valid()) sent_[sender].push_back(c);
+  }
   for (std::size_t d = 0; d < world.size(); ++d) device(world[d], DeviceId(d));
 }
 
 void ProblemBuilder::device(const World& thing, DeviceId index) {
   Device made;
   made.name = thing.name;
-  std::set<ChannelId> sent;
-  for (const ChannelId c : problem_.channels.ids()) {
-    if (problem_.channels[c].sender_device == index) sent.insert(c);
-  }
-  const DeviceTiming* timing = nullptr;
-  for (const DeviceTiming& each : environment_.devices) {
-    if (each.device == thing.name) timing = &each;
-  }
+  std::set<ChannelId> sent(sent_[index].begin(), sent_[index].end());
+  const auto described = timings_.find(thing.name);
+  const DeviceTiming* timing = described == timings_.end() ? nullptr : described->second;
   if (timing == nullptr) {
     if (!sent.empty()) {
       const std::string what = thing.module ? "module " + thing.name + " has no body, and environment "
@@ -92,12 +92,10 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
                         "make JITTER shorter than EVERY: a later event does not overtake an earlier one");
   }
   phase(event.phase, event.period, timing, made.name);
-  for (const ChannelId c : problem_.channels.ids()) {
-    const Channel& channel = problem_.channels[c];
-    if (channel.sender_device == index && channel.message == event.message) {
-      made.event = c;
-      sent.erase(made.event);
-    }
+  for (const ChannelId c : sent_[index]) {
+    if (problem_.channels[c].message != event.message) continue;
+    made.event = c;
+    sent.erase(made.event);
   }
   if (!made.event.valid()) {
     diagnostics_.report(

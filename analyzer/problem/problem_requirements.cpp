@@ -36,22 +36,16 @@ Table<StepId, bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at
 
 /// The steps of loops, and of what is executed in them.
 Table<StepId, bool> ProblemBuilder::steps_in(const std::vector<StatementRef>& loops) const {
-  const auto within = [&](ModuleId module, NodeId node) {
-    return std::any_of(loops.begin(), loops.end(), [&](const StatementRef& loop) {
-      const Node& repeat = network_.modules[loop.module.index()].body[loop.node];
-      return module == loop.module && node > loop.node && node <= repeat.mate;
+  const auto is_meant = [&](LoopId l) {
+    const ProgramLoop& known = problem_.loops[l];
+    return std::any_of(loops.begin(), loops.end(), [&known](const StatementRef& loop) {
+      return loop.module == known.module && loop.node == known.repeat;
     });
   };
   Table<StepId, bool> steps(problem_.steps.size());
-  for (const StepId s : steps.ids()) {
-    const Step& step = problem_.steps[s];
-    if (!step.statement.valid()) continue;
-    const Statement& known = problem_.statements[step.statement];
-    steps[s] = within(known.source_module, known.source_node);
-    for (CallId c = step.call; c.valid() && !steps[s]; c = problem_.calls[c].outer) {
-      const Call& call = problem_.calls[c];
-      steps[s] = within(call.source_module, call.source_node);
-    }
+  for (const LoopId l : problem_.loops.ids()) {
+    if (!is_meant(l)) continue;
+    for (const StepId s : steps.ids()) steps[s] = steps[s] || is_in(problem_, s, l);
   }
   return steps;
 }

@@ -60,6 +60,13 @@ struct LostEvents {
   int in = 1;
 };
 
+/// A value that grows with each turn of a loop, without bound (analyzer/runs/growing_loop.hpp).
+struct LoopGrowth {
+  LoopId loop;          // none: it grows, but not in one loop of one thread
+  Witness first_turns;  // the beginning of the verdict's run, which is long
+  std::string phase;    // "DURING REPEAT OF …", which leaves the loop out; empty: none is known that helps
+};
+
 struct Verdict {
   using State = VerdictState;
   std::string requirement;
@@ -79,6 +86,8 @@ struct Verdict {
   bool gave_up = false;
   /// The run in which the requirement comes nearest to failing, or fails first.
   std::optional<Witness> witness;
+  /// Then there is no bound, the requirement fails, and `reasons` are those of the first turns.
+  std::optional<LoopGrowth> loop_growth = {};
   /// For people: one paragraph.
   std::string explanation;
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.

@@ -4,6 +4,7 @@
 
 #include "analyzer/whatif/figures.hpp"
 #include "pal/support/duration_text.hpp"
+#include "pal/support/nearest.hpp"
 
 namespace pal::analyzer::whatif {
 namespace {
@@ -49,6 +50,18 @@ std::optional<Interval> interval(const std::string& text) {
   return Interval{*best, *worst};
 }
 
+/// What is meant instead of `name`, or what there is; empty: there is nothing.
+std::string instead_of(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::size_t most = 30;
+  if (known.empty()) return {};
+  std::string list;
+  for (std::size_t i = 0; i < std::min(known.size(), most); ++i)
+    list += (i == 0 ? "; there is '" : ", '") + known[i] + "'";
+  if (known.size() > most) list += " and " + std::to_string(known.size() - most) + " more";
+  const auto close = nearest(name, known);
+  return list + (close ? "; did you mean '" + *close + "'?" : "");
+}
+
 std::string set_device(pan::Environment& environment, const std::string& device, const std::string& what,
                        const std::string& value) {
   const auto time = interval(value);
@@ -65,7 +78,9 @@ std::string set_device(pan::Environment& environment, const std::string& device,
     if (frames != nullptr && what == "phase") return frames->phase = time->best, "";
     return "device " + device + " has no " + what;
   }
-  return "there is no device " + device + " in environment " + environment.name;
+  std::vector<std::string> known;
+  for (const pan::DeviceTiming& timing : environment.devices) known.push_back(timing.device);
+  return "there is no device " + device + " in environment " + environment.name + instead_of(device, known);
 }
 
 pan::Placement* placement_of(pan::Environment& environment, const std::string& thread) {
@@ -85,7 +100,11 @@ pan::Placement* placement_of(pan::Environment& environment, const std::string& t
 std::string set_placement(pan::Environment& environment, const std::string& thread, const std::string& what,
                           const std::string& value) {
   pan::Placement* found = placement_of(environment, thread);
-  if (found == nullptr) return "environment " + environment.name + " places no " + thread;
+  if (found == nullptr) {
+    std::vector<std::string> known;
+    for (const pan::Placement& placement : environment.placements) known.push_back(placement.thread);
+    return "environment " + environment.name + " places no " + thread + instead_of(thread, known);
+  }
   if (what == "processor") return found->processor = value, "";
   int priority = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), priority);
@@ -137,7 +156,9 @@ std::string change(pan::Environment& environment, const std::string& text) {
     known = true;
     if (time) each.time = *time;
   }
-  if (!known) return "environment " + environment.name + " gives no figure for '" + name + "'";
+  if (!known)
+    return "environment " + environment.name + " gives no figure for '" + name + "'" +
+           instead_of(name, figure_names(environment));
   return time ? "" : "'" + value + "' is not a time: write 5 ms, or 5 TO 7 ms with the shorter one first";
 }
 

@@ -71,6 +71,21 @@ std::vector<Figure> figures(const pan::Network& network, const pan::Environment&
   return all;
 }
 
+std::vector<std::string> figure_names(const pan::Environment& environment) {
+  std::vector<std::string> all;
+  for (const pan::ActivityTime& time : environment.activities) all.push_back(name_of(time));
+  pan::Environment copy = environment;
+  for (const Named& each : common(copy)) all.emplace_back(each.name);
+  for (const pan::DeviceTiming& device : environment.devices) {
+    if (std::holds_alternative<pan::RequestDevice>(device.behaviour))
+      all.push_back("answer of " + device.device);
+    const bool sends = std::holds_alternative<pan::EventDevice>(device.behaviour) ||
+                       std::holds_alternative<pan::FrameDevice>(device.behaviour);
+    if (sends) all.push_back(device.device + ".period");
+  }
+  return all;
+}
+
 Interval* find_figure(pan::Environment& environment, const std::string& name) {
   for (const Named& each : common(environment)) {
     if (name == each.name) return each.time;

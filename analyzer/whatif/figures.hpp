@@ -22,6 +22,10 @@ std::vector<Figure> figures(const pan::Network& network, const pan::Environment&
 /// the figure "ACTIVITY SEND".
 bool is_common_figure(const std::string& name);
 
+/// The names that a change may give a new figure: "extract-z OF LS1", "SEND", "answer of sensor",
+/// "alter.period".
+std::vector<std::string> figure_names(const pan::Environment& environment);
+
 /// Where the figure of that name stands in `environment`; null: it has none.
 Interval* find_figure(pan::Environment& environment, const std::string& name);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "pal/check/network/build_network.hpp"
 #include "pal/check/network/environment.hpp"
@@ -36,10 +37,10 @@ class Checker {
   void check_units(std::size_t index) {
     for (const auto& unit : trees_[index].units) {
       if (const auto* environment = std::get_if<syntax::EnvironmentUnit>(&unit)) {
-        once(environments_, "environment", environment->name);
+        once(environments_, "environment", index, environment->name);
         result_.environments.push_back(check::build_environment(*environment, diagnostics_));
       } else if (const auto* skill = std::get_if<syntax::SkillUnit>(&unit)) {
-        const bool first = once(skills_, "skill", skill->name);
+        const bool first = once(skills_, "skill", index, skill->name);
         // Of two skills of one name it is unknown which is meant.
         if (first && !twice_.contains(skill->name.text)) {
           check_skill(index, *skill);
@@ -51,20 +52,46 @@ class Checker {
   }
 
   void find_twice() {
-    std::set<std::string> seen;
-    for (const auto& tree : trees_) {
-      for (const auto& unit : tree.units) {
+    std::map<std::string, std::vector<std::size_t>> declared;
+    for (std::size_t i = 0; i < trees_.size(); ++i) {
+      for (const auto& unit : trees_[i].units) {
         const auto* skill = std::get_if<syntax::SkillUnit>(&unit);
-        if (skill != nullptr && !seen.insert(skill->name.text).second) twice_.insert(skill->name.text);
+        if (skill == nullptr) continue;
+        std::vector<std::size_t>& before = declared[skill->name.text];
+        if (std::any_of(before.begin(), before.end(), [&](std::size_t other) { return meet(i, other); }))
+          twice_.insert(skill->name.text);
+        before.push_back(i);
       }
     }
   }
 
-  /// False, and reported, if there is one of this name already.
-  bool once(std::map<std::string, const syntax::Name*>& seen, const char* what, const syntax::Name& name) {
-    const auto [first, fresh] = seen.emplace(name.text, &name);
-    if (!fresh) check::report_twice(diagnostics_, what, name, *first->second);
-    return fresh;
+  /// The files that a file sees, itself included.
+  const std::set<std::size_t>& seen_from(std::size_t index) {
+    const auto [place, fresh] = seen_from_.try_emplace(index);
+    if (fresh) {
+      Diagnostics ignored;
+      const auto scope = check::scope_of(trees_, index, ignored);
+      place->second.insert(scope.trees.begin(), scope.trees.end());
+    }
+    return place->second;
+  }
+
+  /// Whether one of the files sees the other. Otherwise they may use the same names.
+  bool meet(std::size_t one, std::size_t other) {
+    return seen_from(one).contains(other) || seen_from(other).contains(one);
+  }
+
+  using Declared = std::map<std::string, std::vector<std::pair<std::size_t, const syntax::Name*>>>;
+
+  /// False, and reported, if there is one of this name already where both are seen.
+  bool once(Declared& declared, const char* what, std::size_t index, const syntax::Name& name) {
+    auto& before = declared[name.text];
+    const auto found = std::find_if(before.begin(), before.end(),
+                                    [&](const auto& other) { return meet(index, other.first); });
+    if (found != before.end()) check::report_twice(diagnostics_, what, name, *found->second);
+    const bool first = found == before.end();
+    before.emplace_back(index, &name);
+    return first;
   }
 
   bool complete(const check::Scope& scope) const {
@@ -87,6 +114,9 @@ class Checker {
     if (sound && diagnostics_.errors() == errors_before)
       check::check_deadlocks(network, pan::Flow(network), diagnostics_, stop_);
     result_.skills.push_back(std::move(network));
+    std::set<FileId> files;
+    for (const std::size_t tree : scope.trees) files.insert(trees_[tree].file);
+    result_.seen[trees_[index].file] = std::move(files);
   }
 
   /// What a file with skills declares beside them. Nothing is said of a file in which something is wrong.
@@ -111,14 +141,13 @@ class Checker {
 
   /// Modules in the file of a skill that it does not list: checked by themselves.
   void check_left_modules(std::size_t index, const std::vector<const pan::Network*>& skills) {
+    std::set<std::string_view> listed;
+    for (const pan::Network* skill : skills) {
+      for (const pan::Module& module : skill->modules) listed.insert(module.name);
+    }
     for (const auto& unit : trees_[index].units) {
       const auto* module = std::get_if<syntax::ModuleUnit>(&unit);
-      if (module == nullptr || module->name.text.empty()) continue;
-      const auto lists = [&](const pan::Network* skill) {
-        return std::any_of(skill->modules.begin(), skill->modules.end(),
-                           [&](const pan::Module& listed) { return listed.name == module->name.text; });
-      };
-      if (std::any_of(skills.begin(), skills.end(), lists)) continue;
+      if (module == nullptr || module->name.text.empty() || listed.contains(module->name.text)) continue;
       diagnostics_.report(Code::PAL0209, module->name.where,
                           "no skill uses this module, so it is not checked",
                           "list it in the skill's template, or move it to a file of its own");
@@ -191,9 +220,10 @@ class Checker {
   const std::function<bool()>& stop_;
   Specification result_;
   std::set<std::size_t> used_;
-  std::map<std::string, const syntax::Name*> environments_;
-  std::map<std::string, const syntax::Name*> skills_;
-  std::set<std::string> twice_;  // names that several skills have
+  Declared environments_;
+  Declared skills_;
+  std::set<std::string> twice_;                             // names that several skills have that meet
+  std::map<std::size_t, std::set<std::size_t>> seen_from_;  // by file
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <set>
 #include <vector>
 
 #include "pal/pan/environment.hpp"
@@ -16,6 +18,8 @@ namespace pal::check {
 struct Specification {
   std::vector<pan::Network> skills;
   std::vector<pan::Environment> environments;
+  /// By file with a skill: the files that it sees, itself included.
+  std::map<FileId, std::set<FileId>> seen;
   /// Modules of files that no skill uses, one network for each such file. Names that are not declared are
   /// trusted; unknown senders and receivers become devices. For drawing, not for proofs or runs.
   std::vector<pan::Network> sketches;

@@ -2,6 +2,7 @@
 // right, and in time, has to be checked afterwards.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,9 +14,9 @@ namespace pal::rewrite {
 
 /// All `edits` are to be made, in one file.
 struct Rewriting {
-  std::string title;  // what it does, for people: "wait for motion request before pc-force is read"
-  std::string module;
-  SourceSpan where;  // the first statement that it changes
+  std::string title;   // what it does, for people: "wait for motion request before pc-force is read"
+  std::string module;  // empty: it changes the skill's template
+  SourceSpan where;    // the first statement that it changes
   std::vector<Edit> edits;
 };
 
@@ -31,5 +32,9 @@ std::vector<Rewriting> set_after_wait(const syntax::Tree& tree, std::string_view
 /// For loops that request something and then wait for it: the first request moves before the loop, and each
 /// next one behind the wait. The server then works meanwhile: a courier.
 std::vector<Rewriting> ask_ahead(const syntax::Tree& tree, std::string_view text);
+
+/// For requirements of `skill`: the phase (by their names, "DURING REPEAT OF …") is put behind them.
+std::vector<Rewriting> limit_to_phase(const syntax::Tree& tree, const std::string& skill,
+                                      const std::map<std::string, std::string>& phases);
 
 }  // namespace pal::rewrite

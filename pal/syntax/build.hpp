@@ -71,7 +71,8 @@ class Builder {
   std::optional<Requirement> passes(Requirement result, Parser::StepContext* at,
                                     Parser::DurationContext* least, Parser::DurationContext* most);
   Requirement::Loss loss(Parser::LossContext* context);
-  Duration share(Parser::LoadContext* context);
+  Duration share(antlr4::tree::TerminalNode* number, antlr4::tree::TerminalNode* percent,
+                 const std::string& subject, const std::string& example);
   Known known(Parser::KnownContext* context);
   std::optional<Step> step(Parser::StepContext* context);
 

@@ -9,6 +9,14 @@
 #include "pal/syntax/token_list.hpp"
 
 namespace pal::syntax {
+namespace {
+
+/// A share of a row, rounded down. The share is a part of a second.
+int part_of(int row, Duration share) {
+  return static_cast<int>(row * share.count() / Duration(std::chrono::seconds(1)).count());
+}
+
+}  // namespace
 
 std::optional<Requirement> Builder::requirement(Parser::RequirementSlotContext* context) {
   Requirement written;
@@ -83,7 +91,7 @@ std::optional<Requirement> Builder::measured(Requirement result, Parser::Measure
     Requirement::Load load;
     if (c->name() != nullptr) load.processor = name(c->name());
     result.measure = std::move(load);
-    result.limit = share(c);
+    result.limit = share(c->NUMBER(), c->PERCENT(), "a load", "of the processor's time, such as 80 %");
     return result;
   }
   if (auto* c = dynamic_cast<Parser::BusyPeriodContext*>(measure)) {
@@ -96,22 +104,21 @@ std::optional<Requirement> Builder::measured(Requirement result, Parser::Measure
   return std::nullopt;
 }
 
-/// A load, as a part of a second.
-Duration Builder::share(Parser::LoadContext* context) {
-  auto* number = context->NUMBER();
+/// As a part of a second. `subject` is what has it, `example` what to write.
+Duration Builder::share(antlr4::tree::TerminalNode* number, antlr4::tree::TerminalNode* percent,
+                        const std::string& subject, const std::string& example) {
   if (number == nullptr || is_made_up(number->getSymbol())) return Duration{};
-  const auto at = span(number, context->PERCENT());
+  const auto at = span(number, percent);
   const auto parsed = parse_percentage(number->getText());
   const auto* value = std::get_if<Duration>(&parsed);
   if (value == nullptr && std::get<DurationError>(parsed) == DurationError::not_whole) {
     diagnostics_.report(Code::PAL0801, at,
-                        "a load is known to a ten-millionth of a percent, and this is finer",
+                        subject + " is known to a ten-millionth of a percent, and this is finer",
                         "write seven digits behind the point, or fewer");
     return Duration{};
   }
   if (value == nullptr || *value < Duration{} || *value > std::chrono::seconds(1)) {
-    diagnostics_.report(Code::PAL0801, at, "a load is between 0 % and 100 %",
-                        "write a part of the processor's time, such as 80 %");
+    diagnostics_.report(Code::PAL0801, at, subject + " is between 0 % and 100 %", "write a part " + example);
     return Duration{};
   }
   return *value;
@@ -139,17 +146,22 @@ std::optional<Requirement> Builder::passes(Requirement result, Parser::StepConte
 }
 
 Requirement::Loss Builder::loss(Parser::LossContext* context) {
-  constexpr int longest_row = 32;
   Requirement::Loss loss{party(context->party()), 0, 1};
   if (context->NONE() != nullptr) return loss;
-  const auto most = integer(context->NUMBER(0));
+  std::optional<int> most;
+  if (context->PERCENT() != nullptr) {
+    loss.share =
+        share(context->NUMBER(0), context->PERCENT(), "a share of losses", "of the row, such as 10 %");
+  } else {
+    most = integer(context->NUMBER(0));
+  }
   const auto in = integer(context->NUMBER(1));
-  if (!most || !in) return loss;
-  if (*in < 1 || *in > longest_row || *most < 0 || *most >= *in) {
+  if ((!most && !loss.share) || !in) return loss;
+  if (loss.share) most = part_of(*in, *loss.share);
+  if (*in < 1 || *most < 0 || *most >= *in) {
     diagnostics_.report(Code::PAL0815, span(context->NUMBER(0), context->NUMBER(1)),
-                        "the first number of a loss is less than the second, and that is at most " +
-                            std::to_string(longest_row),
-                        "write NONE, or for example AT MOST 1 IN 4");
+                        "fewer of a row may be lost than there are in it",
+                        "write NONE, AT MOST 1 IN 4, or AT MOST 10 % IN 125");
     return loss;
   }
   loss.most = *most;

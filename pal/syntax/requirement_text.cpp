@@ -73,15 +73,19 @@ struct MeasureText {
   std::string operator()(const Requirement::Loss& loss) const {
     const std::string text = "LOSS OF " + spelling(loss.of);
     if (loss.in == 1) return text + " NONE";
-    return text + " AT MOST " + std::to_string(loss.most) + " IN " + std::to_string(loss.in);
+    const std::string most = loss.share ? percentage(*loss.share) : std::to_string(loss.most);
+    return text + " AT MOST " + most + " IN " + std::to_string(loss.in);
   }
   std::string operator()(const Requirement::Completing& completing) const {
     return "DURATION TO COMPLETION " + std::to_string(completing.code) + " AT MOST " + to_text(limit);
   }
   std::string operator()(const Requirement::Load& load) const {
-    constexpr double nanoseconds_per_percent = 1e7;
     return "LOAD OF " + (load.processor ? load.processor->text : "EACH PROCESSOR") + " AT MOST " +
-           number(static_cast<double>(limit.count()) / nanoseconds_per_percent) + " %";
+           percentage(limit);
+  }
+  static std::string percentage(Duration share) {
+    constexpr double nanoseconds_per_percent = 1e7;
+    return number(static_cast<double>(share.count()) / nanoseconds_per_percent) + " %";
   }
   std::string operator()(const Requirement::BusyPeriod& busy) const {
     return "BUSY PERIOD OF " + (busy.processor ? busy.processor->text : "EACH PROCESSOR") + " AT MOST " +

@@ -168,6 +168,7 @@ struct Requirement {
     PartyName of;
     int most = 0;
     int in = 1;
+    std::optional<Duration> share = {};  // if `most` is written as a percentage: of a second, as a load
   };
   struct Completing {
     int code = 0;

@@ -16,12 +16,13 @@ constexpr double way_sliding = 0.5;
 // 0.1 mm apart at the tool. A small motion is answered by a jump or not at all. So near the target one motion
 // is made at a time, a try, and its effect is observed. A force that is good enough is left alone.
 constexpr double way_standing = 0.2;
-constexpr double near = 0.8;      // N: greater errors are taken away without looking
-constexpr double good = 0.04;     // N: a smaller error is good enough, at first
-constexpr double hold = 0.09;     // N: and is left alone until it is greater than this
-constexpr double modesty = 0.05;  // each try that leads over the target raises `good` by this part of it
-constexpr int blind_cycles = 4;   // after a motion: it is on its way, and the arm comes to rest
-constexpr int look_cycles = 8;    // whose forces are averaged
+constexpr double near = 0.8;          // N: greater errors are taken away without looking
+constexpr double good = 0.04;         // N: a smaller error is good enough, at first
+constexpr double hold = 0.09;         // N: and is left alone until it is greater than this
+constexpr int standing_cycles = 107;  // 3 s: what still moves then, creeps, and a try would shake it
+constexpr double modesty = 0.07;      // each try that leads over the target raises `good` by this part of it
+constexpr int blind_cycles = 4;       // after a motion: it is on its way, and the arm comes to rest
+constexpr int look_cycles = 8;        // whose forces are averaged
 // Parts of the way to the target that a try goes. They differ, as equal ones lead to and fro between two
 // places.
 constexpr double least_part = 0.3;
@@ -43,11 +44,12 @@ constexpr double steepest = 0.6;  // mm a cycle
 
 }  // namespace
 
-void ForceRegulator::start(double target, double stiffness, double most) {
+void ForceRegulator::start(double target, double stiffness, double most, double drift) {
   *this = {};
   target_ = target;
   stiffness_ = given_stiffness_ = stiffness;
   most_ = most;
+  drift_ = std::max(drift, hold);
 }
 
 void ForceRegulator::learn(double force) {
@@ -69,6 +71,7 @@ void ForceRegulator::observe(double force, bool sliding) {
 }
 
 double ForceRegulator::standing(double force, double missing) {
+  held_ = holds_ ? held_ + 1 : 0;
   if (std::abs(missing) * stiffness_ > near) {
     look_again();
     holds_ = false;
@@ -80,7 +83,8 @@ double ForceRegulator::standing(double force, double missing) {
   const double error = seen_;
   look_again();
   const double enough = good * (1 + modesty * leaps_);
-  holds_ = std::abs(error) <= (holds_ ? std::max(hold, enough) : enough);
+  const double leave = held_ < standing_cycles ? hold : drift_;
+  holds_ = std::abs(error) <= (holds_ ? std::max(leave, enough) : enough);
   if (!holds_) return attempt(error);
   looked_ = blind_cycles;  // nothing is on its way
   return 0;

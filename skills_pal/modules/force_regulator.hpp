@@ -21,8 +21,9 @@ namespace pal::skills {
 /// between. The error that counts as good enough grows with the places that were tried without success.
 class ForceRegulator {
  public:
-  /// `target` in N; `stiffness` in N/mm as far as it is known; no motion is greater than `most`, mm.
-  void start(double target, double stiffness, double most);
+  /// `target` in N; `stiffness` in N/mm as far as it is known; no motion is greater than `most`, mm. A force
+  /// that has stood at the target for 3 s is left alone until it has drifted by `drift`, N.
+  void start(double target, double stiffness, double most, double drift = 0);
 
   /// The next motion, mm towards the surface. `force`: the newest, N. `sliding`: the surface may rise.
   double next(double force, bool sliding);
@@ -49,6 +50,7 @@ class ForceRegulator {
   double stiffness_ = 0;
   double given_stiffness_ = 0;
   double most_ = 0;
+  double drift_ = 0;
   double depth_ = 0;   // mm, at the last request
   double rise_ = 0;    // mm a cycle
   double given_ = 0;   // mm: the motion given at the last request, not yet begun at it
@@ -56,6 +58,7 @@ class ForceRegulator {
   double force_ = 0;   // N, at the last request
   double gone_ = 0;
   bool holds_ = false;
+  int held_ = 0;     // cycles since the force stands
   int looked_ = 0;   // cycles since the last motion near the target
   double seen_ = 0;  // N, the mean error that was seen since
   int tries_ = 0;

@@ -22,9 +22,8 @@ using namespace press;
 constexpr double contact_at_rest = 1.0;   // N
 constexpr double contact_a_speed = 0.03;  // N s/mm
 constexpr double greatest_step = 0.8;     // mm in a cycle, while the force is regulated
-constexpr double jump = 0.3;              // N: more than the sensor's noise, so the tool has slipped
 // s in which it must come into its band and stay there, beyond the time asked for
-constexpr double settling_limit = 15;
+constexpr double settling_limit = 30;
 
 class Method final : public SM1Activities {
  public:
@@ -37,8 +36,8 @@ class Method final : public SM1Activities {
     refuse_overload(contact_, parameters.approach_speed, parameters.stiffness);
     parameters_ = parameters;
     approach_->start(parameters.approach_speed, parameters.search_distance);
-    regulator_.start(parameters.force, parameters.stiffness, greatest_step);
-    touched_ = stopped_ = settled_ = false;
+    regulator_.start(parameters.force, parameters.stiffness, greatest_step, parameters.band / 2);
+    touched_ = stopped_ = false;
     cycles_ = in_band_ = 0;
   }
 
@@ -52,8 +51,8 @@ class Method final : public SM1Activities {
   Motion regulate(const Zforce& force) override {
     ++cycles_;
     const bool within = std::abs(force.value - parameters_.force) <= parameters_.band;
-    settled_ = within && regulator_.holds() && std::abs(force.value - parameters_.force) <= jump;
-    in_band_ = settled_ ? in_band_ + 1 : 0;
+    // A force that the regulator moves is not held.
+    in_band_ = within && regulator_.holds() ? in_band_ + 1 : 0;
     if (cycles_ * alter_period > settling_limit + parameters_.time)
       throw std::runtime_error(
           "the force does not stay in its band: the band may be too narrow for this surface");
@@ -82,10 +81,8 @@ class Method final : public SM1Activities {
   double contact_ = 0;  // N
   bool touched_ = false;
   bool stopped_ = false;
-  // In the band, and the regulator leaves the force alone: the time asked for goes on.
-  bool settled_ = false;
   int cycles_ = 0;   // since the tool touched
-  int in_band_ = 0;  // cycles since then
+  int in_band_ = 0;  // cycles without a break in which the force was in its band
 };
 
 }  // namespace

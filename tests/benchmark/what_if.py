@@ -48,11 +48,11 @@ def what_if(pal, case, timeout):
 
 def answered(slack):
     """Something is known beyond how things are: a growth that holds, or one that fails."""
-    return slack["unlimited"] or (slack["holds_with_ns"] or 0) > 0 or slack["fails_with_ns"] is not None
+    return slack["unlimited"] or (slack["holds_with_growth_ns"] or 0) > 0 or slack["fails_with_growth_ns"] is not None
 
 
 def both_sided(slack):
-    return slack["holds_with_ns"] is not None and slack["fails_with_ns"] is not None
+    return slack["holds_with_growth_ns"] is not None and slack["fails_with_growth_ns"] is not None
 
 
 def main():

@@ -23,6 +23,14 @@ else()
   set(prefix "${WORK}/root/usr")
 endif()
 
+# The shells find what they complete.
+foreach(completion bash-completion/completions/pal zsh/vendor-completions/_pal fish/vendor_completions.d/pal.fish)
+  file(STRINGS "${prefix}/share/${completion}" found REGEX "whatif")
+  if(NOT found)
+    message(FATAL_ERROR "${completion} does not complete the commands of pal")
+  endif()
+endforeach()
+
 # What is installed is public: each header stands alone, below pal/, and no other is there.
 file(GLOB_RECURSE headers RELATIVE "${prefix}/include" "${prefix}/include/*")
 set(all "")

@@ -162,6 +162,29 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, Transaction
   return work;
 }
 
+BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, const Task& asker) const {
+  Foreign foreign;
+  for (const Group& group : by_processor_[asker.processor]) {
+    if (group.priority < asker.priority) break;
+    if (group.transaction == own) continue;
+    if (group.tasks.size() > 1) {
+      foreign.several.push_back(&group);
+    } else if (group.cost != 0 && counts(&asker, group.transaction, group.first)) {
+      foreign.alone.push_back({group.period, group.jitter, group.cost});
+    }
+  }
+  return foreign;
+}
+
+Nanoseconds BusyWindows::of_foreign(const Foreign& foreign, const Task& asker, Nanoseconds length) const {
+  Nanoseconds work = 0;
+  for (const Foreign::Alone& each : foreign.alone)
+    work = plus(work, work_of(releases(each.period, each.jitter, length), each.cost));
+  for (const Group* group : foreign.several)
+    work = plus(work, of_group(*group, &asker, asker.priority, length, nullptr));
+  return work;
+}
+
 Nanoseconds BusyWindows::of_siblings(TransactionId transaction, TaskId task, Nanoseconds length,
                                      Shares* shares) const {
   const Transaction& of = transactions_[transaction];
@@ -227,13 +250,13 @@ BusyWindows::Load BusyWindows::load_of(TransactionId transaction, const Task& se
 BusyWindows::Critical BusyWindows::critical_once(TransactionId transaction, TaskId task, Nanoseconds part,
                                                  Nanoseconds blocking, Since since, const Load& load) const {
   const Task& self = transactions_[transaction].tasks[task];
-  const auto& groups = by_processor_[self.processor];
+  const Foreign foreign = foreign_of(transaction, self);
   const bool preemptive = preemptive_[self.processor];
   const Nanoseconds fixed = blocking + (preemptive ? part : 0);
   Nanoseconds window = least_window(fixed, load.share, load.carried);
   for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
-    const Nanoseconds next = plus(fixed + of_siblings(transaction, task, window, nullptr),
-                                  of_others(groups, transaction, &self, self.priority, window));
+    const Nanoseconds next =
+        plus(fixed + of_siblings(transaction, task, window, nullptr), of_foreign(foreign, self, window));
     if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
       return {released + window + (preemptive ? 0 : part), window, TaskId{}, 1};
@@ -291,7 +314,6 @@ BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId ta
   const Transaction& of = transactions_[transaction];
   const Task& self = of.tasks[task];
   if (blocking >= never || self.jitter >= never) return {never};
-  const auto& groups = by_processor_[self.processor];
   const bool preemptive = preemptive_[self.processor];
   const Load load = load_of(transaction, self);
   if (!load.bounded || load.whole >= 1) return {never};
@@ -302,8 +324,9 @@ BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId ta
   Critical latest{-1};
   int iterations = 0;
   std::map<Nanoseconds, Nanoseconds> known;  // by length; few tasks seldom ask for one twice
+  const Foreign foreign = foreign_of(transaction, self);
   const auto others = [&](Nanoseconds length) {
-    const auto found = [&] { return of_others(groups, transaction, &self, self.priority, length); };
+    const auto found = [&] { return of_foreign(foreign, self, length); };
     if (own.tasks.size() <= many_tasks) return found();
     const auto [place, fresh] = known.emplace(length, 0);
     if (fresh) place->second = found();

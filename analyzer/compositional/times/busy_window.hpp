@@ -141,6 +141,19 @@ class BusyWindows {
   /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
   Nanoseconds of_others(const std::vector<Group>& groups, TransactionId own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
+  /// What of other transactions counts in windows of a task: found once, and asked for again and again.
+  struct Foreign {
+    struct Alone {
+      Nanoseconds period = 0;
+      Nanoseconds jitter = 0;
+      Nanoseconds cost = 0;
+    };
+    std::vector<Alone> alone;  // transactions with one task on the processor
+    std::vector<const Group*> several;
+  };
+  Foreign foreign_of(TransactionId own, const Task& asker) const;
+  /// The same as of_others() for the asker.
+  Nanoseconds of_foreign(const Foreign& foreign, const Task& asker, Nanoseconds length) const;
   /// Whether tasks can come nearer together than occurrences a period apart allow. This needs occurrences
   /// that are sometimes further apart. And one of the tasks must come more than a period later after its
   /// occurrence than another. Then each counts by itself.

@@ -1,5 +1,6 @@
 #include "pal/check/network/build_template.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -83,9 +84,17 @@ class TemplateBuilder {
       }
       pan::Contingency contingency{written.number, written.description, {}, written.where};
       if (!written.method) {
-        diagnostics_.report(Code::PAL0605, written.where,
-                            "contingency " + std::to_string(written.number) + " has no method",
-                            "add METHOD and the contingency module that deals with it");
+        const auto ends_with_it = [&written](const syntax::Completion& completion) {
+          return completion.kind == pan::Completion::Kind::contingency &&
+                 completion.contingency == written.number;
+        };
+        if (std::none_of(skill_.completions.begin(), skill_.completions.end(), ends_with_it))
+          diagnostics_.report(Code::PAL0605, written.where,
+                              "contingency " + std::to_string(written.number) +
+                                  " has neither a method nor a completion, so the skill cannot tell of it",
+                              "add METHOD and the contingency module that deals with it, or a COMPLETION … "
+                              "CONTINGENCY " +
+                                  std::to_string(written.number));
       } else if (const auto id = enter(*written.method, pan::ModuleKind::contingency_module)) {
         contingency.method = *id;
       }

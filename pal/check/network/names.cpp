@@ -193,8 +193,17 @@ std::optional<pan::ConditionId> Names::condition(const syntax::Name& name) {
   if (name.text.empty()) return std::nullopt;
   const auto* unit = scope_.conditions.find(name.text);
   if (unit == nullptr && !trusting_) {
-    unknown(Code::PAL0203, "condition", name, scope_.conditions.names(),
-            "declare it: CONDITION " + name.text);
+    const auto* message = scope_.messages.find(name.text);
+    if (message == nullptr) {
+      unknown(Code::PAL0203, "condition", name, scope_.conditions.names(),
+              "declare it: CONDITION " + name.text);
+      return std::nullopt;
+    }
+    auto& finding = diagnostics_.report(
+        Code::PAL0203, name.where, quoted(name.text) + " is a message, not a condition",
+        "declare a condition that is set from it, CONDITION … FROM " + name.text +
+            ", and name that; the age of a sample is AGE OF " + name.text + " FROM its device");
+    finding.notes.push_back({message->name.where, "it is declared here"});
     return std::nullopt;
   }
   const auto [entry, added] = conditions_.emplace(name.text, pan::ConditionId(network_.conditions.size()));

@@ -7,6 +7,7 @@
 #include "pal/support/output.hpp"
 #include "pal/syntax/print.hpp"
 #include "programs/pal/commands/commands.hpp"
+#include "programs/pal/reports/check_display.hpp"
 #include "programs/pal/reports/check_report.hpp"
 #include "programs/pal/reports/junit.hpp"
 #include "programs/pal/reports/sarif.hpp"
@@ -83,7 +84,13 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     ProofLimits limits = options.limits;
     limits.peak_memory = options.statistics;
     limits.addends = options.explain || options.format == Format::json;
-    proofs = prove(session, limits);
+    if (console.terminal && options.format == Format::text && !options.quiet) {
+      CheckDisplay display(console.out, terminal_size());
+      proofs = prove(session, limits,
+                     [&display](const auto& problem, const auto& known) { display.show(problem, known); });
+    } else {
+      proofs = prove(session, limits);
+    }
   }
   const std::vector<Unchecked> not_checked =
       unchecked(session, proofs, session.diagnostics.has_errors(), options.without_times);

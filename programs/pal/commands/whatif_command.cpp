@@ -1,9 +1,11 @@
 // pal whatif: slacks, remedies, placements.
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <ostream>
 #include <sstream>
 
+#include "analyzer/runs/growing_loop.hpp"
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/reports/slack_display.hpp"
 #include "programs/pal/reports/whatif_answer.hpp"
@@ -66,7 +68,7 @@ class Question {
 
   void look_for_remedies(const pan::Network& skill, const pan::Environment& environment,
                          WhatIfAnswer& answer) {
-    ProgramChanges programs(options_.selection, skill, console_.files);
+    ProgramChanges programs(options_.selection, skill, phases_for(skill, environment), console_.files);
     answer.remedies = analyzer::whatif::find_remedies(
         skill, environment, programs.all().size(),
         [&programs](const std::vector<analyzer::whatif::ProgramChangeId>& made) {
@@ -74,6 +76,22 @@ class Question {
         },
         analysis_);
     answer.program_changes = programs.all();
+  }
+
+  /// Of what grows with each turn of a loop: the phase that leaves the loop out.
+  std::map<std::string, std::string> phases_for(const pan::Network& skill,
+                                                const pan::Environment& environment) const {
+    std::map<std::string, std::string> phases;
+    Diagnostics ignored;
+    const auto problem = analyzer::make_problem(skill, environment, ignored);
+    for (std::size_t r = 0; problem && r < problem->requirements.size(); ++r) {
+      const analyzer::Requirement& requirement = problem->requirements[r];
+      const auto growing = analyzer::find_growing_loop(*problem, requirement, analysis_.stop);
+      if (!growing) continue;
+      std::string phase = analyzer::phase_without(*problem, requirement, growing->loop, analysis_.stop);
+      if (!phase.empty()) phases[requirement.name] = std::move(phase);
+    }
+    return phases;
   }
 
   bool compare(const pan::Network& skill, const pan::Environment& other, analyzer::Problem before,

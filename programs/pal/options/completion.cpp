@@ -56,7 +56,7 @@ std::string brief(const std::string& text) {
 }
 
 bool takes_value(const CLI::Option& option) {
-  return option.get_type_size() != 0;
+  return option.get_items_expected_max() > 0;
 }
 
 std::string bash(const CLI::App& app, const std::vector<Entry>& entries) {
@@ -103,13 +103,13 @@ std::string zsh(const CLI::App& app, const std::vector<Entry>& entries) {
   };
   std::string out = "#compdef " + name + "\n# zsh completion of " + name + ", written by: " + name +
                     " completion zsh\n_" + name +
-                    "() {\n  local path= i\n  local -a commands\n"
-                    "  for ((i = 2; i < CURRENT; ++i)); do\n    case \"$path ${words[i]}\" in\n";
+                    "() {\n  local way= i\n  local -a commands\n"
+                    "  for ((i = 2; i < CURRENT; ++i)); do\n    case \"$way ${words[i]}\" in\n";
   for (const Entry& entry : entries) {
     if (!entry.path.empty())
-      out += "      " + in_quotes(" " + joined(entry.path)) + ") path=\"$path ${words[i]}\" ;;\n";
+      out += "      " + in_quotes(" " + joined(entry.path)) + ") way=\"$way ${words[i]}\" ;;\n";
   }
-  out += "    esac\n  done\n  case \"$path\" in\n";
+  out += "    esac\n  done\n  case \"$way\" in\n";
   for (const Entry& entry : entries) {
     out += "    " + in_quotes(entry.path.empty() ? "" : " " + joined(entry.path)) + ")\n";
     const auto commands = entry.app->get_subcommands(every);

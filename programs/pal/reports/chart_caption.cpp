@@ -50,7 +50,11 @@ std::string figures_of(const analyzer::Verdict& verdict) {
   if (verdict.bound)
     return with_limit(bound_of(verdict), verdict.measure, verdict.at_least, verdict.limit, *verdict.bound);
   std::string known = "no bound is known";
-  if (verdict.witness && verdict.witness->failed) {
+  if (verdict.loop_growth) {
+    const Duration shown(verdict.loop_growth->first_turns.measured.value);
+    known = "grows with each turn of a loop, without bound, " + caption_value(verdict.measure, shown) +
+            " in these first turns";
+  } else if (verdict.witness && verdict.witness->failed) {
     known = "an event has no response in this run";
   } else if (const auto shown = worth_telling(verdict)) {
     known += ", " + caption_value(verdict.measure, *shown) + " in this run";

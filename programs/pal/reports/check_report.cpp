@@ -53,21 +53,33 @@ nlohmann::ordered_json json(const Unchecked& row) {
 
 }  // namespace
 
+std::vector<std::string> table_rows(const analyzer::Problem& problem, const analyzer::Analysis& analysis,
+                                    bool at_work) {
+  std::size_t name_width = 0, measure_width = 0;
+  for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
+    name_width = std::max(name_width, analysis.verdicts[i].requirement.size());
+    measure_width = std::max(measure_width, measure_text(problem, i).size());
+  }
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
+    const analyzer::Verdict& verdict = analysis.verdicts[i];
+    const bool open = at_work && verdict.state == State::undecided;
+    rows.push_back(fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}",
+                               open ? "open" : analyzer::name(verdict.state), verdict.requirement, name_width,
+                               measure_text(problem, i), measure_width, bound_text(verdict),
+                               whole_text(verdict.measure, verdict.limit), margin_text(verdict),
+                               method_text(verdict)));
+  }
+  return rows;
+}
+
 void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out) {
   for (const Proof& proof : proofs) {
-    std::size_t name_width = 0, measure_width = 0;
-    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
-      name_width = std::max(name_width, proof.analysis.verdicts[i].requirement.size());
-      measure_width = std::max(measure_width, measure_text(proof.problem, i).size());
-    }
-    out << proof.problem.skill << " in " << proof.problem.environment << "\n";
-    for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
-      const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
-      out << fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}\n", analyzer::name(verdict.state),
-                         verdict.requirement, name_width, measure_text(proof.problem, i), measure_width,
-                         bound_text(verdict), whole_text(verdict.measure, verdict.limit),
-                         margin_text(verdict), method_text(verdict));
-      if (explain) write_arithmetic(verdict, out);
+    out << heading_of(proof) << "\n";
+    const std::vector<std::string> rows = table_rows(proof.problem, proof.analysis, false);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      out << rows[i] << "\n";
+      if (explain) write_arithmetic(proof.analysis.verdicts[i], out);
     }
   }
 }
@@ -96,6 +108,7 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
       nlohmann::ordered_json row;
       row["name"] = verdict.requirement;
       row["skill"] = proof.problem.skill;
+      if (!proof.file.empty()) row["skill_file"] = proof.file;
       row["environment"] = proof.problem.environment;
       row["measure"] = verdict.at_least ? "least_interval" : analyzer::name(verdict.measure);
       row["limit_ns"] = verdict.limit.count();
@@ -106,6 +119,10 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
       row["exact"] = verdict.exact;
       row["analysis"] = analyzer::name(verdict.method);
       row["verdict"] = analyzer::name(verdict.state);
+      if (verdict.loop_growth && verdict.loop_growth->loop.valid()) {
+        const analyzer::ProgramLoop& loop = proof.problem.loops[verdict.loop_growth->loop];
+        row["grows_in_loop"] = {{"file", loop.file}, {"line", loop.line}};
+      }
       row["taken_as_lost"] = nlohmann::ordered_json::array();
       for (const analyzer::LostEvents& lost : verdict.taken_as_lost) {
         const analyzer::Device& device = proof.problem.devices[lost.device];

@@ -14,6 +14,10 @@ namespace pal::program {
 /// of the bound stand below it.
 void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& out);
 
+/// The lines of that table for one proof. `at_work`: what is undecided by now is open.
+std::vector<std::string> table_rows(const analyzer::Problem& problem, const analyzer::Analysis& analysis,
+                                    bool at_work);
+
 /// A line for each of them, with the reason.
 void write_unchecked(const std::vector<Unchecked>& not_checked, std::ostream& out);
 

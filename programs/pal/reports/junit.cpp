@@ -142,7 +142,7 @@ std::string junit(const std::vector<Proof>& proofs, const std::vector<Unchecked>
   std::vector<Suite> suites{suite_of_files(session)};
   for (const Proof& proof : proofs) {
     if (proof.analysis.verdicts.empty()) continue;  // told by `not_checked`
-    suites.push_back({suite_name(proof.problem.skill, proof.problem.environment), {}});
+    suites.push_back({heading_of(proof), {}});
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i)
       suites.back().cases.push_back(case_of(proof, i, session));
   }

@@ -98,6 +98,12 @@ void unfold(const std::vector<analyzer::Reason>& reasons, int depth,
   out.push_back(rest);
 }
 
+/// The run of a verdict that has one, as it is drawn. Of a value that grows in a loop the first turns say
+/// all.
+const analyzer::Witness& drawn(const analyzer::Verdict& verdict) {
+  return verdict.loop_growth ? verdict.loop_growth->first_turns : *verdict.witness;
+}
+
 std::vector<analyzer::chart::Segment> explanation_of(const std::vector<analyzer::Reason>& reasons) {
   std::vector<analyzer::chart::Segment> parts;
   unfold(analyzer::abridged(reasons), 0, parts);
@@ -108,10 +114,11 @@ analyzer::chart::ChartOptions options_for(const Proof& proof, std::size_t index)
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   analyzer::chart::ChartOptions options;
   options.caption = proof_caption(proof, index);
-  if (verdict.witness->failed) {
+  const analyzer::Witness& run = drawn(verdict);
+  if (run.failed) {
     options.highlight = unanswered(proof, index);
-  } else if (verdict.witness->measured.value > 0 && verdict.measure != Measure::loss) {
-    options.highlight = highlight(proof, index, verdict.witness->measured.born, verdict.witness->measured.at);
+  } else if (run.measured.value > 0 && verdict.measure != Measure::loss) {
+    options.highlight = highlight(proof, index, run.measured.born, run.measured.at);
   }
   options.explanation = explanation_of(verdict.reasons);
   return options;
@@ -230,7 +237,8 @@ std::optional<ShownRun> shown_run(const Proof& proof, std::size_t index) {
     if (auto found = loss_run(proof, index)) return shown_loss(proof, index, std::move(*found));
   }
   if (!has_worst_run(verdict)) return usual_run(proof, index);
-  return ShownRun{"worst run", verdict.witness->trace, options_for(proof, index), verdict.reasons};
+  return ShownRun{verdict.loop_growth ? "first turns" : "worst run", drawn(verdict).trace,
+                  options_for(proof, index), verdict.reasons};
 }
 
 ShownRun measured_run(const Proof& proof, std::size_t index, const trace::Trace& measured) {
@@ -244,9 +252,8 @@ std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Tr
   analyzer::chart::OverlayOptions options;
   options.proved = options_for(proof, index);
   options.measured.highlight = longest_interval(proof, index, measured);
-  return analyzer::chart::overlay_svg(
-      analyzer::chart::timeline(proof.analysis.verdicts[index].witness->trace),
-      analyzer::chart::timeline(measured), options);
+  return analyzer::chart::overlay_svg(analyzer::chart::timeline(drawn(proof.analysis.verdicts[index]).trace),
+                                      analyzer::chart::timeline(measured), options);
 }
 
 }  // namespace pal::program

@@ -48,7 +48,8 @@ std::string change_lines(const WhatIfAnswer& answer, const analyzer::whatif::Can
   std::string out = first ? "" : "       and ";
   if (candidate.program.valid()) {
     const ProgramChange& change = answer.program_changes[candidate.program.index()];
-    return out + fmt::format("in {}, {}:{}: {}\n", change.module, change.file, change.line, change.title) +
+    const std::string where = change.module.empty() ? "" : "in " + change.module + ", ";
+    return out + fmt::format("{}{}:{}: {}\n", where, change.file, change.line, change.title) +
            edit_lines(change);
   }
   std::string options;

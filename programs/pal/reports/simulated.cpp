@@ -87,6 +87,13 @@ std::string text(const Simulated& simulated) {
         name_width, measure_text(simulated.problem, r), measure_width, value_text(simulated, r),
         whole_text(requirement.measure, Duration(requirement.limit)), count_text(simulated, r));
   }
+  const bool loads = std::any_of(
+      simulated.problem.requirements.begin(), simulated.problem.requirements.end(),
+      [](const analyzer::Requirement& requirement) { return requirement.measure == Measure::load; });
+  if (loads)
+    made +=
+        "  A load here is that of one whole run, from its start to its end. The load that pal check proves is "
+        "that of the long run: the start counts for nothing there.\n";
   for (const std::string& refused : simulated.refused) made += "  refused   " + refused + "\n";
   return made;
 }

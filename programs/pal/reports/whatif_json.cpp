@@ -20,8 +20,8 @@ Json requirement(const WhatIfAnswer& answer, analyzer::RequirementId id) {
 Json slack_row(const WhatIfAnswer& answer, const analyzer::whatif::Slack& slack) {
   return {{"figure", slack.figure.empty() ? Json() : Json(slack.figure)},
           {"worst_ns", slack.time.worst.count()},
-          {"holds_with_ns", nanoseconds(slack.holds)},
-          {"fails_with_ns", nanoseconds(slack.fails)},
+          {"holds_with_growth_ns", nanoseconds(slack.holds)},
+          {"fails_with_growth_ns", nanoseconds(slack.fails)},
           {"unlimited", slack.unlimited},
           {"exact", slack.exact()},
           {"requirement", requirement(answer, slack.requirement)}};

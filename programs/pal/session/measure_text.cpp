@@ -126,7 +126,7 @@ std::string bound_text(const analyzer::Verdict& verdict) {
   if (verdict.state == State::never) return verdict.measure == Measure::load ? "ends" : "never";
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
-    if (shown) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
+    if (shown && !verdict.loop_growth) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
     return verdict.state == State::undecided ? "no bound" : "unbounded";
   }
   return (verdict.exact      ? ""

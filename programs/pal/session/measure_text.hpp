@@ -28,7 +28,8 @@ std::string whole_text(analyzer::Requirement::Measure measure, Duration value);
 /// - "7.35 ms": a run attains it;
 /// - "<= 9 ms": a bound that no run is known to attain (">=" for a least value);
 /// - ">= 5 ms": no bound, and a run that attains this;
-/// - "no bound", "unbounded", "never".
+/// - "unbounded": it is known that there is no bound;
+/// - "no bound", "never".
 std::string bound_text(const analyzer::Verdict& verdict);
 
 /// What a run attains where there is no bound. Nothing if that is 0, which any run attains.

@@ -55,21 +55,24 @@ bool overlap(const std::vector<Edit>& edits) {
 
 }  // namespace
 
-ProgramChanges::ProgramChanges(const Selection& selection, const pan::Network& skill, const FileSystem& files)
+ProgramChanges::ProgramChanges(const Selection& selection, const pan::Network& skill,
+                               const std::map<std::string, std::string>& phases, const FileSystem& files)
     : selection_(selection), files_(files), skill_(skill.skill.name) {
   Diagnostics ignored;
   for (const syntax::Tree& tree : check::read_sources(files, sources_, paths_of(selection), ignored)) {
-    if (tree.complete) propose(tree, skill);
+    if (tree.complete) propose(tree, skill, phases);
   }
 }
 
-void ProgramChanges::propose(const syntax::Tree& tree, const pan::Network& skill) {
+void ProgramChanges::propose(const syntax::Tree& tree, const pan::Network& skill,
+                             const std::map<std::string, std::string>& phases) {
   const std::string_view text = sources_.text(tree.file);
   std::vector<rewrite::Rewriting> proposed = rewrite::read_after_wait(tree, text);
-  for (auto& more : {rewrite::set_after_wait(tree, text), rewrite::ask_ahead(tree, text)})
+  for (auto& more : {rewrite::set_after_wait(tree, text), rewrite::ask_ahead(tree, text),
+                     rewrite::limit_to_phase(tree, skill_, phases)})
     proposed.insert(proposed.end(), more.begin(), more.end());
   for (rewrite::Rewriting& each : proposed) {
-    if (!has_module(skill, each.module) || overlap(each.edits)) continue;
+    if ((!each.module.empty() && !has_module(skill, each.module)) || overlap(each.edits)) continue;
     const std::string& file = sources_.name(tree.file);
     changes_.push_back(
         {each.title, each.module, file, sources_.line_column(tree.file, each.where.begin).line,

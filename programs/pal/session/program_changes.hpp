@@ -17,7 +17,7 @@ namespace pal::program {
 /// A change of the text, for people.
 struct ProgramChange {
   std::string title;
-  std::string module;
+  std::string module;  // empty: the skill's template
   std::string file;
   int line = 0;
   std::string difference;  // unified, the names of the files included
@@ -26,8 +26,10 @@ struct ProgramChange {
 /// The changes that pal/rewrite proposes for one skill. Files are read again and nothing is written.
 class ProgramChanges {
  public:
-  /// `selection` was read without errors; `skill` is one of its skills.
-  ProgramChanges(const Selection& selection, const pan::Network& skill, const FileSystem& files);
+  /// `selection` was read without errors; `skill` is one of its skills. `phases`: by requirement, what it may
+  /// be limited to.
+  ProgramChanges(const Selection& selection, const pan::Network& skill,
+                 const std::map<std::string, std::string>& phases, const FileSystem& files);
 
   /// By ProgramChangeId.
   const std::vector<ProgramChange>& all() const { return changes_; }
@@ -37,7 +39,8 @@ class ProgramChanges {
   const pan::Network* network_with(const std::vector<analyzer::whatif::ProgramChangeId>& made);
 
  private:
-  void propose(const syntax::Tree& tree, const pan::Network& skill);
+  void propose(const syntax::Tree& tree, const pan::Network& skill,
+               const std::map<std::string, std::string>& phases);
   std::unique_ptr<pan::Network> checked(const std::vector<analyzer::whatif::ProgramChangeId>& made) const;
 
   const Selection& selection_;

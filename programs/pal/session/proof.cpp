@@ -34,16 +34,19 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
 
   const analyzer::Problem& problem() const { return problem_; }
 
-  /// What is known after it has ended, or soon after Ctrl-C.
-  analyzer::Analysis run() {
+  /// What is known after it has ended, or soon after Ctrl-C. `observer` sees what is known by then.
+  analyzer::Analysis run(const ProofObserver& observer) {
     using namespace std::chrono_literals;
-    constexpr auto look = 20ms;
-    constexpr auto patience = 60ms;
-    constexpr auto patience_for_a_first_word = 2s;  // what has been explored by then may say something
+    constexpr auto look = 10ms;
+    constexpr auto patience = 30ms;
+    // Exploring alone says nothing before it ends.
+    const auto patience_for_a_first_word =
+        choice_ == analyzer::AnalysisChoice::exact ? std::chrono::milliseconds(2s) : patience;
     std::thread([self = shared_from_this()] { self->work(); }).detach();
     std::optional<Clock::time_point> asked;
     std::unique_lock lock(mutex_);
     while (!done_.wait_for(lock, look, [this] { return ended_; })) {
+      if (observer && !known_.verdicts.empty() && !Interruption::asked_for()) observer(problem_, known_);
       if (!Interruption::asked_for()) continue;
       if (!asked) asked = Clock::now();
       const bool any =
@@ -125,23 +128,61 @@ void limit_checks(const ProofLimits& limits, Session& session) {
   session.stop = end_after(limits.seconds / 2, limits.begun);
 }
 
-std::vector<Proof> prove(Session& session, const ProofLimits& limits) {
+namespace {
+
+/// Of environments of one name a skill has those that its file sees, or all if it sees none of them.
+bool is_of(const pan::Network& skill, const pan::Environment& environment,
+           const check::Specification& specification) {
+  const auto seen = specification.seen.find(skill.skill.where.file);
+  const auto sees = [&](const pan::Environment& other) {
+    return seen != specification.seen.end() && seen->second.contains(other.where.file);
+  };
+  return sees(environment) ||
+         std::none_of(
+             specification.environments.begin(), specification.environments.end(),
+             [&](const pan::Environment& other) { return other.name == environment.name && sees(other); });
+}
+
+/// Of a skill, if another one has its name.
+std::string file_of(const pan::Network& skill, const Session& session) {
+  const auto same =
+      std::count_if(session.specification.skills.begin(), session.specification.skills.end(),
+                    [&](const pan::Network& other) { return other.skill.name == skill.skill.name; });
+  if (same < 2 || !skill.skill.where.valid()) return {};
+  return session.sources.name(skill.skill.where.file);
+}
+
+}  // namespace
+
+std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer) {
   const Interruption interruption;
   const analyzer::Options options = options_of(limits);
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
+      if (!is_of(skill, environment, session.specification)) continue;
       auto problem = problem_of(skill, environment, session);
       if (!problem) continue;
       const bool explored =
           limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
+      if (Interruption::asked_for()) {
+        analyzer::Analysis none = analyzer::nothing_known(*problem, "The proof had not begun.");
+        proofs.push_back(
+            {std::move(*problem), std::move(none), explored, true, true, file_of(skill, session)});
+        continue;
+      }
       const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
-      analyzer::Analysis analysis = attempt->run();
+      analyzer::Analysis analysis = attempt->run(observer);
       proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || proof_left),
-                        Interruption::asked_for()});
+                        Interruption::asked_for(), file_of(skill, session)});
     }
   }
   return proofs;
+}
+
+std::string heading_of(const Proof& proof) {
+  return proof.problem.skill + " in " + proof.problem.environment +
+         (proof.file.empty() ? "" : " (" + proof.file + ")");
 }
 
 bool is_proof_left() {

@@ -22,7 +22,11 @@ struct Proof {
   bool explored = true;         // by the exact analysis, which more time and states may help
   bool ended = false;           // by --timeout or Ctrl-C, as far as it had come
   bool ended_by_user = false;   // by Ctrl-C
+  std::string file = {};        // of the skill, if another one has its name; else empty
 };
+
+/// "touch in workcell", with the skill's file where its name is not enough.
+std::string heading_of(const Proof& proof);
 
 struct ProofLimits {
   std::size_t max_states = 1'000'000;  // a requirement
@@ -51,9 +55,12 @@ std::function<bool()> end_after(
 /// Checks before the proofs end when half of the time is over, or after Ctrl-C.
 void limit_checks(const ProofLimits& limits, Session& session);
 
+/// Called now and then while a proof is at work, with what is known by then.
+using ProofObserver = std::function<void(const analyzer::Problem&, const analyzer::Analysis&)>;
+
 /// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided.
 /// Reasons why a model cannot be built are added to the session's findings.
-std::vector<Proof> prove(Session& session, const ProofLimits& limits);
+std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer = {});
 
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);

@@ -1,5 +1,6 @@
 // Requirements that fail or are undecided, as findings.
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include "analyzer/exact/zeno_run.hpp"
@@ -22,8 +23,21 @@ SourceSpan place_of(const analyzer::Problem& problem, const analyzer::Reason& re
   return found == problem.statements.end() || reason.line == 0 ? SourceSpan{} : found->where;
 }
 
+/// "tap.pal:68".
+std::string loop_place(const analyzer::Problem& problem, analyzer::LoopId loop) {
+  const analyzer::ProgramLoop& of = problem.loops[loop];
+  return of.line == 0 ? "REPEAT of " + problem.module_names[of.module]
+                      : std::filesystem::path(of.file).filename().string() + ":" + std::to_string(of.line);
+}
+
 /// "is 35 ms".
-std::string figure_of(const analyzer::Verdict& verdict) {
+std::string figure_of(const analyzer::Problem& problem, const analyzer::Verdict& verdict) {
+  if (verdict.loop_growth) {
+    const analyzer::LoopId loop = verdict.loop_growth->loop;
+    return loop.valid()
+               ? "grows with each turn of the loop at " + loop_place(problem, loop) + ", without bound"
+               : "grows as long as the run goes on, without bound";
+  }
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
     if (shown)
@@ -69,7 +83,7 @@ std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdi
   if (proof.analysis.zeno_run) return "give something in the loop a time";
   if (proof.ended_by_user) return "ended by you; let the proof go on, or limit it with --timeout";
   if (proof.explored)
-    return "allow more with --max-states or --timeout, or make the skill or its times simpler";
+    return "allow more with --max-states, --max-memory or --timeout, or make the skill or its times simpler";
   if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
   if (!verdict.bound) return "change what the note names: without it there may be a bound";
   return verdict.at_least ? "keep the passes further apart, so that the bound reaches what is required"
@@ -77,9 +91,24 @@ std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdi
                             "bound is as required";
 }
 
+/// How to end the growth, or to leave it out.
+std::string hint_of_growth(const analyzer::Verdict& verdict) {
+  const analyzer::LoopGrowth& growth = *verdict.loop_growth;
+  if (verdict.measure == Measure::duration)
+    return "let the loop end after so many turns, or so much time: WTM … WITHIN";
+  const std::string loop = growth.loop.valid() ? " in the loop" : "";
+  const std::string renew = verdict.measure == Measure::age || verdict.measure == Measure::reaction
+                                ? "get a new value" + loop
+                                : "let it come about" + loop;
+  if (growth.phase.empty()) return renew + ", or require this only while it does (DURING REPEAT OF …)";
+  return renew + "; or, if the loop does not matter, end '" + verdict.requirement + "' with " + growth.phase +
+         ", which leaves it out";
+}
+
 std::string hint_of(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   if (verdict.state == State::undecided) return hint_of_undecided(proof, verdict);
+  if (verdict.loop_growth) return hint_of_growth(verdict);
   switch (verdict.measure) {
     case Measure::load:
     case Measure::busy:
@@ -201,13 +230,26 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding = diagnostics.report(
-      fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
-      "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " + figure_of(verdict) +
-          " in " + proof.problem.environment + ", " + (verdict.at_least ? "at least " : "at most ") +
-          whole_text(verdict.measure, verdict.limit) + " is required",
-      hint_of(proof, index));
-  if (!fails || verdict.reasons.empty()) finding.notes.push_back({verdict.where, verdict.explanation});
+  Diagnostic& finding =
+      diagnostics.report(fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
+                         "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " +
+                             figure_of(proof.problem, verdict) + " in " + proof.problem.environment + ", " +
+                             (verdict.at_least ? "at least " : "at most ") +
+                             whole_text(verdict.measure, verdict.limit) + " is required",
+                         hint_of(proof, index));
+  if (verdict.loop_growth) {
+    const analyzer::LoopId loop = verdict.loop_growth->loop;
+    finding.notes.push_back(
+        {loop.valid() ? proof.problem.loops[loop].where : verdict.where, verdict.explanation});
+    if (!verdict.reasons.empty())
+      finding.notes.push_back(
+          {{},
+           "in the first turns it is " +
+               figure_text(verdict.measure, Duration(verdict.loop_growth->first_turns.measured.value)) +
+               ":"});
+  }
+  if (!fails || (verdict.reasons.empty() && !verdict.loop_growth))
+    finding.notes.push_back({verdict.where, verdict.explanation});
   const auto shown = attained(verdict);
   if (!fails && shown && !verdict.reasons.empty())
     finding.notes.push_back(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pal/support/time.hpp"
+#include "pal/trace/spool.hpp"
 #include "pal/trace/trace.hpp"
 #include "programs/workcell/session/skills.hpp"
 

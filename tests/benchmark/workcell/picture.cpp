@@ -23,8 +23,7 @@ double milliseconds(const Draw& draw) {
 
 std::vector<Row> picture_rows() {
   sim::Workcell workcell(sim::find_scene("touch", {PAL_SCENE_DIR}));
-  std::size_t logged = 0;
-  const sim::Snapshot snapshot = sim::take_snapshot(workcell, logged);
+  const sim::Snapshot snapshot = sim::take_snapshot(workcell, {});
   double plain = 0, frame = 0;
   {
     sim::Stage stage(workcell.physics().model());

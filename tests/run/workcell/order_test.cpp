@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "pal/trace/spool.hpp"
 #include "programs/workcell/reports/comparison.hpp"
+#include "sim/cell/cell.hpp"
 #include "skills_pal/touch/touch.hpp"
 #include "tests/run/workcell/written_touch.hpp"
 

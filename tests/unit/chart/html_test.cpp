@@ -50,6 +50,16 @@ TEST_CASE("the page needs no address and no file, and its own rules forbid them"
     CHECK(page.find(place) == std::string::npos);
 }
 
+TEST_CASE("a page holds no U+FFFE and no U+FFFF, and its data has them all the same") {
+  Book book = book_of(worst_touch({}));
+  book.title = "n\xEF\xBF\xBF";
+  book.subjects.front().skill = "n\xEF\xBF\xBE<\xEF\xBF\xBF";
+  const std::string page = html(book);
+  CHECK(page.find("\xEF\xBF\xBE") == std::string::npos);
+  CHECK(page.find("\xEF\xBF\xBF") == std::string::npos);
+  CHECK(data_of(page).at("requirements").front().at("skill") == book.subjects.front().skill);
+}
+
 TEST_CASE("every element that the script asks for is in the page, once") {
   const std::string page = html(book_of(worst_touch({})));
   std::set<std::string> names;

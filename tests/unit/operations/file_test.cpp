@@ -1,4 +1,7 @@
 // What is written can be read, and says the same.
+#include <sstream>
+#include <utility>
+
 #include "operations/parse.hpp"
 #include "operations/write.hpp"
 #include "tests/unit/operations/support.hpp"
@@ -135,4 +138,49 @@ TEST_CASE("a sub-operation in another file is found relative to the file that na
   Diagnostics missing;
   load(files, sources, "a/main.op.json", missing);
   CHECK(missing.errors() == 1);
+}
+
+TEST_CASE("parameters have one order, whoever wrote them") {
+  Icon one;
+  one.id = "s";
+  one.kind = IconKind::skill;
+  one.skill = "go";
+  one.parameters = {{"b", 1.0, {}, {}}, {"a", 2.0, {}, {}}};
+  Icon other = one;
+  std::swap(other.parameters[0], other.parameters[1]);
+  const auto text_of = [](const Icon& icon) {
+    Operation operation;
+    operation.icons = {icon};
+    Document document;
+    document.operations = {operation};
+    return write(document);
+  };
+  CHECK(text_of(one) == text_of(other));
+  CHECK(text_of(one).find("{\"a\": 2, \"b\": 1}") != std::string::npos);
+}
+
+// A merge of lines joins changes only if there is a line between them that neither changes.
+TEST_CASE("where an icon stands is not on a line beside what it does") {
+  Operation operation;
+  for (const char* id : {"one", "two"}) {
+    Icon icon;
+    icon.id = id;
+    icon.kind = IconKind::exit;
+    icon.at = Point{1, 2};
+    operation.icons.push_back(icon);
+  }
+  Document document;
+  document.operations = {operation};
+  std::istringstream lines(write(document));
+  std::vector<std::string> all;
+  for (std::string line; std::getline(lines, line);) all.push_back(line);
+  std::size_t places = 0;
+  for (std::size_t n = 1; n + 1 < all.size(); ++n) {
+    if (all[n].find("\"at\"") == std::string::npos) continue;
+    ++places;
+    CHECK(all[n].find("kind") == std::string::npos);
+    CHECK(all[n - 1].find("kind") == std::string::npos);
+    CHECK(all[n + 1].find("kind") == std::string::npos);
+  }
+  CHECK(places == 2);
 }

@@ -376,3 +376,21 @@ TEST_CASE("a limit of 100 % always holds") {
   const Answer answer = pal::test::pal({"check", "s.pal", "--analysis", "compositional"}, in_memory(all));
   CHECK(answer.out.find("<= 100 %  of   100 %  0 % to spare") != std::string::npos);
 }
+
+TEST_CASE("two files that do not see each other may have skills and environments of one name") {
+  pal::MemoryFileSystem files;
+  files.add("a/s.pal", text_of("two_drivers"));
+  files.add("b/s.pal", text_of("two_drivers"));
+  const Answer apart = pal::test::pal({"check", "a/s.pal", "b/s.pal"}, files);
+  INFO(apart.err);
+  CHECK(apart.err.find("PAL0205") == std::string::npos);
+  // Each is proved in its own environment, and the headings tell them apart.
+  std::size_t headings = 0;
+  for (std::size_t at = apart.out.find(" (a/s.pal)"); at != std::string::npos;
+       at = apart.out.find(" (a/s.pal)", at + 1))
+    ++headings;
+  CHECK(headings == 1);
+  CHECK(apart.out.find(" (b/s.pal)") != std::string::npos);
+  files.add("b/s.pal", "USES \"../a/s.pal\"\n" + text_of("two_drivers"));
+  CHECK(pal::test::pal({"check", "a/s.pal", "b/s.pal"}, files).err.find("PAL0205") != std::string::npos);
+}

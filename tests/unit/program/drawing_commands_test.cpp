@@ -141,13 +141,74 @@ TEST_CASE("the rule of pal generate --depfile names files by absolute paths, spe
   CHECK(rule.find("/a\\ cell.pal \\\n  /some\\ where/") != std::string::npos);
 }
 
+TEST_CASE("the class of a module has the module's name, also beside a message of that name") {
+  const Folder folder("force");
+  fs::create_directories(folder.path());
+  std::ofstream(folder.file("s.pal")) << R"(
+DEVICE scale
+MESSAGE force : REAL N
+SKILL press
+  SENSOR DRIVER Force
+  SKILL METHOD SM1
+  LOGICAL SENSOR LS1
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+END SKILL
+Sensor Driver: Force
+  ACTIVITY filter WRITES force
+BEGIN
+  REPEAT
+    WTM( request force from LS1 )
+    TXM( request force from scale )
+    WTM( force from scale )
+    filter
+    TXM( force to LS1 )
+  UNTIL( forever )
+END
+Logical Sensor: LS1
+BEGIN
+  REPEAT
+    WTM( request force from SM1 )
+    TXM( request force from Force )
+    WTM( force from Force )
+    TXM( force to SM1 )
+  UNTIL( forever )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  TXM( request force from LS1 )
+  WTM( force from LS1 )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P
+  DEVICE scale ON REQUEST 5 TO 6 ms
+  PLACE Force ON P PRIORITY 3
+  PLACE LS1   ON P PRIORITY 2
+  PLACE SM1   ON P PRIORITY 1
+  TIME filter : 1 ms
+END ENVIRONMENT
+)";
+  const std::string out = folder.file("out");
+  const Answer answer = pal::test::pal({"generate", folder.file("s.pal"), "-o", out, "--allow-failing"});
+  INFO(answer.err);
+  std::string all;
+  for (const auto& file : fs::directory_iterator(out)) all += content(file.path().string());
+  CHECK(all.find("ForceActivities") != std::string::npos);
+  CHECK(all.find("Force2Activities") == std::string::npos);
+  // The class of a device that answers each request knows when it works.
+  CHECK(all.find("class ScaleDevice : public runtime::ServingDevice") != std::string::npos);
+}
+
 TEST_CASE("the chart of a long run tells its story in short, as the finding does") {
   const Folder folder("long");
   fs::create_directories(folder.path());
+  std::string ticks;
+  for (int n = 0; n < 120; ++n) ticks += "  WTM( tick from Clock )\n";
   std::ofstream(folder.file("rounds.pal")) << R"(
 DEVICE clock
 MESSAGE tick : SIGNAL
-CONDITION done
 SKILL rounds
   MACHINE CONTROLLER Clock
   SKILL METHOD Rounds
@@ -165,11 +226,7 @@ END
 Skill Module: Rounds
 BEGIN
   WTM( Coordinator )
-  REPEAT
-    WTM( tick from Clock )
-    SPC( done )
-  UNTIL( done )
-  TXM( Completion Protocol 0 )
+)" << ticks << R"(  TXM( Completion Protocol 0 )
 END
 ENVIRONMENT cell
   PROCESSOR P

@@ -124,8 +124,8 @@ TEST_CASE("a slack is found although a growth leaves no time for all") {
     return slack.at(0);
   };
   // With work of 7 ms in 10 and of 2 in 7 the processor does not pause in 50 ms.
-  CHECK(row("w OF MC1").at("holds_with_ns") == 3'999'999);
-  CHECK(row("w OF MC1").at("fails_with_ns") == 4'000'000);
+  CHECK(row("w OF MC1").at("holds_with_growth_ns") == 3'999'999);
+  CHECK(row("w OF MC1").at("fails_with_growth_ns") == 4'000'000);
   CHECK(row("RECEIVE").at("exact") == true);
   CHECK(row("a OF SM1").at("unlimited") == true);
 }

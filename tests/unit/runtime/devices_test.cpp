@@ -1,6 +1,7 @@
 // Devices: opening, requests, overruns, faults, closing.
 #include <catch2/catch.hpp>
 
+#include "pal/runtime/serving_device.hpp"
 #include "tests/run/support/bench.hpp"
 
 using namespace pal;
@@ -288,4 +289,45 @@ TEST_CASE("a skill does not begin without its devices") {
           "device sensor does not send x with no fields: its message has 1 field, not 0");
     CHECK(other.closed == 0);
   }
+}
+
+namespace {
+
+/// Answers each request after 6 ms, and never marks itself.
+class Slow final : public runtime::ServingDevice {
+ public:
+  Slow() : ServingDevice("sensor", {{"request x", true, {}}, {"x", false, {}}}) {}
+  void receive(std::size_t, std::span<const double>) override {
+    asked();
+    ++pending_;
+    if (pending_ == 1) work();
+  }
+
+ private:
+  void work() {
+    after(6ms, [this] {
+      answer(1, {});
+      if (--pending_ > 0) work();
+    });
+  }
+  int pending_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a serving device is busy from each request that it begins with to its answer") {
+  Reader bench;
+  Slow slow;
+  bench.skill.thread("A", bench.p, 1, [&](Thread& t) -> Task {
+    for (int i = 0; i < 2; ++i) co_await t.send(bench.send, bench.request);
+    for (int i = 0; i < 2; ++i) co_await t.wait(bench.receive, from(bench.x));
+    co_await t.complete(bench.end, 0);
+  });
+  const auto outcome = run(bench.skill, {&slow});
+  CHECK(outcome.code == 0);
+  CHECK(only(to_text(outcome.trace), {"busy", "idle"}) ==
+        "0 busy sensor\n"
+        "6 idle sensor\n"
+        "6 busy sensor\n"
+        "12 idle sensor\n");
 }

@@ -149,11 +149,11 @@ TEST_CASE("faults: a start at which any part of the arm touches something is ref
 }
 
 TEST_CASE("faults: a scene whose contacts do not fit is refused") {
-  // Each shape of a heap of boxes within one another wants more contacts than there is room for.
+  // A pile of boxes wants more contacts than there is room for.
   std::string heap = R"(<mujoco><include file="puma560.xml"/><size nconmax="8"/><custom>)"
                      R"(<numeric name="start" data="0.46 -0.2 0.1 0"/></custom><worldbody>)";
   for (int i = 0; i < 6; ++i)
-    heap += "<body pos=\"0.8 0.4 " + std::to_string(0.1 + 0.08 * i) +
+    heap += "<body pos=\"0.8 0.4 " + std::to_string(0.1 + 0.0999 * i) +
             "\"><freejoint/><geom class=\"cell\" type=\"box\" size=\".05 .05 .05\" mass=\"1\"/></body>";
   const SceneText text(heap + "</worldbody></mujoco>", ".xml");
   try {

@@ -45,8 +45,7 @@ TEST_CASE("a framing has every point in the picture, and nothing to spare") {
 TEST_CASE("cameras see the tool, and keep arm and table in the picture") {
   Workcell workcell(scene("touch"));
   Stage stage(workcell.physics().model());
-  std::size_t logged = 0;
-  Snapshot snapshot = take_snapshot(workcell, logged);
+  Snapshot snapshot = take_snapshot(workcell, {});
   constexpr double aspect = 1.2;
   for (const double turn : {0.0, 90.0, -90.0, 150.0}) {
     CAPTURE(turn);
@@ -73,8 +72,7 @@ TEST_CASE("cameras see the tool, and keep arm and table in the picture") {
 TEST_CASE("the close-up shows tip and surface, and moves without a jump") {
   Workcell workcell(scene("pyramid"));
   Stage stage(workcell.physics().model());
-  std::size_t logged = 0;
-  Snapshot snapshot = take_snapshot(workcell, logged);
+  Snapshot snapshot = take_snapshot(workcell, {});
   stage.show(snapshot);
   const auto ahead = workcell.cast(workcell.tool().translation(), workcell.tool().linear().col(2));
   REQUIRE(ahead);
@@ -96,8 +94,7 @@ TEST_CASE("the close-up shows tip and surface, and moves without a jump") {
 TEST_CASE("a camera that has been drawn back does not come nearer again") {
   Workcell workcell(scene("nothing"));
   Stage stage(workcell.physics().model());
-  std::size_t logged = 0;
-  Snapshot snapshot = take_snapshot(workcell, logged);
+  Snapshot snapshot = take_snapshot(workcell, {});
   stage.show(snapshot);
   WorkcellCamera camera(stage, 1.2, "");
   const View before = camera.view(stage, 0);

@@ -51,12 +51,15 @@ class Host final : public pal::runtime::DeviceHost {
   std::vector<bool> marks;
 };
 
-std::array<double, 15> fields(Verb verb, std::string_view location = {}, double a = 0, double b = 0) {
-  std::array<double, 15> numbers{};
+constexpr std::size_t text_slots = pal::runtime::Text::slots;
+using Fields = std::array<double, 1 + 2 * text_slots + 6>;
+
+Fields fields(Verb verb, std::string_view location = {}, double a = 0, double b = 0) {
+  Fields numbers{};
   numbers[0] = static_cast<double>(verb);
   pal::runtime::put(pal::runtime::Text(location), numbers, 1);
-  numbers[9] = a;
-  numbers[10] = b;
+  numbers[1 + 2 * text_slots] = a;
+  numbers[2 + 2 * text_slots] = b;
   return numbers;
 }
 
@@ -233,7 +236,7 @@ TEST_CASE("VAL's driver as a device: ports, answers, an end during a motion") {
   CHECK(cell.driver.trouble().empty());
   cell.driver.attach(host);
   cell.driver.open();
-  const auto ask = [&](const std::array<double, 15>& command) {
+  const auto ask = [&](const Fields& command) {
     cell.driver.receive(0, command);
     cell.driver.receive(1, {});
   };
@@ -243,13 +246,13 @@ TEST_CASE("VAL's driver as a device: ports, answers, an end during a motion") {
   REQUIRE(host.delivered.size() == 2);
   CHECK(host.marks == std::vector<bool>{true, false, true, false});
   CHECK(host.delivered[0].first == 2);
-  REQUIRE(host.delivered[0].second.size() == 18);
+  REQUIRE(host.delivered[0].second.size() == 2 + text_slots + 12);
   CHECK(host.delivered[0].second[0] == 1);
   CHECK(host.delivered[1].second[0] == 0);
   CHECK(host.delivered[1].second[1] == static_cast<double>(DriverError::refused));
   pal::runtime::Text text;
   pal::runtime::get(text, host.delivered[1].second, 2);
-  CHECK(text.view() == "Illegal value 1 to 6 is ");
+  CHECK(text.view() == "Illegal value 1 to 6 is wanted");
 
   ask(fields(Verb::speed, {}, 10));
   ask(fields(Verb::ready));

@@ -70,3 +70,15 @@ TEST_CASE("a processor is added once, and a block that has no place gets one") {
   CHECK(environment.placements.back().priority == 1);
   CHECK_FALSE(change(environment, "XX.2.processor = P1").empty());
 }
+
+TEST_CASE("a change of what there is not is answered with what there is") {
+  const auto skill = test::sound_skill(test::two_chains("6 ms"));
+  pan::Environment environment = skill->specification.environments.front();
+  const auto answer = change(environment, "SENDD = 4 ms");
+  INFO(answer);
+  CHECK(answer.find("gives no figure for 'SENDD'; there is '") != std::string::npos);
+  CHECK(answer.find("'MC1.period'") != std::string::npos);
+  CHECK(answer.ends_with("did you mean 'SEND'?"));
+  CHECK(change(environment, "MC7.period = 4 ms").find("; there is '") != std::string::npos);
+  CHECK(change(environment, "XX.priority = 4").find("'SM1'") != std::string::npos);
+}

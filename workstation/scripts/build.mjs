@@ -1,0 +1,56 @@
+// Builds the page: build.mjs --out FOLDER [--watch]. Names have the hash of what is in them, so that a browser
+// may keep them; index.html alone is asked for again.
+import { build, context } from "esbuild";
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync, existsSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
+import { licences } from "./licences.mjs";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");
+const option = (name) => {
+  const at = process.argv.indexOf(name);
+  return at < 0 ? undefined : process.argv[at + 1];
+};
+const out = option("--out") ?? join(root, "../build/workstation");
+const watch = process.argv.includes("--watch");
+
+function page(metafile) {
+  const outputs = Object.entries(metafile.outputs);
+  const entry = outputs.find(([, each]) => each.entryPoint?.endsWith("main.tsx"));
+  const name = (path) => relative(out, join(root, path)).replaceAll("\\", "/");
+  const first = [entry[0], ...entry[1].imports.filter((each) => each.kind === "import-statement").map((each) => each.path)];
+  const html = readFileSync(join(root, "src/index.html"), "utf8")
+    .replace("<!-- style -->", `<link rel="stylesheet" href="${name(entry[1].cssBundle)}">`)
+    .replace("<!-- script -->", first.slice(1).map((each) => `<link rel="modulepreload" href="${name(each)}">`).join("\n  ") +
+      `\n  <script type="module" src="${name(entry[0])}"></script>`);
+  writeFileSync(join(out, "index.html"), html);
+  copyFileSync(join(root, "src/look/icon.svg"), join(out, "icon.svg"));
+  writeFileSync(join(out, "LICENSES.txt"), licences(root));
+}
+
+const options = {
+  absWorkingDir: root,
+  entryPoints: ["src/main.tsx"],
+  outdir: out,
+  bundle: true,
+  splitting: true,
+  format: "esm",
+  target: "es2022",
+  minify: !watch,
+  sourcemap: watch,
+  jsx: "automatic",
+  entryNames: "[name]-[hash]",
+  chunkNames: "[name]-[hash]",
+  assetNames: "[name]-[hash]",
+  loader: { ".woff2": "file" },
+  metafile: true,
+  legalComments: "none",
+  define: { "process.env.NODE_ENV": watch ? '"development"' : '"production"' },
+  plugins: [{ name: "page", setup: (it) => it.onEnd((result) => result.metafile && page(result.metafile)) }],
+};
+
+mkdirSync(out, { recursive: true });
+for (const each of readdirSync(out)) if (/-[A-Z0-9]{8}\.(js|css|woff2)(\.map)?$/.test(each)) rmSync(join(out, each));
+if (!existsSync(join(root, "generated"))) throw new Error("run `npm run types` first");
+if (watch) await (await context(options)).watch();
+else await build(options);

@@ -1,0 +1,161 @@
+// The canvas: icons and lines of the operation that is shown, an overview, and everything that is done there by
+// mouse or finger. The keyboard is in keys.ts.
+import { Background, BackgroundVariant, ConnectionMode, MiniMap, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
+import "@xyflow/react/dist/base.css";
+import { useCallback, useEffect, useMemo, useRef, type DragEvent } from "react";
+import type { Point } from "../model/operation";
+import { useCell } from "../state/cell";
+import { select, shownOperation, useDrawing } from "../state/drawing";
+import { connectIcons, insertIcon, moveTo, type Offer } from "../state/edits";
+import { openIcon } from "../state/windows";
+import { t } from "../words/words";
+import { CanvasTools } from "./CanvasTools";
+import { ConnectList } from "./ConnectList";
+import { EmptyCanvas } from "./EmptyCanvas";
+import { Follow } from "./Follow";
+import { FlowNodes } from "./flow";
+import { IconMenu } from "./IconMenu";
+import { IconNode, type IconNodeType } from "./IconNode";
+import { InsertList } from "./InsertList";
+import { everywhere, onCanvas, openMenu } from "./keys";
+import { Lines } from "./Lines";
+import { runStateOf } from "./runState";
+import { useView } from "./view";
+import "./canvas.css";
+
+const nodeTypes = { icon: IconNode };
+export const offerType = "application/x-workcell-icon";
+
+export function Canvas() {
+  const operation = useDrawing(shownOperation);
+  const trail = useDrawing((state) => state.trail);
+  const selected = useDrawing((state) => state.selected);
+  const skills = useCell((state) => state.skills);
+  const dragged = useView((state) => state.dragged);
+  const flow = useReactFlow();
+  const flowNodes = useRef<FlowNodes>(undefined);
+  flowNodes.current ??= new FlowNodes();
+  const prefix = trail.length > 0 ? `${trail.join("/")}/` : "";
+  const nodes = useMemo(() => flowNodes.current!.of(operation, prefix, selected, dragged, skills), [operation, prefix, selected, dragged, skills]);
+
+  useKeys();
+  const fits = `${useDrawing((state) => state.opened)}:${prefix}`;
+  useEffect(() => void requestAnimationFrame(() => {
+    // An empty canvas begins at the left, where START goes.
+    const height = document.querySelector(".canvas")?.clientHeight ?? 800;
+    if (shownOperation(useDrawing.getState()).icons.length === 0) void flow.setViewport({ x: 64, y: Math.round(height / 2.5), zoom: 1 });
+    else void flow.fitView({ minZoom: 0.5, maxZoom: 1, padding: 0.12 });
+  }), [fits, flow]);
+
+  const onNodesChange = useCallback((changes: NodeChange<IconNodeType>[]) => changed(changes), []);
+  const onConnect = useCallback(({ source, sourceHandle, target }: Connection) => {
+    if (sourceHandle) connectIcons(source, sourceHandle, target);
+  }, []);
+  const onConnectEnd = useCallback<OnConnectEnd>((event, state) => {
+    if (state.isValid || !state.fromNode || !state.fromHandle?.id || state.fromHandle.type !== "source") return;
+    const point = "changedTouches" in event ? event.changedTouches[0]! : event;
+    const over = document.elementFromPoint(point.clientX, point.clientY)?.closest<HTMLElement>(".icon");
+    const from = { icon: state.fromNode.id, port: state.fromHandle.id };
+    if (over?.dataset.id && over.dataset.id !== from.icon) return connectIcons(from.icon, from.port, over.dataset.id);
+    if (over) return;
+    // On the empty canvas: which icon shall the line lead to?
+    const at = flow.screenToFlowPosition({ x: point.clientX, y: point.clientY });
+    useView.setState({ insert: { at: [at.x, at.y - 20], screen: [point.clientX, point.clientY], text: "", from } });
+  }, [flow]);
+
+  const onDrop = useCallback((event: DragEvent) => {
+    const text = event.dataTransfer.getData(offerType);
+    if (text === "") return;
+    event.preventDefault();
+    const at = flow.screenToFlowPosition({ x: event.clientX, y: event.clientY });
+    insertIcon(JSON.parse(text) as Offer, [at.x - 92, at.y - 28]);
+  }, [flow]);
+
+  return (
+    <div className="canvas" role="application" aria-label={t("canvas.label", { name: operation.name })} tabIndex={operation.icons.length === 0 ? 0 : -1}
+      onDrop={onDrop} onDragOver={(event) => event.dataTransfer.types.includes(offerType) && event.preventDefault()}
+      onFocus={(event) => focused(event.target as HTMLElement)}>
+      <ReactFlow<IconNodeType> nodes={nodes} edges={[]} nodeTypes={nodeTypes} onNodesChange={onNodesChange} onConnect={onConnect} onConnectEnd={onConnectEnd}
+        onNodeDoubleClick={(_, node) => openIcon(node.data.operation, node.id)} zoomOnDoubleClick={false}
+        onNodeContextMenu={(event, node) => (event.preventDefault(), openMenu(node.id, [event.clientX, event.clientY]))}
+        onNodeDragStop={dropped} onSelectionDragStop={dropped}
+        onPaneClick={() => (useView.setState({ line: undefined, insert: undefined, menu: undefined }), select([]))}
+        onDoubleClick={(event) => insertAt(event.target as HTMLElement, [event.clientX, event.clientY], flow.screenToFlowPosition({ x: event.clientX, y: event.clientY }))}
+        connectionMode={ConnectionMode.Strict} connectionRadius={28} minZoom={0.1} maxZoom={2} nodesFocusable={false} edgesFocusable={false}
+        disableKeyboardA11y deleteKeyCode={null} multiSelectionKeyCode={["Shift", "Control", "Meta"]} selectionKeyCode="Shift" snapToGrid snapGrid={[8, 8]}
+        elevateNodesOnSelect={false} proOptions={{ hideAttribution: true }}>
+        <Background variant={BackgroundVariant.Dots} gap={24} size={1.5} color="var(--dots)" bgColor="var(--canvas)" />
+        <Lines operation={operation} prefix={prefix} />
+        {operation.icons.length > 4 && (
+          <MiniMap<IconNodeType> pannable zoomable ariaLabel={t("canvas.overview")} nodeColor={mapColour} nodeBorderRadius={8} nodeStrokeWidth={0}
+            maskColor="var(--map-mask)" bgColor="var(--surface)" style={{ width: 176, height: 112 }} />
+        )}
+        <CanvasTools />
+        <Follow />
+      </ReactFlow>
+      {operation.icons.length === 0 && <EmptyCanvas />}
+      <InsertList />
+      <ConnectList />
+      <IconMenu />
+    </div>
+  );
+}
+
+function changed(changes: NodeChange<IconNodeType>[]): void {
+  const moves = new Map(useView.getState().dragged);
+  const chosen = new Set(useDrawing.getState().selected);
+  let selects = false;
+  for (const each of changes) {
+    if (each.type === "position" && each.dragging && each.position) moves.set(each.id, [each.position.x, each.position.y]);
+    if (each.type === "select") {
+      selects = true;
+      if (each.selected) chosen.add(each.id);
+      else chosen.delete(each.id);
+    }
+  }
+  if (moves.size > 0) useView.setState({ dragged: moves });
+  if (selects) select(chosen);
+}
+
+/** A drag is one entry of the history, from its beginning to its end. */
+function dropped(): void {
+  const { dragged } = useView.getState();
+  useView.setState({ dragged: new Map() });
+  if (dragged.size > 0) moveTo(new Map([...dragged].map(([id, at]) => [id, [Math.round(at[0]), Math.round(at[1])] as Point])));
+}
+
+function focused(target: HTMLElement): void {
+  const id = target.classList.contains("icon") ? target.dataset.id : undefined;
+  if (id !== undefined && useDrawing.getState().focus !== id) useDrawing.setState({ focus: id });
+}
+
+function insertAt(target: HTMLElement, screen: Point, at: { x: number; y: number }): void {
+  if (!target.classList.contains("react-flow__pane")) return;
+  useView.setState({ insert: { at: [at.x, at.y - 28], screen, text: "" } });
+}
+
+function mapColour(node: IconNodeType): string {
+  const run = runStateOf(useCell.getState(), node.data.path);
+  if (run === "acting" || run === "halted") return "var(--accent)";
+  if (run === "failed") return "var(--error)";
+  return node.selected ? "var(--accent)" : "var(--edge-strong)";
+}
+
+const writes = (element: Element | null) => element?.closest("input, textarea, [contenteditable], [role='listbox'], [role='menu'], [role='dialog'] select") !== null;
+
+/** Bound to the document: after a deletion the focus may be nowhere. */
+function useKeys(): void {
+  useEffect(() => {
+    const pressed = (event: KeyboardEvent) => {
+      const active = document.activeElement;
+      if (event.defaultPrevented || writes(active)) return;
+      const canvas = active === document.body || active?.closest(".canvas") !== null;
+      const onButton = active?.tagName === "BUTTON" && (event.key === "Enter" || event.key === " ");
+      const modal = document.querySelector(".modal-back") !== null;
+      if (modal) return;
+      if (everywhere(event) || (canvas && !onButton && onCanvas(event))) event.preventDefault();
+    };
+    document.addEventListener("keydown", pressed);
+    return () => document.removeEventListener("keydown", pressed);
+  }, []);
+}

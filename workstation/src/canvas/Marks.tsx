@@ -1,0 +1,74 @@
+// The small marks at an icon: breakpoint, findings, what came of its last run, a note.
+import { memo } from "react";
+import type { Icon } from "../model/operation";
+import { useCell } from "../state/cell";
+import { useChecks } from "../state/checks";
+import { useDrawing } from "../state/drawing";
+import { openFindings } from "../state/windows";
+import { Symbol } from "../symbols/Symbol";
+import { t } from "../words/words";
+import { isLoaded, type RunState } from "./runState";
+
+interface Props {
+  icon: Icon;
+  operation: string;
+  path: string;
+  run: RunState;
+}
+
+export const Marks = memo(function Marks({ icon, operation, path, run }: Props) {
+  return (
+    <>
+      <BreakMark path={path} />
+      <FindingMark icon={icon} operation={operation} />
+      <RunMark path={path} run={run} />
+      {icon.note && <span className="mark-note" title={icon.note}><Symbol name="note" size={14} /></span>}
+    </>
+  );
+});
+
+function BreakMark({ path }: { path: string }) {
+  const name = useDrawing((state) => state.drawing.name);
+  const kind = useCell((cell) => {
+    if (!isLoaded(cell, name)) return undefined;
+    const here = cell.present?.snapshot.breakpoints.filter((each) => each.icon === path) ?? [];
+    if (here.length === 0) return undefined;
+    const text = here.find((each) => each.code !== undefined);
+    return `${here.some((each) => each.enabled) ? "on" : "off"}:${text?.code ?? ""}`;
+  });
+  if (kind === undefined) return null;
+  const [state, code] = kind.split(":");
+  return (
+    <span className="mark-break" data-off={state === "off" || undefined}>
+      <Symbol name={state === "on" ? "breakpoint" : "breakpoint-off"} size={16} />
+      {code !== "" && <span className="mark-code">{t("break.code", { code: Number(code) })}</span>}
+    </span>
+  );
+}
+
+function FindingMark({ icon, operation }: { icon: Icon; operation: string }) {
+  const findings = useChecks((state) => state.findings.get(`${operation}/${icon.id}`));
+  const real = findings?.filter((each) => each.severity !== "note") ?? [];
+  if (real.length === 0) return null;
+  const error = real.some((each) => each.severity === "error");
+  return (
+    <button type="button" tabIndex={-1} className="mark-finding nodrag" data-error={error || undefined} title={real.map((each) => each.message).join("\n")}
+      aria-label={t("findings.at", { count: real.length, icon: icon.id })} onClick={() => openFindings(operation, icon.id)}>
+      <Symbol name={error ? "error" : "warning"} size={16} />
+      {real.length > 1 && <span>{real.length}</span>}
+    </button>
+  );
+}
+
+function RunMark({ path, run }: { path: string; run: RunState }) {
+  const code = useCell((cell) => cell.present?.runs.get(path)?.code);
+  const visits = useCell((cell) => cell.present?.runs.get(path)?.visits ?? 0);
+  if (run === "none") return null;
+  return (
+    <span className="mark-run" data-run={run}>
+      <Symbol name={run === "passed" ? "tick" : run === "failed" ? "cross" : run === "halted" ? "pause" : "run"} size={14} />
+      {run !== "acting" && code !== undefined && <span>{code}</span>}
+      {visits > 1 && <span className="visits">×{visits}</span>}
+    </span>
+  );
+}

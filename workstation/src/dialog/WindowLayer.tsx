@@ -1,0 +1,51 @@
+// All open windows, in the order in which they lie. Rare ones are loaded when they are opened first.
+import { lazy, Suspense, type ComponentType, type LazyExoticComponent } from "react";
+import { useWindows, retarget, type OpenWindow, type WindowKind } from "../state/windows";
+import { t, useLanguage } from "../words/words";
+import { FloatWindow } from "./FloatWindow";
+import { FindingsList } from "./FindingsList";
+import { IconForm } from "./IconForm";
+import { IconHelpButton } from "./IconHelpButton";
+
+const SkillHelp = lazy(() => import("./SkillHelp"));
+const Explain = lazy(() => import("./Explain"));
+const KeysHelp = lazy(() => import("./KeysHelp"));
+const Ways = lazy(() => import("./Ways"));
+const Breakpoints = lazy(() => import("../execution/Breakpoints"));
+const StoreWindow = lazy(() => import("../storage/StoreWindow"));
+const Versions = lazy(() => import("../storage/Versions"));
+
+type About = LazyExoticComponent<ComponentType<{ about: string }>>;
+const later: Partial<Record<WindowKind, About>> = {
+  skill: SkillHelp, explain: Explain, keys: KeysHelp as About, ways: Ways as About, breakpoints: Breakpoints as About, store: StoreWindow as About, versions: Versions,
+};
+
+const split = (about: string): [string, string] => [about.slice(0, about.lastIndexOf("/")), about.slice(about.lastIndexOf("/") + 1)];
+
+export function WindowLayer() {
+  useLanguage();
+  const open = useWindows((state) => state.open);
+  return <div className="windows">{open.map((each) => <Shown key={each.key} window={each} />)}</div>;
+}
+
+function Shown({ window: each }: { window: OpenWindow }) {
+  const [operation, icon] = split(each.about);
+  const Body = later[each.kind];
+  if (each.kind === "icon")
+    return (
+      <FloatWindow window={each} title={icon} footer={<IconHelpButton operation={operation} icon={icon} />}>
+        <IconForm operation={operation} id={icon} onRenamed={(id) => retarget(each.id, `${operation}/${id}`)} />
+      </FloatWindow>
+    );
+  if (each.kind === "findings")
+    return <FloatWindow window={each} title={icon === "" ? t("findings.all") : t("findings.title", { icon })}><FindingsList operation={operation} icon={icon} /></FloatWindow>;
+  const titles: Partial<Record<WindowKind, string>> = {
+    skill: t("help.title", { name: each.about }), explain: each.about, keys: t("keys.title"), ways: t("ways.title"), breakpoints: t("breaks.title"), store: t("store.title"),
+    versions: t("versions.title", { name: each.about }),
+  };
+  return (
+    <FloatWindow window={each} title={titles[each.kind] ?? ""} wide={each.kind === "skill" || each.kind === "store" || each.kind === "explain" || each.kind === "versions"}>
+      <Suspense fallback={<p className="nothing">{t("loading")}</p>}>{Body && <Body about={each.about} />}</Suspense>
+    </FloatWindow>
+  );
+}

@@ -1,0 +1,87 @@
+// The cell's state, the loudest thing on the page.
+import { useEffect, useState } from "react";
+import { Button } from "react-aria-components";
+import { useFollow } from "../canvas/Follow";
+import { useCell } from "../state/cell";
+import { useChecks } from "../state/checks";
+import { useDrawing } from "../state/drawing";
+import { openWindow } from "../state/windows";
+import type { SymbolName } from "../symbols/drawings";
+import { Symbol } from "../symbols/Symbol";
+import { clock, duration, t } from "../words/words";
+
+type Look = "idle" | "acting" | "halted" | "stopped" | "failed" | "ended" | "away";
+
+interface Told {
+  look: Look;
+  symbol: SymbolName;
+  headline: string;
+  detail: string;
+}
+
+function useTold(): Told {
+  const link = useCell((cell) => cell.link);
+  const snapshot = useCell((cell) => cell.present?.snapshot);
+  const name = useDrawing((state) => state.drawing.name);
+  if (link === "no-token") return { look: "away", symbol: "lock", headline: t("state.noToken"), detail: "" };
+  if (link !== "ready" || !snapshot) return { look: "away", symbol: "warning", headline: t(link === "connecting" ? "state.connecting" : "state.away"), detail: t("state.awayDetail") };
+  if (snapshot.hold) return { look: "stopped", symbol: "hand", headline: t("state.hold"), detail: snapshot.hold.by + (snapshot.hold.reason ? `: ${snapshot.hold.reason}` : "") };
+  if (snapshot.stopping) return { look: "stopped", symbol: "stop", headline: t("state.stopping"), detail: snapshot.token };
+  if (snapshot.activity === "skill") return { look: "acting", symbol: "run", headline: t("state.skill"), detail: snapshot.running?.skill ?? "" };
+  if (snapshot.operation === "" || snapshot.operation !== name) {
+    const other = snapshot.operation !== "" && (snapshot.state === "running" || snapshot.state === "paused" || snapshot.state === "stopped");
+    if (!other) return { look: "idle", symbol: "minus", headline: t("state.idle"), detail: snapshot.cell };
+  }
+  const other = snapshot.operation === name ? "" : `${snapshot.operation}: `;
+  switch (snapshot.state) {
+    case "running": return { look: "acting", symbol: "run", headline: t(snapshot.pausing ? "state.pausing" : "state.running"), detail: other + (snapshot.here?.icon ?? snapshot.token) };
+    case "paused": return { look: "halted", symbol: "pause", headline: t("state.paused"), detail: other + t("state.before", { icon: snapshot.token }) };
+    case "stopped": return { look: "stopped", symbol: "stop", headline: t("state.stopped"), detail: other + snapshot.token };
+    case "failed": return { look: "failed", symbol: "error", headline: t("state.failed"), detail: snapshot.reason || snapshot.token };
+    case "ended": return { look: "ended", symbol: "tick", headline: t("state.ended"), detail: t("state.code", { code: snapshot.last_code }) };
+    default: return { look: "idle", symbol: "minus", headline: t("state.ready"), detail: snapshot.cell };
+  }
+}
+
+export function StateBlock() {
+  const { look, symbol, headline, detail } = useTold();
+  const here = useCell((cell) => cell.present?.snapshot.here?.icon);
+  return (
+    <div className="state" data-look={look} role="status">
+      <Symbol name={symbol} size={24} />
+      <div className="state-words">
+        <span className="state-headline">{headline}</span>
+        <span className="state-detail" title={detail}>{detail}</span>
+      </div>
+      {look === "acting" && <Running />}
+      {(look === "acting" || look === "halted" || look === "stopped" || look === "failed") && here && (
+        <Button className="button quiet only state-jump" aria-label={t("state.jump")} onPress={() => useFollow.setState((state) => ({ jump: state.jump + 1 }))}><Symbol name="target" /></Button>
+      )}
+      {(look === "idle" || look === "ended") && <Bounds />}
+    </div>
+  );
+}
+
+function Running() {
+  const began = useCell((cell) => cell.present?.beganAt ?? 0);
+  const [now, setNow] = useState(Date.now());
+  useEffect(() => {
+    const timer = setInterval(() => setNow(Date.now()), 250);
+    return () => clearInterval(timer);
+  }, []);
+  return <span className="state-clock" aria-hidden="true">{clock((now - began) / 1000)}</span>;
+}
+
+/** How long the operation takes, at least and at most; or what stands in its way. */
+function Bounds() {
+  const result = useChecks((state) => state.result);
+  if (!result) return null;
+  if (result.errors > 0)
+    return <Button className="button quiet small state-findings" data-error onPress={() => openWindow("findings", "/")}><Symbol name="error" size={16} />{t("state.errors", { count: result.errors })}</Button>;
+  if (result.shortest_s === null || result.ways.length === 0) return null;
+  return (
+    <Button className="button quiet small state-bounds" onPress={() => openWindow("ways")}>
+      {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}
+    </Button>
+  );
+}

@@ -1,0 +1,33 @@
+// Starts the page.
+import "@fontsource-variable/inter/wght.css";
+import { createRoot } from "react-dom/client";
+import { App } from "./App";
+import "./look/tokens.css";
+import "./look/base.css";
+import "./look/controls.css";
+import "./look/page.css";
+import "./storage/storage.css";
+import { keepBackup, restore } from "./state/backup";
+import { connect, useCell } from "./state/cell";
+import { keepChecking } from "./state/checks";
+import { useDrawing } from "./state/drawing";
+import { showLoaded } from "./state/keep";
+import { applyTheme } from "./state/theme";
+import { currentLanguage } from "./words/words";
+
+document.documentElement.lang = currentLanguage();
+applyTheme();
+const restored = restore();
+keepBackup();
+keepChecking();
+
+// Who comes late sees what runs, unless a drawing of one's own is under way.
+const stop = useCell.subscribe((now) => {
+  if (now.link !== "ready") return;
+  stop();
+  const empty = useDrawing.getState().drawing.icons.length === 0;
+  if (!restored && empty) void showLoaded();
+});
+
+createRoot(document.getElementById("page")!).render(<App />);
+connect();

@@ -1,0 +1,62 @@
+// Which windows are open, in what order they lie, and which panels are shown.
+import { create } from "zustand";
+
+export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways";
+
+export interface OpenWindow {
+  id: string;
+  /** Stays the same when the window comes to be about something else. */
+  key: number;
+  kind: WindowKind;
+  /** What it is about: "operation/icon", a skill, a code. */
+  about: string;
+  x: number;
+  y: number;
+}
+
+interface Windows {
+  /** The last one lies on top. */
+  open: readonly OpenWindow[];
+  /** Of the panels at the sides; on a narrow screen they are sheets. */
+  palette: boolean;
+  inspector: boolean;
+}
+
+const wide = typeof innerWidth === "undefined" || innerWidth >= 1180;
+
+export const useWindows = create<Windows>()(() => ({ open: [], palette: typeof innerWidth === "undefined" || innerWidth >= 900, inspector: wide }));
+
+let opened = 0;
+
+/** Opens a window, or brings it to the front. */
+export function openWindow(kind: WindowKind, about = ""): void {
+  const { open } = useWindows.getState();
+  const id = `${kind}:${about}`;
+  const there = open.find((each) => each.id === id);
+  if (there) return raise(id);
+  const shift = (opened++ % 6) * 28;
+  const x = Math.max(16, Math.min(innerWidth - 480, 320 + shift)), y = 96 + shift;
+  useWindows.setState({ open: [...open, { id, key: opened, kind, about, x, y }] });
+}
+
+/** The icon has another name now. */
+export function retarget(id: string, about: string): void {
+  useWindows.setState((state) => ({ open: state.open.map((each) => (each.id === id ? { ...each, id: `${each.kind}:${about}`, about } : each)) }));
+}
+
+export function raise(id: string): void {
+  const { open } = useWindows.getState();
+  const there = open.find((each) => each.id === id);
+  if (there && open.at(-1) !== there) useWindows.setState({ open: [...open.filter((each) => each !== there), there] });
+}
+
+export function moveWindow(id: string, x: number, y: number): void {
+  useWindows.setState((state) => ({ open: state.open.map((each) => (each.id === id ? { ...each, x, y } : each)) }));
+}
+
+export function closeWindow(id: string): void {
+  useWindows.setState((state) => ({ open: state.open.filter((each) => each.id !== id) }));
+}
+
+export const openFindings = (operation: string, icon: string): void => openWindow("findings", `${operation}/${icon}`);
+export const openIcon = (operation: string, icon: string): void => openWindow("icon", `${operation}/${icon}`);

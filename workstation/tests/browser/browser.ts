@@ -1,0 +1,74 @@
+// The browser of the tests, and what a person does with the page.
+import { existsSync, mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+
+export async function browser(): Promise<Browser> {
+  const program = process.env.CHROMIUM ?? "/usr/bin/chromium";
+  if (!existsSync(program)) throw new Error(`${program} is missing: apt-get install chromium (scripts/setup does it)`);
+  return chromium.launch({ executablePath: program, args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] });
+}
+
+export const errors = new WeakMap<Page, string[]>();
+
+export async function openPage(from: Browser, url: string, options: BrowserContextOptions = {}): Promise<Page> {
+  const context = await from.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-US", reducedMotion: "reduce", ...options });
+  const page = await context.newPage();
+  const seen: string[] = [];
+  errors.set(page, seen);
+  page.on("pageerror", (error) => seen.push(error.message));
+  page.on("console", (message) => /content security policy/i.test(message.text()) && seen.push(message.text()));
+  page.setDefaultTimeout(8000);
+  await page.goto(url);
+  return page;
+}
+
+export const icon = (page: Page, id: string) => page.locator(`.icon[data-id="${id}"]`);
+export const state = (page: Page) => page.locator(".state-headline");
+export const act = (page: Page, word: string) => page.locator(`[data-act="run.${word}"]`);
+
+export async function untilState(page: Page, text: string, longest = 15000): Promise<void> {
+  await page.waitForFunction((wanted) => document.querySelector(".state-headline")?.textContent === wanted, text, { timeout: longest });
+}
+
+/** Drags an icon from the palette to a place of the canvas. */
+export async function drop(page: Page, offer: string, x: number, y: number): Promise<void> {
+  const item = page.locator(`[data-offer="${offer}"]`);
+  await item.scrollIntoViewIfNeeded();
+  await item.dragTo(page.locator(".canvas"), { targetPosition: { x, y }, sourcePosition: { x: 20, y: 16 } });
+}
+
+/** Draws a line with the mouse, from an output to an icon's input. */
+export async function line(page: Page, from: string, port: string, to: string): Promise<void> {
+  const a = (await icon(page, from).locator(`.connector.out[data-handleid="${port}"]`).boundingBox())!;
+  const b = (await icon(page, to).locator(".connector.in").boundingBox())!;
+  await page.mouse.move(a.x + a.width / 2, a.y + a.height / 2);
+  await page.mouse.down();
+  await page.mouse.move((a.x + b.x) / 2, (a.y + b.y) / 2, { steps: 3 });
+  await page.mouse.move(b.x + b.width / 2, b.y + b.height / 2, { steps: 3 });
+  await page.mouse.up();
+}
+
+/** Types the name of an icon and takes the first that fits; it comes behind the icon that has the focus. */
+export async function insert(page: Page, name: string): Promise<void> {
+  await page.keyboard.type(name);
+  await page.keyboard.press("Enter");
+  await page.locator(".floating").waitFor({ state: "detached" });
+}
+
+/** What the page keeps of the drawing. */
+export async function drawing(page: Page): Promise<{ name: string; icons: { id: string; kind: string; next?: string; error?: string; parameters?: Record<string, unknown> }[] }> {
+  await page.waitForTimeout(260);
+  return page.evaluate(() => JSON.parse(localStorage.getItem("workcell-drawing")!).drawing);
+}
+
+/** A field of the open dialog of an icon. */
+export const field = (page: Page, label: string) => page.locator('[data-window="icon"]').getByRole("textbox", { name: label, exact: true });
+
+export async function shot(page: Page, name: string): Promise<void> {
+  const folder = process.env.PICTURES;
+  if (!folder) return;
+  mkdirSync(folder, { recursive: true });
+  await page.waitForTimeout(150);
+  await page.screenshot({ path: join(folder, `${name}.png`) });
+}
