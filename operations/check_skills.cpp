@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "operations/check_values.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -51,8 +53,41 @@ bool SkillChecks::names_location(Place at, const Icon& icon, const Parameter& gi
   return false;
 }
 
+void SkillChecks::check_operator(const Icon& icon, const std::string& whose,
+                                 const std::vector<pan::Parameter>& parameters) {
+  for (const OperatorMaySet& each : icon.operator_may_set) {
+    const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const pan::Parameter& one) { return one.name == each.parameter; });
+    const auto names = names_of(parameters);
+    if (found == parameters.end()) {
+      diagnostics_.report(
+          Code::PAL1008, each.where,
+          fmt::format("{} has no parameter '{}', which an operator may set", whose, each.parameter),
+          did_you_mean(
+              suggestions_.nearest_to(each.parameter, names),
+              names.empty() ? std::string("it has none") : fmt::format("it has {}", fmt::join(names, ", "))));
+    } else if (const bool number =
+                   found->type == pan::ScalarType::real || found->type == pan::ScalarType::integer;
+               !number && (each.from || each.to)) {
+      diagnostics_.report(
+          Code::PAL1009, each.where,
+          fmt::format("'{}' is no number, so it has no range for an operator", each.parameter),
+          "write {} for all that the skill allows");
+    } else if (number && ((each.from && *each.from < found->low) || (each.to && *each.to > found->high))) {
+      diagnostics_.report(Code::PAL1009, each.where,
+                          fmt::format("an operator may set '{}' beyond what {} allows: {} to {}",
+                                      each.parameter, whose, found->low, found->high),
+                          "write limits within that range");
+    }
+  }
+}
+
 void SkillChecks::check(Place at, const Icon& icon) {
   if (icon.kind == IconKind::sub_operation) {
+    if (const auto sub = graph_.sub_operation(at)) {
+      const Operation& inside = graph_.program().operations[*sub];
+      check_operator(icon, fmt::format("operation '{}'", inside.name), inside.arguments);
+    }
     for (const Parameter& given : icon.parameters)
       if (const auto* text = std::get_if<std::string>(&given.value);
           text != nullptr && given.source.written() && names_location(at, icon, given))
@@ -72,6 +107,7 @@ void SkillChecks::check(Place at, const Icon& icon) {
                         "run it in a cell that can");
   const pan::Template& skill = found->second;
   const Operation& operation = graph_.program().operations[at.operation];
+  check_operator(icon, fmt::format("skill '{}'", skill.name), skill.parameters);
   std::set<std::string> refused;
   for (const Parameter& given : icon.parameters)
     if (!check_given(skill, given, operation)) refused.insert(given.name);

@@ -26,6 +26,9 @@ class SkillChecks {
   void note_locations(Place at);
   bool names_location(Place at, const Icon& icon, const Parameter& given) const;
   bool check_given(const pan::Template& skill, const Parameter& given, const Operation& operation);
+  /// What an operator may set is there, and within its range.
+  void check_operator(const Icon& icon, const std::string& whose,
+                      const std::vector<pan::Parameter>& parameters);
   void check_location(const Icon& icon, const pan::Parameter& parameter);
   void check_taught(const std::string& location, SourceSpan where);
 

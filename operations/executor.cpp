@@ -241,9 +241,8 @@ Breakpoint Executor::add_breakpoint(Breakpoint breakpoint) {
   if (breakpoint.condition) {
     const Source& source = breakpoint.condition->source;
     const Operation& here = program_.operations[at.operation];
-    const bool argument =
-        std::any_of(here.arguments.begin(), here.arguments.end(),
-                    [&](const pan::Parameter& each) { return each.name == source.name; });
+    const bool argument = std::any_of(here.arguments.begin(), here.arguments.end(),
+                                      [&](const pan::Parameter& each) { return each.name == source.name; });
     if (source.kind == Source::Kind::argument && !argument)
       throw ExecutionError(fmt::format("operation '{}' has no argument '{}'", here.name, source.name));
     if (source.kind != Source::Kind::argument && !graph_.find(at.operation, source.icon))

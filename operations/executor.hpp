@@ -190,8 +190,8 @@ class Executor {
   /// Changes a parameter of a skill, or an argument of a hierarchical icon, from its next run on. Throws
   /// ExecutionError: no such icon, running, or a parameter or value that the cell does not allow.
   void set_parameter(const std::string& icon, const std::string& parameter, Value value);
-  /// With a number that there is, replaces that one and keeps its hits; else adds one. Returns it as it stands
-  /// now. Throws ExecutionError if there is no such icon, or none that the condition names.
+  /// With a number that there is, replaces that one and keeps its hits; else adds one. Returns it as it
+  /// stands now. Throws ExecutionError if there is no such icon, or none that the condition names.
   Breakpoint add_breakpoint(Breakpoint breakpoint);
   /// False: there is none of this number.
   bool remove_breakpoint(std::size_t number);

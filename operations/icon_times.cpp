@@ -87,19 +87,22 @@ class OperationTimes {
     } else {
       for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits)) {
         // A value that is missing is noticed before anything moves.
-        if (ending.code == no_value && icon.kind == IconKind::skill && !times_.contains({icon.skill, no_value}))
+        if (ending.code == no_value && icon.kind == IconKind::skill &&
+            !times_.contains({icon.skill, no_value}))
           continue;
         const Longest longest = longest_of(icon, ending.code, times_);
         result.codes.emplace_back(ending.code, longest.time);
         if (!longest.time && result.unknown.empty()) result.unknown = longest.unknown;
-        result.longest =
-            result.longest && longest.time ? std::optional(std::max(*result.longest, *longest.time)) : std::nullopt;
+        result.longest = result.longest && longest.time
+                             ? std::optional(std::max(*result.longest, *longest.time))
+                             : std::nullopt;
       }
     }
     if (counted) return {at, {}, std::nullopt, to_text(*icon.repeat), std::move(result.codes)};
     // It may end in the first round, by a code that is not normal.
     result.shortest = once_shortest;
-    if (result.longest) result.longest = multiplied(*result.longest, std::max(rounds, 1.0) * (1 + icon.retries));
+    if (result.longest)
+      result.longest = multiplied(*result.longest, std::max(rounds, 1.0) * (1 + icon.retries));
     if (!result.longest && result.unknown.empty()) result.unknown = "it is too long";
     return result;
   }
@@ -120,7 +123,8 @@ class OperationTimes {
     longest_path(operation, *start, leads_to, loops, restarts, whole);
   }
 
-  void longest_path(std::size_t operation, std::size_t start, const std::vector<std::vector<std::size_t>>& leads_to,
+  void longest_path(std::size_t operation, std::size_t start,
+                    const std::vector<std::vector<std::size_t>>& leads_to,
                     const std::vector<std::vector<std::size_t>>& loops, bool restarts, Whole& whole) const {
     if (restarts || !loops.empty()) {
       whole.unknown = "a loop in " + graph_.program().operations[operation].name;

@@ -29,9 +29,9 @@ std::optional<Duration> multiplied(Duration time, double by);
 /// All runs of an icon between the token's coming and going, repeats and retries included.
 struct IconTime {
   Place at;
-  Duration shortest{};             // what passes at least: the delays
+  Duration shortest{};  // what passes at least: the delays
   std::optional<Duration> longest;
-  std::string unknown;             // why the longest is not known; empty: it is
+  std::string unknown;                                         // why the longest is not known; empty: it is
   std::vector<std::pair<int, std::optional<Duration>>> codes;  // of one run, by its code
 };
 

@@ -112,7 +112,7 @@ struct Icon {
   Connection otherwise;   // of a CASE: its default
   std::vector<Way> ways;  // of a CASE and a question
   std::string skill;
-  std::vector<Parameter> parameters;  // of a skill and a hierarchical icon
+  std::vector<Parameter> parameters;             // of a skill and a hierarchical icon
   std::vector<OperatorMaySet> operator_may_set;  // likewise
   std::optional<Amount> repeat{};  // of these: how often it runs; it ends early by a code that is not normal
   int retries = 0;                 // of a skill: how often it begins again if it does not end normally

@@ -195,7 +195,8 @@ class Walk {
       for (const Ending& before : endings_of(graph_, at, skills_, exits_)) {
         if (counted) add({std::nullopt, to_text(*icon.repeat)}, 1);
         // Each round but the last ends normally, and in each as many attempts fail as may.
-        add(longest_of(icon, before.code, skill_times_), before.normal() ? rounds - 1 : rounds * icon.retries);
+        add(longest_of(icon, before.code, skill_times_),
+            before.normal() ? rounds - 1 : rounds * icon.retries);
       }
     }
     go(way, ending.code, times, {fmt::format("{} ({})", icon.id, code_text(ending.code))},

@@ -97,8 +97,9 @@ std::optional<std::string> Client::receive(std::chrono::milliseconds longest) {
   parts_->reading = false;
   if (*parts_->read) {
     const auto& reason = parts_->stream.reason().reason;
-    throw std::runtime_error("the server has hung up: " +
-                             (reason.empty() ? parts_->read->message() : std::string(reason.data(), reason.size())));
+    throw std::runtime_error("the server has hung up: " + (reason.empty()
+                                                               ? parts_->read->message()
+                                                               : std::string(reason.data(), reason.size())));
   }
   std::string text = beast::buffers_to_string(parts_->buffer.data());
   parts_->buffer.clear();

@@ -90,9 +90,9 @@ using Command = std::variant<TakeControls, AskForControls, GiveControls, Release
 struct Done {
   operations::SkillResult result{};  // of RunSkill: what came of the skill
   Duration begin{}, end{};
-  std::string operation{};                              // of LoadOperation: its name
-  std::optional<operations::Value> before{};            // of SetParameter; nothing: it was not set
-  std::optional<operations::Breakpoint> breakpoint{};   // of SetBreakpoint
+  std::string operation{};                             // of LoadOperation: its name
+  std::optional<operations::Value> before{};           // of SetParameter; nothing: it was not set
+  std::optional<operations::Breakpoint> breakpoint{};  // of SetBreakpoint
 };
 
 /// Where in the texts of an operation something is wrong; what is not known is empty.
@@ -122,15 +122,15 @@ struct Refusal {
   std::string message;
   std::string hint{};  // a way out; may be empty
   TextPlace place{};
-  std::optional<std::uint64_t> newest{};  // of `newer`
+  std::optional<std::uint64_t> newest{};              // of `newer`
   std::optional<std::pair<double, double>> limits{};  // of `role`: what an operator may set
 
   /// For a client that has one line.
   std::string text() const {
-    const std::string at = place.file.empty() || place.line == 0
-                               ? ""
-                               : place.file + ":" + std::to_string(place.line) + ":" +
-                                     std::to_string(place.column) + ": ";
+    const std::string at =
+        place.file.empty() || place.line == 0
+            ? ""
+            : place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": ";
     return at + (hint.empty() ? message : message + "; " + hint);
   }
 };

@@ -96,8 +96,7 @@ void Desk::ask(ClientId client, Command command, Answerer answer, const operatio
     } else {
       const std::lock_guard lock(parts_->mutex);
       refusal = parts_->need_role(asked, command);
-      if (!refusal)
-        refusal = std::visit([&](auto& each) { return parts_->obey(asked, each); }, command);
+      if (!refusal) refusal = std::visit([&](auto& each) { return parts_->obey(asked, each); }, command);
     }
   } catch (const operations::ExecutionError& problem) {
     refusal = Refusal{Refusal::Why::wrong, problem.what()};

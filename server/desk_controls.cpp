@@ -30,11 +30,12 @@ Desk::Parts::Result Desk::Parts::need_role(const Asked& asked, const Command& co
   const auto* load = std::get_if<LoadOperation>(&command);
   if (load != nullptr && !load->stored) least = Role::programmer;
   if (found->second.role >= least) return std::nullopt;
-  return Refusal{Refusal::Why::role,
-                 fmt::format("{} may not do that", found->second.role == Role::viewer ? "a viewer" : "an operator"),
-                 load != nullptr && least == Role::programmer && found->second.role == Role::operating
-                     ? "load an operation of the store by its name"
-                     : fmt::format("show the token of a{} {}", least == Role::operating ? "n" : "", name(least))};
+  return Refusal{
+      Refusal::Why::role,
+      fmt::format("{} may not do that", found->second.role == Role::viewer ? "a viewer" : "an operator"),
+      load != nullptr && least == Role::programmer && found->second.role == Role::operating
+          ? "load an operation of the store by its name"
+          : fmt::format("show the token of a{} {}", least == Role::operating ? "n" : "", name(least))};
 }
 
 void Desk::Parts::give_controls(std::optional<ClientId> client, const std::string& reason) {
@@ -49,8 +50,9 @@ void Desk::Parts::give_controls(std::optional<ClientId> client, const std::strin
 Desk::Parts::Result Desk::Parts::need_controls(ClientId client) const {
   if (ending) return Refusal{Refusal::Why::ending, "the server ends"};
   if (holder && *holder != client)
-    return Refusal{Refusal::Why::not_yours,
-                   fmt::format("'{}' has the controls; other clients may only pause and stop", status.holder)};
+    return Refusal{
+        Refusal::Why::not_yours,
+        fmt::format("'{}' has the controls; other clients may only pause and stop", status.holder)};
   return std::nullopt;
 }
 
@@ -69,8 +71,8 @@ Desk::Parts::Result Desk::Parts::need_operation() const {
 Desk::Parts::Result Desk::Parts::need_no_hold() const {
   if (!status.hold) return std::nullopt;
   return Refusal{Refusal::Why::held,
-                 fmt::format("'{}' holds the cell{}{}", status.hold->by, status.hold->reason.empty() ? "" : ": ",
-                             status.hold->reason),
+                 fmt::format("'{}' holds the cell{}{}", status.hold->by,
+                             status.hold->reason.empty() ? "" : ": ", status.hold->reason),
                  "who set the hold, or a higher role, releases it: hold.release"};
 }
 
@@ -109,7 +111,8 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, GiveControls& command) {
     return Refusal{Refusal::Why::absent, fmt::format("there is no client {}", command.to),
                    "'clients' lists those that are here"};
   if (to->second.role == Role::viewer)
-    return Refusal{Refusal::Why::role, fmt::format("'{}' is a viewer", to->second.name), "choose another client"};
+    return Refusal{Refusal::Why::role, fmt::format("'{}' is a viewer", to->second.name),
+                   "choose another client"};
   give_controls(command.to);
   return std::nullopt;
 }
@@ -122,7 +125,8 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, ReleaseControls&) {
 Desk::Parts::Result Desk::Parts::obey(Asked& asked, SetHold& command) {
   if (ending) return Refusal{Refusal::Why::ending, "the server ends"};
   const Client& client = clients.at(asked.client);
-  if (status.hold && status.hold->client != asked.client && status.hold->role >= client.role) return need_no_hold();
+  if (status.hold && status.hold->client != asked.client && status.hold->role >= client.role)
+    return need_no_hold();
   status.hold = Hold{client.name, asked.client, client.role, printable(command.reason),
                      std::chrono::system_clock::now()};
   publish(HoldChanged{status.hold, client.name});

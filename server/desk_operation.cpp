@@ -18,9 +18,9 @@ constexpr std::size_t most_breakpoints = 1000;
 /// Whether the icon lets an operator set the parameter to this value.
 std::optional<Refusal> operator_may_not(const operations::Icon& icon, const SetParameter& command) {
   const auto& allowed = icon.operator_may_set;
-  const auto found = std::find_if(allowed.begin(), allowed.end(), [&](const operations::OperatorMaySet& each) {
-    return each.parameter == command.parameter;
-  });
+  const auto found = std::find_if(
+      allowed.begin(), allowed.end(),
+      [&](const operations::OperatorMaySet& each) { return each.parameter == command.parameter; });
   const TextPlace place{{}, {}, command.icon, "parameters/" + command.parameter};
   if (found == allowed.end())
     return Refusal{Refusal::Why::role,
@@ -115,7 +115,8 @@ Desk::Parts::Result Desk::Parts::load(Asked& asked, LoadOperation command, const
   const std::lock_guard lock(mutex);
   if (auto refusal = allowed()) return refusal;
   give_controls(asked.client);
-  executor = std::make_unique<Executor>(std::move(std::get<operations::Program>(read)), asking_runner, this, &cell);
+  executor =
+      std::make_unique<Executor>(std::move(std::get<operations::Program>(read)), asking_runner, this, &cell);
   loaded = std::make_shared<LoadedFiles>(
       LoadedFiles{std::move(command.files), std::move(command.main), std::move(command.stored)});
   changes.clear();

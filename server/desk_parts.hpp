@@ -150,8 +150,8 @@ struct Desk::Parts final : operations::StepObserver {
   std::vector<operations::Breakpoint> breakpoints;
   std::map<std::string, IconState> icons;
   std::optional<Here> here;
-  std::string step_before;  // icon of the last step that was not cut off
-  bool cut_off = false;     // the last step was
+  std::string step_before;            // icon of the last step that was not cut off
+  bool cut_off = false;               // the last step was
   std::optional<std::size_t> answer;  // to the question that waits
   std::string answered_by;
 

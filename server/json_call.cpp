@@ -54,9 +54,9 @@ constexpr const char* too_many = "too many requests of this client wait";
 }  // namespace
 
 void Call::beside(Workshop& workshop, std::function<Json(const Workshop::Stop&)> work) const {
-  const auto ticket = workshop.submit(
-      client(), [call = *this, alive = home_->alive(), turn = context().in_turn,
-                 work = std::move(work)](const Workshop::Stop& stop) {
+  const auto ticket =
+      workshop.submit(client(), [call = *this, alive = home_->alive(), turn = context().in_turn,
+                                 work = std::move(work)](const Workshop::Stop& stop) {
         turn([call, alive, outcome = outcome_of(work, stop)] {
           const auto still = alive.lock();
           if (!still || !*still) return;

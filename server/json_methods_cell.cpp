@@ -18,7 +18,8 @@ void explain(const Call& call) {
 constexpr std::array cell_methods{
     Method{"state", Role::viewer, false,
            [](const Call& call) { call.result(describe(call.context().desk.status(call.client()))); }},
-    Method{"snapshot", Role::viewer, false, [](const Call& call) { call.result(snapshot_json(call.context(), call.client())); }},
+    Method{"snapshot", Role::viewer, false,
+           [](const Call& call) { call.result(snapshot_json(call.context(), call.client())); }},
     Method{"clients", Role::viewer, false,
            [](const Call& call) { call.result(describe(call.context().desk.clients())); }},
     Method{"skills", Role::viewer, false,

@@ -25,9 +25,7 @@ constexpr std::array control_methods{
            }},
     Method{"controls.release", Role::viewer, true, [](const Call& call) { call.ask(ReleaseControls{}); }},
     Method{"hold.set", Role::operating, false,
-           [](const Call& call) {
-             call.ask(SetHold{call.members().short_text("reason", longest_reason)});
-           }},
+           [](const Call& call) { call.ask(SetHold{call.members().short_text("reason", longest_reason)}); }},
     Method{"hold.release", Role::operating, true, [](const Call& call) { call.ask(ReleaseHold{}); }},
 };
 

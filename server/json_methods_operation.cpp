@@ -35,8 +35,10 @@ constexpr std::array operation_methods{
            }},
     Method{"stop", Role::viewer, false, [](const Call& call) { call.ask(Stop{}); }},
     Method{"operation.load", Role::operating, true, load_operation},
-    Method{"operation.run", Role::operating, true, [](const Call& call) { run(call, RunOperation::How::run); }},
-    Method{"operation.step", Role::operating, true, [](const Call& call) { run(call, RunOperation::How::step); }},
+    Method{"operation.run", Role::operating, true,
+           [](const Call& call) { run(call, RunOperation::How::run); }},
+    Method{"operation.step", Role::operating, true,
+           [](const Call& call) { run(call, RunOperation::How::step); }},
     Method{"operation.resume", Role::operating, true,
            [](const Call& call) { run(call, RunOperation::How::resume); }},
     Method{"operation.pause", Role::viewer, false, [](const Call& call) { call.ask(Pause{}); }},
@@ -64,12 +66,14 @@ constexpr std::array operation_methods{
            }},
     Method{"operation.break", Role::operating, true,
            [](const Call& call) {
-             call.ask(set_breakpoint(call.members()),
-                      [](const Done& done) { return done.breakpoint ? describe(*done.breakpoint) : Json::object(); });
+             call.ask(set_breakpoint(call.members()), [](const Done& done) {
+               return done.breakpoint ? describe(*done.breakpoint) : Json::object();
+             });
            }},
     Method{"operation.unbreak", Role::operating, true,
            [](const Call& call) {
-             call.ask(RemoveBreakpoint{static_cast<std::size_t>(call.members().whole("breakpoint", 1, 1'000'000))});
+             call.ask(RemoveBreakpoint{
+                 static_cast<std::size_t>(call.members().whole("breakpoint", 1, 1'000'000))});
            }},
     Method{"operation.clear", Role::operating, true, [](const Call& call) { call.ask(ClearBreakpoints{}); }},
     Method{"operation.breakpoints", Role::viewer, true,

@@ -20,19 +20,17 @@ void list(const Call& call) {
 
 void read(const Call& call) {
   const auto version = call.members().may_be_whole("version", 1, greatest_version);
-  call.beside(call.context().disk, [&store = store_of(call.context()), name = call.members().text("name"),
-                                    version](const Workshop::Stop&) -> Json {
-    const StoredText text = with_store([&] {
-      return store.read(name, version ? std::optional<std::uint64_t>(*version) : std::nullopt);
-    });
-    return {{"name", name},
-            {"version", text.entry.version},
-            {"newest", text.newest},
-            {"text", text.text},
-            {"saved", wall_text(text.entry.saved)},
-            {"by", text.entry.by},
-            {"note", text.entry.note}};
-  });
+  call.beside(call.context().disk,
+              [&store = store_of(call.context()), name = call.members().text("name"),
+               version](const Workshop::Stop&) -> Json {
+                const StoredText text = with_store([&] {
+                  return store.read(name, version ? std::optional<std::uint64_t>(*version) : std::nullopt);
+                });
+                return {
+                    {"name", name},           {"version", text.entry.version},        {"newest", text.newest},
+                    {"text", text.text},      {"saved", wall_text(text.entry.saved)}, {"by", text.entry.by},
+                    {"note", text.entry.note}};
+              });
 }
 
 std::string name_of(const Call& call) {
@@ -44,15 +42,14 @@ std::string name_of(const Call& call) {
 void save(const Call& call) {
   const Members& members = call.members();
   const auto based_on = static_cast<std::uint64_t>(members.whole("based_on", 0, greatest_version));
-  call.beside(call.context().disk,
-              [&store = store_of(call.context()), &desk = call.context().desk, name = members.text("name"),
-               text = members.text("text"), based_on, by = name_of(call),
-               note = members.short_text("note", longest_note)](const Workshop::Stop&) {
-                const StoredEntry entry =
-                    with_store([&] { return store.save(name, text, based_on, by, note); });
-                desk.tell(StoreChanged{name, StoreChanged::Change::saved, entry.version, {}, by});
-                return describe(entry);
-              });
+  call.beside(call.context().disk, [&store = store_of(call.context()), &desk = call.context().desk,
+                                    name = members.text("name"), text = members.text("text"), based_on,
+                                    by = name_of(call),
+                                    note = members.short_text("note", longest_note)](const Workshop::Stop&) {
+    const StoredEntry entry = with_store([&] { return store.save(name, text, based_on, by, note); });
+    desk.tell(StoreChanged{name, StoreChanged::Change::saved, entry.version, {}, by});
+    return describe(entry);
+  });
 }
 
 void rename(const Call& call) {
@@ -94,9 +91,12 @@ void versions(const Call& call) {
 }
 
 constexpr std::array store_methods{
-    Method{"store.list", Role::viewer, false, list},         Method{"store.read", Role::viewer, false, read},
-    Method{"store.save", Role::programmer, false, save},     Method{"store.rename", Role::programmer, false, rename},
-    Method{"store.delete", Role::programmer, false, remove}, Method{"store.versions", Role::viewer, false, versions},
+    Method{"store.list", Role::viewer, false, list},
+    Method{"store.read", Role::viewer, false, read},
+    Method{"store.save", Role::programmer, false, save},
+    Method{"store.rename", Role::programmer, false, rename},
+    Method{"store.delete", Role::programmer, false, remove},
+    Method{"store.versions", Role::viewer, false, versions},
 };
 
 }  // namespace

@@ -13,8 +13,8 @@ constexpr std::int64_t greatest_number_of_ways = 64;
 
 void check(const Call& call) {
   const Members& members = call.members();
-  const auto ways = static_cast<std::size_t>(
-      members.may_be_whole("ways", 0, greatest_number_of_ways).value_or(usual_ways));
+  const auto ways =
+      static_cast<std::size_t>(members.may_be_whole("ways", 0, greatest_number_of_ways).value_or(usual_ways));
   call.beside(call.context().checks, [files = members.files(), main = members.text("main"), ways,
                                       &context = call.context()](const Workshop::Stop& stop) mutable {
     const RequestFiles all(files, context.store);
@@ -25,16 +25,20 @@ void check(const Call& call) {
 }
 
 void format(const Call& call) {
-  call.beside(call.context().checks, [text = call.members().text("text"),
-                                      name = call.members().text("file", "operation.op.json")](
-                                         const Workshop::Stop&) { return Json{{"text", formatted(name, text)}}; });
+  call.beside(call.context().checks,
+              [text = call.members().text("text"),
+               name = call.members().text("file", "operation.op.json")](const Workshop::Stop&) {
+                return Json{{"text", formatted(name, text)}};
+              });
 }
 
 /// Two numbers above 0.
 std::pair<double, double> pair_of(const Json& json, const char* name) {
   const auto number = [&](std::size_t i) {
-    const double value = json.is_array() && json.size() == 2 && json[i].is_number() ? json[i].get<double>() : 0;
-    if (!(value > 0 && value <= 1e4)) fail(bad_parameters, std::string("'") + name + "' is two numbers, 0 to 10000");
+    const double value =
+        json.is_array() && json.size() == 2 && json[i].is_number() ? json[i].get<double>() : 0;
+    if (!(value > 0 && value <= 1e4))
+      fail(bad_parameters, std::string("'") + name + "' is two numbers, 0 to 10000");
     return value;
   };
   return {number(0), number(1)};

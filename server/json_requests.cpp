@@ -24,8 +24,9 @@ const char* why_of(int code) {
     default:
       break;
   }
-  static constexpr std::array names{"not-yours", "busy",  "nothing", "wrong",  "ending",    "role",    "held",
-                                    "newer",     "absent", "exists",  "cancelled", "too-much", "failed"};
+  static constexpr std::array names{"not-yours", "busy",     "nothing", "wrong",  "ending",
+                                    "role",      "held",     "newer",   "absent", "exists",
+                                    "cancelled", "too-much", "failed"};
   const auto index = static_cast<std::size_t>(code - first_refusal);
   return code >= first_refusal && index < names.size() ? names[index] : "internal";
 }
@@ -40,8 +41,7 @@ Problem problem_of(int code, std::string message, std::string hint) {
 }
 
 Problem problem_of(const Refusal& refusal) {
-  Problem problem =
-      problem_of(first_refusal + static_cast<int>(refusal.why), refusal.message, refusal.hint);
+  Problem problem = problem_of(first_refusal + static_cast<int>(refusal.why), refusal.message, refusal.hint);
   Json place = Json::object();
   const auto put = [&place](const char* name, const std::string& text) {
     if (!text.empty()) place[name] = text;
@@ -54,7 +54,8 @@ Problem problem_of(const Refusal& refusal) {
   if (refusal.place.column > 0) place["column"] = refusal.place.column;
   if (!place.empty()) problem.data["place"] = std::move(place);
   if (refusal.newest) problem.data["newest"] = *refusal.newest;
-  if (refusal.limits) problem.data["limit"] = {{"low", refusal.limits->first}, {"high", refusal.limits->second}};
+  if (refusal.limits)
+    problem.data["limit"] = {{"low", refusal.limits->first}, {"high", refusal.limits->second}};
   return problem;
 }
 
@@ -101,7 +102,8 @@ const Json* Members::find(const char* name) const {
   return found == json_.end() ? nullptr : &*found;
 }
 
-std::optional<std::int64_t> Members::may_be_whole(const char* name, std::int64_t low, std::int64_t high) const {
+std::optional<std::int64_t> Members::may_be_whole(const char* name, std::int64_t low,
+                                                  std::int64_t high) const {
   const Json* found = find(name);
   if (found == nullptr) return std::nullopt;
   const bool fits = found->is_number_integer() && found->get<double>() >= static_cast<double>(low) &&
@@ -112,7 +114,8 @@ std::optional<std::int64_t> Members::may_be_whole(const char* name, std::int64_t
 
 std::int64_t Members::whole(const char* name, std::int64_t low, std::int64_t high) const {
   const auto number = may_be_whole(name, low, high);
-  if (!number) fail(bad_parameters, fmt::format("'{}' is missing: a whole number from {} to {}", name, low, high));
+  if (!number)
+    fail(bad_parameters, fmt::format("'{}' is missing: a whole number from {} to {}", name, low, high));
   return *number;
 }
 
@@ -127,7 +130,8 @@ std::map<std::string, std::string> Members::files() const {
   std::map<std::string, std::string> result;
   const Json* files = find("files");
   if (files == nullptr) return result;
-  if (!files->is_object()) fail(bad_parameters, "'files' must be an object: the text of each file by its name");
+  if (!files->is_object())
+    fail(bad_parameters, "'files' must be an object: the text of each file by its name");
   for (const auto& [name, text] : files->items()) {
     if (!text.is_string()) fail(bad_parameters, fmt::format("the text of '{}' must be a text", name));
     result[name] = text.get<std::string>();
@@ -183,10 +187,10 @@ operations::BreakCondition condition_of(const Json& json) {
     return found->get<std::string>();
   };
   using Kind = operations::Source::Kind;
-  const int given = static_cast<int>(json.contains("count-of")) + static_cast<int>(json.contains("argument")) +
+  const int given = static_cast<int>(json.contains("count-of")) +
+                    static_cast<int>(json.contains("argument")) +
                     static_cast<int>(json.contains("output-of"));
-  if (given != 1)
-    fail(bad_parameters, "a condition has one of count-of, argument, and output-of with name");
+  if (given != 1) fail(bad_parameters, "a condition has one of count-of, argument, and output-of with name");
   if (json.contains("count-of")) {
     result.source = {Kind::count, text("count-of"), {}};
   } else if (json.contains("argument")) {

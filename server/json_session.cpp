@@ -85,9 +85,10 @@ class JsonSession final : public Session, private CallHome {
     output_.send(dump({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}));
   }
   void send_problem(const Json& id, const Problem& problem) override {
-    output_.send(dump({{"jsonrpc", "2.0"},
-                       {"id", id},
-                       {"error", {{"code", problem.code}, {"message", problem.message}, {"data", problem.data}}}}));
+    output_.send(
+        dump({{"jsonrpc", "2.0"},
+              {"id", id},
+              {"error", {{"code", problem.code}, {"message", problem.message}, {"data", problem.data}}}}));
   }
   void note_ticket(const Json& id, const Workshop::Ticket& ticket) override {
     const std::string name = dump(id);
@@ -123,7 +124,8 @@ class JsonSession final : public Session, private CallHome {
     if (method == nullptr) fail(no_method, fmt::format("there is no method '{}'", name.substr(0, 60)));
     if (role_ < method->least)
       fail(Refusal::Why::role,
-           fmt::format("a{} {} may not do that", role_ == Role::operating ? "n" : "", pal::server::name(role_)),
+           fmt::format("a{} {} may not do that", role_ == Role::operating ? "n" : "",
+                       pal::server::name(role_)),
            extra_ ? "the places for clients are taken: look, pause and stop"
                   : fmt::format("show the token of a{} {}", method->least == Role::operating ? "n" : "",
                                 pal::server::name(method->least)));

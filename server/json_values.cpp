@@ -153,7 +153,8 @@ struct EventFields {
     put("question", {{"question", describe_question(what.question)}});
   }
   void operator()(const QuestionClosed& what) const {
-    put("answered", {{"icon", what.icon}, {"answer", what.answer ? Json(*what.answer) : Json()}, {"by", what.by}});
+    put("answered",
+        {{"icon", what.icon}, {"answer", what.answer ? Json(*what.answer) : Json()}, {"by", what.by}});
   }
   void operator()(const StoreChanged& what) const {
     static constexpr std::array changes{"saved", "renamed", "deleted"};
@@ -246,7 +247,8 @@ Json describe(const Snapshot& snapshot) {
   json["role"] = name(snapshot.role);
   json["loaded"] = nullptr;
   if (snapshot.loaded) {
-    json["loaded"] = {{"main", snapshot.loaded->main}, {"files", snapshot.loaded->files}, {"stored", nullptr}};
+    json["loaded"] = {
+        {"main", snapshot.loaded->main}, {"files", snapshot.loaded->files}, {"stored", nullptr}};
     if (snapshot.loaded->stored)
       json["loaded"]["stored"] = {{"name", snapshot.loaded->stored->name},
                                   {"version", snapshot.loaded->stored->version}};
@@ -348,7 +350,8 @@ Json describe(const KnownRequirement& requirement) {
           {"unit", requirement.unit}};
 }
 
-Json describe(const operations::Skills& skills, const Facts& facts, const std::map<std::string, std::string>& unable) {
+Json describe(const operations::Skills& skills, const Facts& facts,
+              const std::map<std::string, std::string>& unable) {
   Json list = Json::array();
   for (const auto& [name, known] : skills) {
     const auto fact = facts.skills.find(name);
@@ -368,7 +371,8 @@ Json describe(const operations::Skills& skills, const Facts& facts, const std::m
       each["completions"].push_back(describe_completion(completion, name, facts));
     each["contingencies"] = Json::array();
     for (const pan::Contingency& contingency : skill.contingencies)
-      each["contingencies"].push_back({{"number", contingency.number}, {"description", contingency.description}});
+      each["contingencies"].push_back(
+          {{"number", contingency.number}, {"description", contingency.description}});
     each["requirements"] = Json::array();
     each["tool"] = "";
     const auto why = unable.find(name);
@@ -397,8 +401,13 @@ Json describe(const operations::Sensors& sensors) {
 }
 
 Json describe(const StoredEntry& entry) {
-  return {{"name", entry.name}, {"version", entry.version}, {"operation", entry.operation},
-          {"saved", wall_text(entry.saved)}, {"by", entry.by}, {"note", entry.note}, {"size", entry.size}};
+  return {{"name", entry.name},
+          {"version", entry.version},
+          {"operation", entry.operation},
+          {"saved", wall_text(entry.saved)},
+          {"by", entry.by},
+          {"note", entry.note},
+          {"size", entry.size}};
 }
 
 Json describe(const Done& done, bool skill) {

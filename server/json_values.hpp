@@ -1,5 +1,5 @@
-// What the JSON protocol says of events, the state, skills and sensors (docs/reference/protocols.md). The schema
-// is server/schema/protocol.json.
+// What the JSON protocol says of events, the state, skills and sensors (docs/reference/protocols.md). The
+// schema is server/schema/protocol.json.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -36,7 +36,8 @@ Json describe(const std::vector<operations::Breakpoint>& breakpoints);
 Json describe(const Outlook& outlook);
 Json describe(const IconValues& values);
 /// `unable`: the skills that this cell cannot run, and why.
-Json describe(const operations::Skills& skills, const Facts& facts, const std::map<std::string, std::string>& unable);
+Json describe(const operations::Skills& skills, const Facts& facts,
+              const std::map<std::string, std::string>& unable);
 Json describe(const KnownRequirement& requirement);
 Json describe(const operations::Sensors& sensors);
 Json describe(const StoredEntry& entry);

@@ -1,5 +1,5 @@
-// What is known of the cell's skills beyond what running them needs: their templates in full, what is proved of
-// them, their pictures. It may come while the server serves, for proofs take their time.
+// What is known of the cell's skills beyond what running them needs: their templates in full, what is proved
+// of them, their pictures. It may come while the server serves, for proofs take their time.
 #pragma once
 
 #include <map>

@@ -264,8 +264,9 @@ class LineSession final : public Session {
       }
     });
     const auto ticket = context_.checks.submit(
-        *client_, [&desk = context_.desk, client = *client_, command = std::move(command),
-                   answer](const Workshop::Stop& stop) mutable { desk.ask(client, std::move(command), answer, stop); });
+        *client_,
+        [&desk = context_.desk, client = *client_, command = std::move(command),
+         answer](const Workshop::Stop& stop) mutable { desk.ask(client, std::move(command), answer, stop); });
     if (ticket) return;
     loading_ = false;
     complain("too many texts of this client wait");

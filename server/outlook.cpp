@@ -59,7 +59,8 @@ std::string in_words(const Choice& choice) {
     text += fmt::format("; the first skill is {}{}{}", choice.skill, values.empty() ? "" : " with ",
                         fmt::join(values, ", "));
   }
-  if (!choice.preconditions.empty()) text += "; this must be so: " + fmt::format("{}", fmt::join(choice.preconditions, " "));
+  if (!choice.preconditions.empty())
+    text += "; this must be so: " + fmt::format("{}", fmt::join(choice.preconditions, " "));
   if (choice.forgets) text += "; counts and figures are forgotten";
   return text;
 }
@@ -108,8 +109,9 @@ IconValues values_of(const operations::Executor& executor, const operations::Ski
   IconValues result{icon, shown.skill, {}};
   const auto add = [&](const pan::Parameter& parameter) {
     IconValue value{parameter.name};
-    const auto given = std::find_if(shown.parameters.begin(), shown.parameters.end(),
-                                    [&](const operations::Parameter& each) { return each.name == parameter.name; });
+    const auto given =
+        std::find_if(shown.parameters.begin(), shown.parameters.end(),
+                     [&](const operations::Parameter& each) { return each.name == parameter.name; });
     value.set = given != shown.parameters.end();
     if (!value.set) {
       value.value = operations::default_of(parameter);

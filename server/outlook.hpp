@@ -15,9 +15,9 @@ struct Choice {
   enum class Where { here, before, start, other };
   std::string icon;
   Where where = Where::other;
-  const char* method = "operation.from";  // how
-  bool repeats = false;                   // a step that had begun begins again
-  std::string skill{};                      // the first one; empty: none, or not known
+  const char* method = "operation.from";            // how
+  bool repeats = false;                             // a step that had begun begins again
+  std::string skill{};                              // the first one; empty: none, or not known
   std::vector<operations::Parameter> parameters{};  // of that skill
   std::vector<std::string> preconditions{};
   bool forgets = false;  // counts and figures
@@ -34,7 +34,7 @@ struct Outlook {
 struct IconValue {
   std::string name;
   std::optional<operations::Value> value{};  // nothing: it is not known yet
-  bool set = false;                        // else it is the default
+  bool set = false;                          // else it is the default
   operations::Source source{};
   std::optional<std::pair<double, double>> limits{};  // what an operator may set
 };

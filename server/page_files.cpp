@@ -62,10 +62,10 @@ std::optional<std::vector<std::string>> names_in(std::string_view target) {
     const std::string name(target.substr(begin, end - begin));
     begin = end + 1;
     if (name.empty() && end == target.size()) break;  // the folder itself
-    const bool well = !name.empty() && name.front() != '.' &&
-                      std::all_of(name.begin(), name.end(), [](unsigned char c) {
-                        return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
-                      });
+    const bool well =
+        !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+          return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+        });
     if (!well) return std::nullopt;
     names.push_back(name);
   }
@@ -127,7 +127,8 @@ bool named_by_hash(std::string_view path) {
   constexpr std::size_t hash_size = 8;
   const std::size_t dot = path.rfind('.');
   const std::size_t dash = path.rfind('-', dot);
-  if (dot == std::string_view::npos || dash == std::string_view::npos || dot - dash - 1 != hash_size) return false;
+  if (dot == std::string_view::npos || dash == std::string_view::npos || dot - dash - 1 != hash_size)
+    return false;
   return std::all_of(path.begin() + static_cast<std::ptrdiff_t>(dash) + 1,
                      path.begin() + static_cast<std::ptrdiff_t>(dot),
                      [](unsigned char c) { return std::isdigit(c) != 0 || std::isupper(c) != 0; });
@@ -136,7 +137,8 @@ bool named_by_hash(std::string_view path) {
 std::string policy(const std::string& host) {
   return fmt::format(
       "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; "
-      "connect-src 'self' ws://{}; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; "
+      "connect-src 'self' ws://{}; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action "
+      "'none'; "
       "frame-ancestors 'none'",
       host);
 }
@@ -172,7 +174,8 @@ const PageFiles::File* PageFiles::find(const std::string& path) const {
       return nullptr;
     const std::int64_t changed = found.st_mtim.tv_sec * 1'000'000'000 + found.st_mtim.tv_nsec;
     std::unique_ptr<File>& file = files_[path];
-    if (file && file->changed == changed && file->size == static_cast<std::size_t>(found.st_size)) return file.get();
+    if (file && file->changed == changed && file->size == static_cast<std::size_t>(found.st_size))
+      return file.get();
     auto fresh = std::make_unique<File>();
     fresh->changed = changed;
     fresh->size = static_cast<std::size_t>(found.st_size);
@@ -204,20 +207,22 @@ PageAnswer PageFiles::answer(const PageRequest& request) const {
   if (file == nullptr) return in_words(404, "There is no such file.\n");
   PageAnswer answer;
   const PageType* type = type_of(path.ends_with('/') ? "index.html" : path);
-  answer.fields = {{"Content-Type", std::string(type != nullptr ? type->type : "application/octet-stream")},
-                   {"ETag", file->tag},
-                   {"Cache-Control", named_by_hash(path) ? "public, max-age=31536000, immutable" : "no-cache"},
-                   {"Vary", "Accept-Encoding"},
-                   {"Content-Security-Policy", policy(request.host)},
-                   {"X-Content-Type-Options", "nosniff"},
-                   {"Referrer-Policy", "no-referrer"},
-                   {"Cross-Origin-Opener-Policy", "same-origin"},
-                   {"Cross-Origin-Resource-Policy", "same-origin"}};
+  answer.fields = {
+      {"Content-Type", std::string(type != nullptr ? type->type : "application/octet-stream")},
+      {"ETag", file->tag},
+      {"Cache-Control", named_by_hash(path) ? "public, max-age=31536000, immutable" : "no-cache"},
+      {"Vary", "Accept-Encoding"},
+      {"Content-Security-Policy", policy(request.host)},
+      {"X-Content-Type-Options", "nosniff"},
+      {"Referrer-Policy", "no-referrer"},
+      {"Cross-Origin-Opener-Policy", "same-origin"},
+      {"Cross-Origin-Resource-Policy", "same-origin"}};
   if (request.if_none_match.find(file->tag) != std::string::npos) {
     answer.status = 304;
     return answer;
   }
-  const bool takes_packed = !file->packed.empty() && request.accept_encoding.find("gzip") != std::string::npos;
+  const bool takes_packed =
+      !file->packed.empty() && request.accept_encoding.find("gzip") != std::string::npos;
   if (takes_packed) answer.fields.emplace_back("Content-Encoding", "gzip");
   answer.body = takes_packed ? file->packed : file->bytes;
   return answer;

@@ -11,15 +11,19 @@
 namespace pal::server {
 namespace {
 
+std::uint32_t end_of(const operations::JsonValue& value) {
+  return std::max(value.end, value.where.end);
+}
+
 /// The names and numbers down to the value in which the offset lies. Texts are nested 16 deep at most.
 void path_to(const operations::JsonValue& value, std::uint32_t offset, std::vector<std::string>& path) {
   for (const operations::JsonMember& member : value.members) {
-    if (offset < member.where.begin || offset >= std::max(member.value.end, member.where.end)) continue;
+    if (offset < member.where.begin || offset >= end_of(member.value)) continue;
     path.push_back(member.name);
     return path_to(member.value, offset, path);
   }
   for (std::size_t i = 0; i < value.items.size(); ++i) {
-    if (offset < value.items[i].where.begin || offset >= value.items[i].end) continue;
+    if (offset < value.items[i].where.begin || offset >= end_of(value.items[i])) continue;
     path.push_back(std::to_string(i));
     return path_to(value.items[i], offset, path);
   }
@@ -111,7 +115,8 @@ std::variant<operations::Program, Refusal> program_of(const LoadOperation& comma
   if (program && !diagnostics.has_errors()) whole = operations::check_shape(*program, diagnostics, stop);
   if (program && whole && !diagnostics.has_errors())
     whole = operations::check_cell(*program, cell, diagnostics, stop);
-  if (auto mistake = first_error(diagnostics, sources, program ? &*program : nullptr)) return std::move(*mistake);
+  if (auto mistake = first_error(diagnostics, sources, program ? &*program : nullptr))
+    return std::move(*mistake);
   if (!whole) return Refusal{Refusal::Why::cancelled, "the check was cancelled"};
   if (!program)
     return Refusal{Refusal::Why::wrong, "there is no operation in it", {}, {command.main, {}, {}, {}}};

@@ -77,13 +77,15 @@ struct Server::Parts {
     desk = &the_desk;
     checks.emplace(true);
     disk.emplace(true);
-    context.emplace(SessionContext{the_desk, history, options.tokens,
-                                   [this](std::function<void()> action) { asio::post(io, std::move(action)); },
-                                   *checks, *disk});
+    context.emplace(SessionContext{
+        the_desk, history, options.tokens,
+        [this](std::function<void()> action) { asio::post(io, std::move(action)); }, *checks, *disk});
     context->store = options.store;
     context->knowledge = options.knowledge;
     context->version = options.version;
-    context->full = [this] { return count_of([](Session& each) { return !each.extra(); }) >= options.most_clients; };
+    context->full = [this] {
+      return count_of([](Session& each) { return !each.extra(); }) >= options.most_clients;
+    };
     connection_context.emplace(
         ConnectionContext{io, *context, options.outbox, options.admit_within, options.idle});
     if (with_signals) {
@@ -108,7 +110,8 @@ struct Server::Parts {
       web.close(ignored);
       if (lines) lines->close(ignored);
       signals.cancel(ignored);
-      // Those that stand in a queue have been told what happened; a client that does not read does not keep us.
+      // Those that stand in a queue have been told what happened; a client that does not read does not keep
+      // us.
       for (const ConnectionPointer& client : clients) client->end();
       goodbye_by = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
       wait_for_farewells();
@@ -151,8 +154,8 @@ struct Server::Parts {
       accept_line();
     });
   }
-  /// Nobody keeps others out: clients that have shown no token go oldest first, and so do those that came when
-  /// the places were taken.
+  /// Nobody keeps others out: clients that have shown no token go oldest first, and so do those that came
+  /// when the places were taken.
   void make_place() {
     forget_gone();
     drop_oldest(options.most_unknown, [](Connection& each) { return each.may_be_dropped(); });

@@ -27,7 +27,7 @@ struct ServerOptions {
   std::string line_serial;                 // lines over this serial port; empty: none
   unsigned baud = 9600;                    // of the serial port
   Tokens tokens;
-  AccessRules access;  // its port is filled in
+  AccessRules access;             // its port is filled in
   std::size_t most_clients = 16;  // that have shown a token and may do what their role may
   std::size_t most_extra = 4;     // beyond these: they may look, pause and stop; the oldest goes first
   std::size_t most_unknown = 32;  // that have shown no token yet; likewise

@@ -28,7 +28,8 @@ Store& store_of(SessionContext& context) {
   return *context.store;
 }
 
-LoadOperation load_stored(SessionContext& context, const std::string& name, std::optional<std::uint64_t> version) {
+LoadOperation load_stored(SessionContext& context, const std::string& name,
+                          std::optional<std::uint64_t> version) {
   Store& store = store_of(context);
   const StoredText read = with_store([&] { return store.read(name, version); });
   LoadOperation command;

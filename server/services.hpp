@@ -16,7 +16,8 @@ namespace pal::server {
 class RequestFiles final : public FileSystem {
  public:
   /// Both outlive it; the store may be null.
-  RequestFiles(std::map<std::string, std::string>& files, const Store* store) : files_(files), store_(store) {}
+  RequestFiles(std::map<std::string, std::string>& files, const Store* store)
+      : files_(files), store_(store) {}
   std::variant<std::string, FileError> read(const std::string& path, std::size_t most) const override;
 
  private:
@@ -37,7 +38,8 @@ auto with_store(Use use) {
 }
 
 /// Throws Problem.
-LoadOperation load_stored(SessionContext& context, const std::string& name, std::optional<std::uint64_t> version);
+LoadOperation load_stored(SessionContext& context, const std::string& name,
+                          std::optional<std::uint64_t> version);
 /// Adds the files that the operation needs and that were not sent.
 void add_stored_files(SessionContext& context, LoadOperation& command);
 

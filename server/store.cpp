@@ -37,19 +37,22 @@ constexpr std::size_t longest_name = 100;
 }
 
 void check_name(const std::string& name) {
-  const bool well = !name.empty() && name.size() <= longest_name && name.front() != '.' && name.front() != ' ' &&
-                    name.back() != ' ' && name.find_first_of("/\\:*?\"<>|") == std::string::npos &&
-                    !utf8::first_invalid(name) && printable(name) == name && !name.ends_with(".op.json");
+  const bool well = !name.empty() && name.size() <= longest_name && name.front() != '.' &&
+                    name.front() != ' ' && name.back() != ' ' &&
+                    name.find_first_of("/\\:*?\"<>|") == std::string::npos && !utf8::first_invalid(name) &&
+                    printable(name) == name && !name.ends_with(".op.json");
   if (!well)
     refuse(Why::wrong, fmt::format("'{}' is no name for an operation", printable(name)),
-           fmt::format("a name has 1 to {} bytes, no / \\ : * ? \" < > |, does not begin with a dot and does not "
-                       "end with .op.json",
-                       longest_name));
+           fmt::format(
+               "a name has 1 to {} bytes, no / \\ : * ? \" < > |, does not begin with a dot and does not "
+               "end with .op.json",
+               longest_name));
 }
 
 class StoreFile {
  public:
-  StoreFile(const std::string& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600)) {
+  StoreFile(const std::string& path, int flags)
+      : number_(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600)) {
     if (number_ < 0) fail_on_disk(path);
   }
   ~StoreFile() { ::close(number_); }
@@ -137,7 +140,8 @@ std::string Store::folder_of(const std::string& name) const {
 std::vector<std::uint64_t> Store::numbers(const std::string& name) const {
   std::vector<std::uint64_t> result;
   std::error_code problem;
-  for (fs::directory_iterator each(folder_of(name), problem), end; !problem && each != end; each.increment(problem)) {
+  for (fs::directory_iterator each(folder_of(name), problem), end; !problem && each != end;
+       each.increment(problem)) {
     const std::string file = each->path().filename().string();
     constexpr std::string_view ending = ".op.json";
     if (file.size() <= ending.size() || !file.ends_with(ending)) continue;
@@ -153,7 +157,8 @@ std::uint64_t Store::newest_of(const std::string& name) const {
   check_name(name);
   const auto all = numbers(name);
   if (all.empty())
-    refuse(Why::absent, fmt::format("the store has no operation '{}'", name), "store.list names those that it has");
+    refuse(Why::absent, fmt::format("the store has no operation '{}'", name),
+           "store.list names those that it has");
   return all.back();
 }
 
@@ -227,7 +232,8 @@ StoredEntry Store::save(const std::string& name, const std::string& text, std::u
                         const std::string& by, const std::string& note) {
   check_name(name);
   if (text.size() > largest_text)
-    refuse(Why::too_much, fmt::format("an operation has at most {} bytes", largest_text), "divide it into several");
+    refuse(Why::too_much, fmt::format("an operation has at most {} bytes", largest_text),
+           "divide it into several");
   const auto operation = operation_name(text);
   if (!operation) refuse(Why::wrong, "the text is no operation", "operation.check tells what is wrong");
   const auto all = numbers(name);
@@ -258,7 +264,8 @@ StoredEntry Store::save(const std::string& name, const std::string& text, std::u
     sync_folder(folder_);
   }
   const WallTime now = std::chrono::system_clock::now();
-  const StoreJson notes{{"by", by}, {"note", note}, {"operation", *operation}, {"saved_ms", milliseconds(now)}};
+  const StoreJson notes{
+      {"by", by}, {"note", note}, {"operation", *operation}, {"saved_ms", milliseconds(now)}};
   const std::uint64_t version = newest + 1;
   const std::string beside =
       write_aside(folder, notes.dump(-1, ' ', false, StoreJson::error_handler_t::replace) + "\n");

@@ -1,5 +1,5 @@
-// Operations on the cell's disk, with all their versions. Each version is a file that is written once, so a crash
-// at any instant leaves what was answered, whole.
+// Operations on the cell's disk, with all their versions. Each version is a file that is written once, so a
+// crash at any instant leaves what was answered, whole.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct StoredEntry {
   std::size_t size = 0;  // bytes
 };
 struct StoredText {
-  StoredEntry entry;         // of the version that was read
+  StoredEntry entry;  // of the version that was read
   std::uint64_t newest = 0;
   std::string text;
 };

@@ -162,8 +162,8 @@ void put_times(Json& json, const operations::Program& program, const operations:
 
 }  // namespace
 
-Json checked(const FileSystem& files, const std::string& main, const operations::Cell& cell, const Facts& facts,
-             std::size_t ways, const operations::Stop& stop) {
+Json checked(const FileSystem& files, const std::string& main, const operations::Cell& cell,
+             const Facts& facts, std::size_t ways, const operations::Stop& stop) {
   SourceManager sources;
   Diagnostics diagnostics;
   bool whole = true;
@@ -193,7 +193,8 @@ namespace {
 
 [[noreturn]] void refuse_findings(const SourceManager& sources, const Diagnostics& diagnostics,
                                   const operations::Program* program) {
-  Problem problem = problem_of(Refusal{Refusal::Why::wrong, "the text has errors", "operation.check tells them all"});
+  Problem problem =
+      problem_of(Refusal{Refusal::Why::wrong, "the text has errors", "operation.check tells them all"});
   problem.data["findings"] = FindingTexts(sources, program).describe_all(diagnostics);
   throw problem;
 }
@@ -223,19 +224,22 @@ Json tidied(const FileSystem& files, const std::string& main, const TidyOptions&
   Json json{{"places", Json::array()}};
   bool found = false;
   for (const operations::Operation& operation : program->operations) {
-    if (operation.from != main || (!options.operation.empty() && operation.name != options.operation)) continue;
+    if (operation.from != main || (!options.operation.empty() && operation.name != options.operation))
+      continue;
     if (stop()) fail(Refusal::Why::cancelled, "it was cancelled");
     found = true;
     if (operation.icons.size() > most_tidy_icons)
-      fail(Refusal::Why::too_much, fmt::format("'{}' has more than {} icons", operation.name, most_tidy_icons),
+      fail(Refusal::Why::too_much,
+           fmt::format("'{}' has more than {} icons", operation.name, most_tidy_icons),
            "collapse some into a sub-operation");
     const auto size = [&](const operations::Icon& icon) {
       const auto given = options.sizes.find(operations::name(icon.kind));
       return given == options.sizes.end() ? usual : given->second;
     };
-    std::string dot = fmt::format("digraph tidy {{ rankdir=LR; ranksep={}; nodesep={}; node [shape=box fixedsize=true "
-                                  "label=\"\"];\n",
-                                  options.ranks_apart / points, options.apart / points);
+    std::string dot = fmt::format(
+        "digraph tidy {{ rankdir=LR; ranksep={}; nodesep={}; node [shape=box fixedsize=true "
+        "label=\"\"];\n",
+        options.ranks_apart / points, options.apart / points);
     std::map<std::string, std::size_t> index;
     for (std::size_t i = 0; i < operation.icons.size(); ++i) {
       const auto [width, height] = size(operation.icons[i]);
@@ -244,7 +248,8 @@ Json tidied(const FileSystem& files, const std::string& main, const TidyOptions&
     }
     for (std::size_t i = 0; i < operation.icons.size(); ++i)
       for (const operations::Connection& to : operations::outputs(operation.icons[i]))
-        if (const auto at = index.find(to.icon); at != index.end()) dot += fmt::format("n{} -> n{};\n", i, at->second);
+        if (const auto at = index.find(to.icon); at != index.end())
+          dot += fmt::format("n{} -> n{};\n", i, at->second);
     for (const pan::DotPlace& place : pan::lay_out(dot + "}\n")) {
       const operations::Icon& icon = operation.icons[std::stoul(place.node.substr(1))];
       const auto [width, height] = size(icon);
@@ -317,13 +322,17 @@ Json difference(const std::string& before, const std::string& after) {
     for (const auto& [icon, fields] : has) icons.insert(icon);
     for (const std::string& icon : icons) {
       const bool was = had.contains(icon), is = has.contains(icon);
-      const Json fields = fields_between(was ? had.at(icon) : Json::object(), is ? has.at(icon) : Json::object());
+      const Json fields =
+          fields_between(was ? had.at(icon) : Json::object(), is ? has.at(icon) : Json::object());
       if (fields.empty() && was == is) continue;
       const bool moved = was && is && fields.size() == 1 && fields.front()["field"] == "at";
       content = content || !moved;
       changes.push_back({{"operation", operation},
                          {"icon", icon},
-                         {"change", !was ? "added" : !is ? "removed" : moved ? "moved" : "changed"},
+                         {"change", !was    ? "added"
+                                    : !is   ? "removed"
+                                    : moved ? "moved"
+                                            : "changed"},
                          {"fields", fields}});
     }
   }

@@ -11,14 +11,14 @@
 namespace pal::server {
 
 /// As the schema's result of operation.check. `ways`: at most so many. `stop` ends it, and not all is told.
-Json checked(const FileSystem& files, const std::string& main, const operations::Cell& cell, const Facts& facts,
-             std::size_t ways, const operations::Stop& stop);
+Json checked(const FileSystem& files, const std::string& main, const operations::Cell& cell,
+             const Facts& facts, std::size_t ways, const operations::Stop& stop);
 
 /// The canonical text; throws Problem with its findings if it cannot be read.
 std::string formatted(const std::string& name, const std::string& text);
 
 struct TidyOptions {
-  std::string operation;                             // only this one; empty: all of the main file
+  std::string operation;                                   // only this one; empty: all of the main file
   std::map<std::string, std::pair<double, double>> sizes;  // of icons, by kind: width and height
   double ranks_apart = 64, apart = 32;
 };

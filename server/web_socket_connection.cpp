@@ -22,8 +22,8 @@ constexpr std::size_t largest_message = (std::size_t{1} << 20) + 65536;
 
 class WebSocketConnection final : public Connection {
  public:
-  WebSocketConnection(ConnectionContext& connection_context, const AccessRules& rules,
-                      const PageFiles& files, asio::ip::tcp::socket socket)
+  WebSocketConnection(ConnectionContext& connection_context, const AccessRules& rules, const PageFiles& files,
+                      asio::ip::tcp::socket socket)
       : Connection(connection_context), rules_(rules), files_(files), stream_(std::move(socket)) {}
 
   void start() override {
@@ -72,7 +72,8 @@ class WebSocketConnection final : public Connection {
     const auto text = [](beast::string_view view) { return std::string(view.data(), view.size()); };
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
       response_.set(http::field::allow, "GET, HEAD");
-      return respond(http::status::method_not_allowed, "This is a WebSocket that talks JSON-RPC 2.0, and files.\n");
+      return respond(http::status::method_not_allowed,
+                     "This is a WebSocket that talks JSON-RPC 2.0, and files.\n");
     }
     const PageAnswer answer = files_.answer({text(request.target()), text(request[http::field::host]),
                                              text(request[http::field::accept_encoding]),
@@ -142,8 +143,7 @@ class WebSocketConnection final : public Connection {
 }  // namespace
 
 ConnectionPointer web_socket_connection(ConnectionContext& connection_context, const AccessRules& rules,
-                                        const PageFiles& files,
-                                        boost::asio::ip::tcp::socket socket) {
+                                        const PageFiles& files, boost::asio::ip::tcp::socket socket) {
   return std::make_shared<WebSocketConnection>(connection_context, rules, files, std::move(socket));
 }
 

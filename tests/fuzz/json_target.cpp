@@ -9,8 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   if (!rest.empty() && rest.front() == '+') {
     rest.remove_prefix(1);
-    dialogue.give(R"({"jsonrpc": "2.0", "method": "hello", "params": {"token": ")" + dialogue.context.tokens.programmer +
-                  "\"}}");
+    dialogue.give(R"({"jsonrpc": "2.0", "method": "hello", "params": {"token": ")" +
+                  dialogue.context.tokens.programmer + "\"}}");
   }
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());

@@ -72,7 +72,8 @@ std::optional<server::Store> open_store(const std::string& folder) {
   try {
     return server::Store(folder);
   } catch (const std::exception& problem) {
-    throw Failure(ExitStatus::usage, "--store " + folder, problem.what(), "name a folder that can be written");
+    throw Failure(ExitStatus::usage, "--store " + folder, problem.what(),
+                  "name a folder that can be written");
   }
 }
 

@@ -50,8 +50,9 @@ server::SkillFacts facts_of(const pan::Network& network, const std::string& envi
   facts.skill = network.skill;
   facts.environment = environment;
   for (const pan::Requirement& requirement : network.requirements)
-    facts.requirements.push_back({requirement.name, text_of(requirement, sources), Verdict::proving, std::nullopt,
-                                  in_unit(requirement, requirement.limit), is_load(requirement) ? "%" : "s"});
+    facts.requirements.push_back({requirement.name, text_of(requirement, sources), Verdict::proving,
+                                  std::nullopt, in_unit(requirement, requirement.limit),
+                                  is_load(requirement) ? "%" : "s"});
   return facts;
 }
 

@@ -37,7 +37,7 @@ struct Fixture {
     std::string said = "not yet";
     desk.ask(client, std::move(command), [&said](const Reply& reply) {
       const auto* refusal = std::get_if<Refusal>(&reply);
-      said = refusal == nullptr ? "done" : refusal->message;
+      said = refusal == nullptr ? "done" : refusal->text();
     });
     return said;
   }
@@ -189,7 +189,7 @@ TEST_CASE("only sensors and locations of the cell are taken") {
         R"({"operation-format": 1, "name": "o", "icons": [{"id": "start", "kind": "start", "next": "a"}, {"id": "a", "kind": "test", "sensor": ")" +
         sensor + R"(", "limits": [10], "next": "end", "error": "end"}, {"id": "end", "kind": "exit"}]})";
     desk.ask(ann, LoadOperation{{{"o", text}}, "o"}, [&](const Reply& reply) {
-      if (const auto* refusal = std::get_if<Refusal>(&reply)) said = refusal->message;
+      if (const auto* refusal = std::get_if<Refusal>(&reply)) said = refusal->text();
     });
     return said;
   };

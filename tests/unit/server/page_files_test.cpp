@@ -59,9 +59,9 @@ TEST_CASE("a page comes with its type, a strict policy and a tag") {
 TEST_CASE("nothing outside the folder is given away") {
   const Folder folder;
   const PageFiles files({{"/", folder.path + "/page"}});
-  for (const char* target :
-       {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt", "/link.txt", "/up/secret.txt", "/.hidden",
-        "//secret.txt", "/assets", "/none.js", "secret.txt", "", "/a\\b", "/assets/..%2fsecret.txt"}) {
+  for (const char* target : {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt", "/link.txt",
+                             "/up/secret.txt", "/.hidden", "//secret.txt", "/assets", "/none.js",
+                             "secret.txt", "", "/a\\b", "/assets/..%2fsecret.txt"}) {
     CAPTURE(target);
     CHECK(files.answer({target, "localhost", "", ""}).status == 404);
   }

@@ -93,7 +93,8 @@ TEST_CASE("a text is checked without being loaded, and each finding names its pl
   Page page;
   std::string wrong = asks;
   wrong.replace(wrong.find("quick"), 5, "quack");
-  const Json told = page.result("operation.check", {{"main", "é.op.json"}, {"files", {{"é.op.json", wrong}}}});
+  const Json told =
+      page.result("operation.check", {{"main", "é.op.json"}, {"files", {{"é.op.json", wrong}}}});
   CHECK(told["runs"] == false);
   const Json finding = told["findings"][0];
   CHECK(finding["code"] == "PAL1007");
@@ -108,12 +109,30 @@ TEST_CASE("a text is checked without being loaded, and each finding names its pl
   CHECK(page.result("operation.check", {{"main", "none"}, {"files", Json::object()}})["errors"] == 1);
 }
 
+TEST_CASE("what an operator may set is checked, and kept by the canonical form") {
+  Page page;
+  const auto errors = [&page](const std::string& limits) {
+    std::string text = asks;
+    const std::string given = R"("operator": {"code": {"from": 0, "to": 2}})";
+    text.replace(text.find(given), given.size(), "\"operator\": " + limits);
+    return page.result("operation.check", {{"main", "o"}, {"files", {{"o", text}}}})["errors"];
+  };
+  CHECK(errors(R"({"code": {}})") == 0);
+  CHECK(errors(R"({"cold": {}})") == 1);
+  CHECK(errors(R"({"code": {"from": 0, "to": 99}})") == 1);
+  CHECK(errors(R"({"code": {"from": 2, "to": 1}})") == 1);
+  CHECK(errors(R"({"code": 3})") == 1);
+  const std::string text = page.result("operation.format", {{"text", asks}})["text"];
+  CHECK(text.find(R"("operator": {"code": {"from": 0, "to": 2}})") != std::string::npos);
+}
+
 TEST_CASE("texts are formatted, laid out and compared") {
   Page page;
   const std::string text = page.result("operation.format", {{"text", test::endless}})["text"];
   CHECK(page.result("operation.format", {{"text", text}})["text"] == text);
   CHECK(page.why("operation.format", {{"text", "{"}}) == "wrong");
-  const Json places = page.result("operation.tidy", {{"main", "o"}, {"files", {{"o", test::two_long}}}})["places"];
+  const Json places =
+      page.result("operation.tidy", {{"main", "o"}, {"files", {{"o", test::two_long}}}})["places"];
   REQUIRE(places.size() == 4);
   for (std::size_t i = 1; i < places.size(); ++i) CHECK(places[i - 1]["at"][0] < places[i]["at"][0]);
   CHECK(page.result("operation.difference", {{"before", text}, {"after", test::endless}})["same"] == true);
@@ -152,8 +171,8 @@ TEST_CASE("breakpoints are removed singly, switched off, counted and conditional
   Page page;
   page.load(test::endless);
   const int first = page.result("operation.break", {{"icon", "end"}})["breakpoint"];
-  const Json second = page.result(
-      "operation.break", {{"icon", "a"}, {"condition", {{"count-of", "a"}, {"at-least", 3}}}});
+  const Json second =
+      page.result("operation.break", {{"icon", "a"}, {"condition", {{"count-of", "a"}, {"at-least", 3}}}});
   CHECK(page.result("operation.breakpoints").size() == 2);
   page.result("operation.unbreak", {{"breakpoint", first}});
   CHECK(page.why("operation.unbreak", {{"breakpoint", first}}) == "absent");
@@ -164,8 +183,9 @@ TEST_CASE("breakpoints are removed singly, switched off, counted and conditional
               {{"breakpoint", second["breakpoint"]}, {"icon", "a"}, {"every", 5}, {"enabled", true}});
   page.result("operation.resume");
   page.work();
-  CHECK(page.result("state")["steps"] == 8);  // it fitted once before
-  CHECK(page.why("operation.break", {{"icon", "a"}, {"condition", {{"count-of", "none"}, {"at-least", 1}}}}) == "wrong");
+  CHECK(page.result("state")["steps"] == 7);  // it fitted once before, and then at steps 4 to 7
+  CHECK(page.why("operation.break",
+                 {{"icon", "a"}, {"condition", {{"count-of", "none"}, {"at-least", 1}}}}) == "wrong");
   CHECK(page.why("operation.break", {{"icon", "a"}, {"condition", {{"count-of", "a"}}}}) == "bad-parameters");
 }
 

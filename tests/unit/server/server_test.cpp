@@ -213,7 +213,9 @@ TEST_CASE("a server whose places are taken still takes a stop, by both protocols
   const auto second = served.enter("second");
   CHECK_THROWS_WITH(second->call("controls.take"),
                     "a viewer may not do that; the places for clients are taken: look, pause and stop");
-  SECTION("JSON") { CHECK_NOTHROW(second->call("stop")); }
+  SECTION("JSON") {
+    CHECK_NOTHROW(second->call("stop"));
+  }
   SECTION("lines") {
     Raw line(*served.server.line_port());
     line.write("token secret\rstop\r");
@@ -252,9 +254,11 @@ TEST_CASE("a long check of one client does not keep another's stop waiting") {
   served.load(*bob, test::two_long);
   bob->call("operation.run");
   served.cell.wait_until_inside();
-  std::string chain = R"({"operation-format": 1, "name": "chain", "icons": [{"id": "s", "kind": "start", "next": "m0"})";
+  std::string chain =
+      R"({"operation-format": 1, "name": "chain", "icons": [{"id": "s", "kind": "start", "next": "m0"})";
   for (int i = 0; i < 9000; ++i)
-    chain += ",{\"id\": \"m" + std::to_string(i) + "\", \"kind\": \"merge\", \"next\": \"m" + std::to_string(i + 1) + "\"}";
+    chain += ",{\"id\": \"m" + std::to_string(i) + "\", \"kind\": \"merge\", \"next\": \"m" +
+             std::to_string(i + 1) + "\"}";
   chain += R"(,{"id": "m9000", "kind": "exit"}]})";
   for (int i = 0; i < 10; ++i)
     ann->send(Json{{"jsonrpc", "2.0"},

@@ -13,12 +13,12 @@ struct SessionFixture : server::EventSink {
   explicit SessionFixture(Make make) : make_(make) { open(); }
   void open() {
     hung_up = false;
-    session =
-        make_(context, {[this](std::string text) { said.push_back(std::move(text)); },
-                        [this](auto sample) { said.push_back(sample(0)); }, [this](std::string reason) {
-                          hung_up = true;
-                          why = std::move(reason);
-                        }});
+    session = make_(context, {[this](std::string text) { said.push_back(std::move(text)); },
+                              [this](auto sample) { said.push_back(sample(0)); },
+                              [this](std::string reason) {
+                                hung_up = true;
+                                why = std::move(reason);
+                              }});
   }
   void happened(const server::Event& event) override {
     history.add(event);

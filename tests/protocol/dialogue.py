@@ -1,0 +1,189 @@
+"""Makes, saves, checks, runs, pauses, changes and resumes an operation by the protocol alone, in the program
+`workcell serve`. Every message is checked against the schema, and each method of the schema is asked for.
+
+Usage: dialogue.py WORKCELL SCHEMA PAGE_FOLDER
+"""
+import json
+import sys
+
+import jsonschema
+
+from cell_client import Client, Refused, Server
+
+workcell, schema_path, page = sys.argv[1:]
+schema = json.load(open(schema_path))
+methods = {method["name"]: method for method in schema["methods"]}
+asked = set()
+
+
+def validator(part):
+    return jsonschema.Draft202012Validator({**part, "components": schema["components"]})
+
+
+results = {name: validator(method["result"]["schema"]) for name, method in methods.items()}
+notices = {each["name"]: validator(each["params"][0]["schema"]) for each in schema["x-notifications"]}
+error_data = validator({"$ref": "#/components/schemas/ErrorData"})
+codes = {each["data"]["why"]: each["code"] for each in schema["components"]["errors"].values()}
+problems = []
+
+
+def seen(method, message):
+    """Compares a message with the schema."""
+    def compare(what, value):
+        for error in what.iter_errors(value):
+            problems.append(f"{method or message.get('method')}: {error.json_path}: {error.message[:200]}")
+    if method is None:
+        compare(notices[message["method"]], message["params"])
+    elif "result" in message:
+        asked.add(method)
+        compare(results[method], message["result"])
+    else:
+        error = message["error"]
+        compare(error_data, error["data"])
+        why = error["data"]["why"]
+        if codes[why] != error["code"]:
+            problems.append(f"{method}: {why} has code {error['code']}")
+        declared = {each["$ref"].rsplit("/", 1)[1] for each in methods[method]["errors"]}
+        if error["code"] > 0 and why not in declared:
+            problems.append(f"{method}: the schema does not declare {why}")
+
+
+def refused(why, call, *names, **params):
+    try:
+        call(*names, **params)
+    except Refused as problem:
+        assert problem.data["why"] == why, (why, problem.data)
+        return problem.data
+    raise AssertionError(f"not refused: {names} {params}")
+
+
+text = json.dumps({
+    "operation-format": 1, "name": "feel",
+    "icons": [
+        {"id": "start", "kind": "start", "next": "touch"},
+        {"id": "touch", "kind": "skill", "skill": "touch", "parameters": {"approach-speed": 10},
+         "operator": {"approach-speed": {"from": 5, "to": 15}}, "next": "ask", "error": "end"},
+        {"id": "ask", "kind": "question", "text": "Again?", "answers": [{"text": "No", "to": "look"}, {"text": "Yes", "to": "up"}],
+         "error": "end"},
+        {"id": "up", "kind": "skill", "skill": "relative-move", "parameters": {"dz": -20}, "next": "touch", "error": "end"},
+        {"id": "look", "kind": "test", "sensor": "force-z", "limits": [-1000], "next": "end", "error": "end"},
+        {"id": "end", "kind": "exit"}]})
+
+server = Server(workcell, "--scene", "touch", "--fast", "--page", page)
+try:
+    stranger = Client(server.port)
+    refused("not-admitted", stranger.call, "state")
+    cell = server.client(seen)
+    seen("hello", {"result": cell.hello})
+    call = cell.call
+    assert cell.hello["protocol"] == 2 and "store" in cell.hello["offers"], cell.hello
+    assert call("watch", since=cell.hello["last_event"], epoch=cell.hello["epoch"])["complete"]
+    assert not call("watch", since=0, epoch="another")["complete"]
+
+    # Files for browsers.
+    status, fields, body = server.get("/")
+    assert status == 200 and b"page" in body and "unsafe" not in fields["Content-Security-Policy"], (status, fields)
+    assert server.get("/../cell.json")[0] == 404
+
+    # What there is.
+    skills = {each["skill"]: each for each in call("skills")}
+    assert skills["touch"]["able"] and not skills["pick-at-location"]["able"], skills["pick-at-location"]
+    assert any(each["sensor"] == "force-z" for each in call("sensors"))
+    assert call("clients")[-1]["name"] == "script"
+    assert "PAL1006" in call("explain", code="PAL1006")["code"]
+    refused("absent", call, "explain", code="PAL9999")
+
+    # Made, checked, saved.
+    text = call("operation.format", text=text)["text"]
+    told = call("operation.check", main="feel.op.json", files={"feel.op.json": text})
+    assert told["runs"] and {"touch", "ask"} <= {each["icon"] for each in told["icons"]}, told["findings"]
+    wrong = call("operation.check", main="f", files={"f": text.replace('"touch", "parameters"', '"tough", "parameters"')})
+    assert [(each["code"], each["icon"], each["field"]) for each in wrong["findings"]][0] == ("PAL1007", "touch", "skill"), wrong
+    places = call("operation.tidy", main="f", files={"f": text}, sizes={"skill": [160, 80]})["places"]
+    assert len(places) == 6
+    assert call("store.save", name="feel", text=text, based_on=0, note="first")["version"] == 1
+    assert refused("exists", call, "store.save", name="feel", text=text, based_on=0)["newest"] == 1
+    slower = text.replace('"approach-speed": 10', '"approach-speed": 12')
+    assert call("store.save", name="feel", text=slower, based_on=1)["version"] == 2
+    assert call("operation.difference", before=text, after=slower)["changes"][0]["icon"] == "touch"
+    assert len(call("store.versions", name="feel")) == 2 and call("store.read", name="feel", version=1)["text"] == text
+    call("store.rename", name="feel", to="feel it", based_on=2)
+    assert call("store.list")[0]["name"] == "feel it"
+    call("store.save", name="other", text=text, based_on=0)
+    call("store.delete", name="other", based_on=1)
+    refused("absent", call, "store.read", name="other")
+    refused("wrong", call, "store.read", name="../cell")
+    assert not call("cancel", request=12345)["found"]
+
+    # Loaded, run, paused, changed, resumed.
+    assert call("operation.load", name="feel it")["operation"] == "feel"
+    first = call("operation.break", icon="end", enabled=False)["breakpoint"]
+    call("operation.break", breakpoint=first, icon="ask", condition={"count-of": "touch", "at-least": 1})
+    assert len(call("operation.breakpoints")) == 1
+    call("operation.run")
+    ended = cell.until(event="ends", icon="touch")
+    assert ended["kind"] == "normal" and ended["figures"]["force"] > 0, ended
+    assert cell.until(event="state", state="paused")["token"] == "ask"
+    call("operation.unbreak", breakpoint=first)
+    assert call("operation.set", icon="touch", parameter="approach-speed", value=6) == {"value": 6, "before": 12}
+    refused("wrong", call, "operation.set", icon="touch", parameter="approach-speed", value=6000)
+    assert call("snapshot")["changed"][0]["before"] == 12
+    assert call("operation.values", icon="touch")["parameters"][0]["name"]
+    assert call("operation.outlook")["choices"][0]["method"] == "operation.resume"
+    refused("nothing", call, "operation.pause")
+    call("operation.resume")
+    assert cell.until(event="question")["question"]["answers"] == ["No", "Yes"]
+    assert call("state")["question"]["icon"] == "ask"
+    call("operation.answer", icon="ask", answer="Yes")
+    assert cell.until(event="begins", icon="touch")["parameters"]["approach-speed"] == 6
+    cell.until(event="question")
+    # A late client sees the same, and may stop.
+    late = server.client(seen, "viewer", "late")
+    assert late.hello["question"]["icon"] == "ask" and late.hello["icons"], late.hello
+    refused("role", late.call, "operation.answer", icon="ask", answer=0)
+    late.call("operation.pause")
+    assert cell.until(event="pausing")["by"] == "late"
+    cell.until(event="state", state="paused")
+    late.call("stop")
+    assert cell.until(event="state")["state"] == "stopped"
+    call("hold.set", reason="look inside")
+    refused("held", call, "operation.resume")
+    call("hold.release")
+    call("operation.from", icon="look")
+    call("operation.step")
+    assert cell.until(event="ends", icon="look")["kind"] == "normal"
+    cell.until(event="state")
+    call("operation.run")
+    cell.until(event="state", state="ended")
+    call("operation.clear")
+    call("operation.stop")
+
+    # Forces come to whoever asks, while a skill runs.
+    call("watch", telemetry=0.02)
+    run = call("skill.run", skill="relative-move", parameters={"dz": -20})
+    assert run["kind"] == "normal", run
+    while not any(each["method"] == "telemetry" for each in cell.events):
+        cell.step()
+
+    # Controls.
+    operator = server.client(seen, "operator", "operator")
+    refused("not-yours", operator.call, "controls.take")
+    operator.call("controls.ask", reason="my turn")
+    assert cell.until(event="asked")["name"] == "operator"
+    call("controls.give", client=operator.hello["client"])
+    refused("role", operator.call, "operation.set", icon="touch", parameter="approach-speed", value=16)
+    operator.call("operation.set", icon="touch", parameter="approach-speed", value=15)
+    call("controls.take", force=True)
+    call("controls.release")
+
+    missing = {name for name, each in methods.items() if "x-planned" not in each} - asked
+    assert not missing, f"not asked for: {sorted(missing)}"
+    for name, each in methods.items():
+        if "x-planned" in each:
+            refused("no-method", call, name)
+    late.close()
+finally:
+    out = server.end()
+assert "served for" in out and "ended with" not in out, out
+assert not problems, "\n".join(sorted(set(problems)))
+print(f"{len(asked)} methods, as the schema says")
