@@ -14,7 +14,7 @@ FOLDERS = ["trace", "pal", "analyzer", "codegen", "operations", "server", "langu
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((?:.*?)\)\1"|"(?:\\.|[^"\\\n])*"', re.S)
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 # At the beginning of a line: of a namespace.
-DEFINED = re.compile(r"^(?:(?:class|struct|enum class|enum)\s+([A-Z]\w+)[^;{(]*\{|using\s+([A-Z]\w+)\s*=)", re.M)
+DEFINED = re.compile(r"^(?:(?:class|struct|enum class|enum)\s+([A-Z]\w+)\b(?!::)[^;{(]*\{|using\s+([A-Z]\w+)\s*=)", re.M)
 DECLARED = re.compile(r"\b(?:class|struct|enum|using|typename|concept)\s+([A-Z]\w+)\b(?!::)")
 NAME = re.compile(r"\b[A-Z]\w+\b")
 
