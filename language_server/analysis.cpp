@@ -17,19 +17,19 @@ std::vector<std::string> inputs_of(Workspace& workspace, const std::string& root
                                    const std::vector<std::string>& chosen) {
   std::vector<std::string> inputs{root};
   const auto& files = workspace.project();
-  const auto found = std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.path == root; });
+  const auto found =
+      std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.path == root; });
   if (found == files.end() || !found->has_skill) return inputs;
-  const auto more =
-      chosen.empty() ? check::environments_near(files, root, workspace.top(root)) : chosen;
+  const auto more = chosen.empty() ? check::environments_near(files, root, workspace.top(root)) : chosen;
   inputs.insert(inputs.end(), more.begin(), more.end());
   return inputs;
 }
 
-bool is_current(const Analysis& analysis, const Workspace& workspace, const std::vector<std::string>& inputs) {
+bool is_current(const Analysis& analysis, const Workspace& workspace,
+                const std::vector<std::string>& inputs) {
   return !analysis.ended && analysis.inputs == inputs &&
-         std::all_of(analysis.revisions.begin(), analysis.revisions.end(), [&](const auto& each) {
-           return workspace.revision(each.first) == each.second;
-         });
+         std::all_of(analysis.revisions.begin(), analysis.revisions.end(),
+                     [&](const auto& each) { return workspace.revision(each.first) == each.second; });
 }
 
 std::shared_ptr<const Analysis> analyze(const Workspace& workspace, std::vector<std::string> inputs,

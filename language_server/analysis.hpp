@@ -50,6 +50,7 @@ std::shared_ptr<const Analysis> analyze(const Workspace& workspace, std::vector<
 
 /// Proofs of all skills of an analysis; empty if it has errors.
 using Proofs = std::vector<SkillProof>;
-Proofs prove(const Analysis& analysis, const Prover& prover, double seconds, const std::function<bool()>& stop);
+Proofs prove(const Analysis& analysis, const Prover& prover, double seconds,
+             const std::function<bool()>& stop);
 
 }  // namespace pal::language_server

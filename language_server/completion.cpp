@@ -25,7 +25,8 @@ const std::map<std::string, std::string>& blocks() {
       {"TXM", "TXM( ${1:message} to ${2:module} )"},
       {"SPC", "SPC( ${1:condition} )"},
       {"RPC", "RPC( ${1:condition} )"},
-      {"CASE", "CASE\n  ( ${1:condition} = TRUE ):\n    $0\n  ( ${1:condition} = FALSE ):\n    Do Nothing\nEND CASE"},
+      {"CASE",
+       "CASE\n  ( ${1:condition} = TRUE ):\n    $0\n  ( ${1:condition} = FALSE ):\n    Do Nothing\nEND CASE"},
       {"REPEAT", "REPEAT\n  $0\nUNTIL( ${1:forever} )"},
       {"CONCURRENT", "CONCURRENT\nBEGIN\n  $1\nEND\n\nBEGIN\n  $2\nEND\nEND CONCURRENT"},
       {"Skill Module:", "Skill Module: ${1:SM1}\nBEGIN\n  WTM( Coordinator )\n  $0\nEND"},
@@ -94,8 +95,9 @@ class Chooser {
     const auto add = [&](SymbolKind kind, const auto& fits) {
       for (const auto& symbol : family_.symbols.all) {
         if (symbol.kind == kind && fits(symbol))
-          result.emplace(symbol.name, symbol.owner.empty() ? check::name(kind)
-                                                           : std::string(check::name(kind)) + " of " + symbol.owner);
+          result.emplace(symbol.name, symbol.owner.empty()
+                                          ? check::name(kind)
+                                          : std::string(check::name(kind)) + " of " + symbol.owner);
       }
     };
     const auto any = [](const check::Symbol&) { return true; };
@@ -109,7 +111,8 @@ class Chooser {
       case Wanted::sender:
       case Wanted::receiver:
       case Wanted::asked:
-        add(SymbolKind::module, [this](const auto& symbol) { return may_talk_with(kind_of(symbol.name), symbol.name); });
+        add(SymbolKind::module,
+            [this](const auto& symbol) { return may_talk_with(kind_of(symbol.name), symbol.name); });
         add(SymbolKind::device, [this](const auto&) { return may_talk_with(std::nullopt, {}); });
         break;
       case Wanted::party:
@@ -152,7 +155,8 @@ class Chooser {
         for (const char* unit : {"ns", "us", "ms", "s", "min"}) result.emplace(unit, "unit of time");
         break;
       case Wanted::unit:
-        for (const char* unit : {"mm", "cm", "m", "in", "deg", "rad", "N", "N*m", "mm/s", "deg/s", "s", "ms", "%"})
+        for (const char* unit :
+             {"mm", "cm", "m", "in", "deg", "rad", "N", "N*m", "mm/s", "deg/s", "s", "ms", "%"})
           result.emplace(unit, "unit");
         break;
       default:
@@ -183,10 +187,13 @@ Json Session::completion(const Json& params) {
   const auto place = place_in(params);
   const auto& content = place.text->content();
   std::size_t begin = place.offset;
-  const auto continues = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; };
+  const auto continues = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+  };
   while (begin > 0 && continues(content[begin - 1])) --begin;
-  const auto before = place.text->line(place.text->position(place.offset).line)
-                          .substr(0, place.offset - place.text->offset({place.text->position(place.offset).line, 0}));
+  const auto before =
+      place.text->line(place.text->position(place.offset).line)
+          .substr(0, place.offset - place.text->offset({place.text->position(place.offset).line, 0}));
   if (before.find('#') != std::string_view::npos || std::count(before.begin(), before.end(), '"') % 2 == 1)
     return Json::array();  // a comment, or a text
   const auto expected = syntax::expected_at(content, place.offset);
@@ -194,8 +201,8 @@ Json Session::completion(const Json& params) {
   const Chooser chooser(*family, index_.id(place.path), place.offset);
   Json items = Json::array();
   std::set<std::string> labels;
-  const auto add = [&](const std::string& label, int kind, const std::string& detail, const std::string& order,
-                       const std::string& inserted, bool snippet) {
+  const auto add = [&](const std::string& label, int kind, const std::string& detail,
+                       const std::string& order, const std::string& inserted, bool snippet) {
     if (!labels.insert(label).second) return;
     Json item{{"label", label},
               {"kind", kind},

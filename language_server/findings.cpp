@@ -139,7 +139,8 @@ void Session::publish() {
   }
   for (const auto& path : published_) {
     if (!shown.contains(path))
-      notify("textDocument/publishDiagnostics", {{"uri", workspace_.uri(path)}, {"diagnostics", Json::array()}});
+      notify("textDocument/publishDiagnostics",
+             {{"uri", workspace_.uri(path)}, {"diagnostics", Json::array()}});
   }
   published_ = std::move(shown);
 }
@@ -208,7 +209,8 @@ Json Session::code_action(const Json& params) {
   };
   Json actions = Json::array();
   const auto add = [&](Json action) {
-    if (std::find(actions.begin(), actions.end(), action) == actions.end()) actions.push_back(std::move(action));
+    if (std::find(actions.begin(), actions.end(), action) == actions.end())
+      actions.push_back(std::move(action));
   };
   std::vector<Edit> all;
   std::shared_ptr<const Analysis> analysis_of_all;

@@ -25,7 +25,8 @@ std::string code(const std::string& text) {
 
 /// "SM1 line 12": a place in the text of an analysis.
 std::string line_of(const Analysis& analysis, const SourceSpan& where) {
-  return where.valid() ? "line " + std::to_string(analysis.sources.line_column(where.file, where.begin).line) : "";
+  return where.valid() ? "line " + std::to_string(analysis.sources.line_column(where.file, where.begin).line)
+                       : "";
 }
 
 template <class Thing>
@@ -91,9 +92,10 @@ class Teller {
       for (std::size_t n = 0; n < nodes.size(); ++n) {
         const auto* send = std::get_if<pan::Send>(&nodes[n].content);
         const auto* wait = std::get_if<pan::Wait>(&nodes[n].content);
-        const bool is_end = senders ? send != nullptr && send->channel == id
-                                    : wait != nullptr && std::find(wait->channels.begin(), wait->channels.end(),
-                                                                   id) != wait->channels.end();
+        const bool is_end =
+            senders ? send != nullptr && send->channel == id
+                    : wait != nullptr &&
+                          std::find(wait->channels.begin(), wait->channels.end(), id) != wait->channels.end();
         if (is_end)
           places += "\n- " + code(pan::statement_text(network_, pan::ModuleId(m), pan::NodeId(n))) + ", " +
                     line_of(analysis_, nodes[n].where);
@@ -104,7 +106,8 @@ class Teller {
 
   std::string names(const std::vector<pan::MessageId>& messages) const {
     std::string text;
-    for (const auto id : messages) text += (text.empty() ? "" : ", ") + code(network_.messages[id.index()].name);
+    for (const auto id : messages)
+      text += (text.empty() ? "" : ", ") + code(network_.messages[id.index()].name);
     return text;
   }
 
@@ -127,8 +130,7 @@ class Teller {
     if (!index) return {};
     const auto& condition = network_.conditions[*index];
     std::string text = condition.description.empty() ? "" : condition.description + "\n\n";
-    if (condition.writer.valid())
-      text += "Set by " + code(network_.modules[condition.writer.index()].name);
+    if (condition.writer.valid()) text += "Set by " + code(network_.modules[condition.writer.index()].name);
     if (!condition.from.empty()) text += ", from " + names(condition.from);
     return text + "\n";
   }
@@ -152,7 +154,8 @@ class Teller {
   std::string behaviour(const std::string& device) const {
     for (std::size_t i = 0; environment_ != nullptr && i < environment_->devices.size(); ++i) {
       if (environment_->devices[i].device == device)
-        return "In " + environment_->name + ":\n" + fenced(analysis_.sources.text(environment_->devices[i].where));
+        return "In " + environment_->name + ":\n" +
+               fenced(analysis_.sources.text(environment_->devices[i].where));
     }
     return {};
   }
@@ -168,7 +171,8 @@ class Teller {
     const pan::ActivityTime* found = nullptr;
     for (std::size_t i = 0; environment_ != nullptr && i < environment_->activities.size(); ++i) {
       const auto& time = environment_->activities[i];
-      if (time.activity == name && (time.module == owner || (time.module.empty() && found == nullptr))) found = &time;
+      if (time.activity == name && (time.module == owner || (time.module.empty() && found == nullptr)))
+        found = &time;
     }
     if (found != nullptr)
       text += "In " + environment_->name + ":\n" + fenced(analysis_.sources.text(found->where));
@@ -210,12 +214,14 @@ std::string Session::about(const Symbol& symbol, const Family& family) {
       result += "\n**" + sound->specification.skills[skill].skill.name + "**: " + more;
     }
     const auto proofs = known(root).proofs;
-    for (std::size_t i = 0; symbol.kind == SymbolKind::requirement && proofs != nullptr && i < proofs->size(); ++i) {
+    for (std::size_t i = 0; symbol.kind == SymbolKind::requirement && proofs != nullptr && i < proofs->size();
+         ++i) {
       const auto& proof = (*proofs)[i];
       for (const auto& each : proof.requirements) {
         if (proof.skill != symbol.owner || each.name != symbol.name) continue;
-        result += "\n" + each.measure + " in " + proof.environment + ": **" + each.state + "**, " + each.bound + " of " +
-                  each.limit + (each.exact ? ", exact" : "") + "\n\n" + each.explanation + "\n";
+        result += "\n" + each.measure + " in " + proof.environment + ": **" + each.state + "**, " +
+                  each.bound + " of " + each.limit + (each.exact ? ", exact" : "") + "\n\n" +
+                  each.explanation + "\n";
         for (const auto& finding : each.findings) {
           for (const auto& note : finding.notes) result += "- " + note.text + "\n";
         }

@@ -29,7 +29,8 @@ struct Hunk {
 };
 
 /// The fewest lines, by the longest common subsequence; one hunk where the table would be large.
-std::vector<Hunk> hunks(const std::vector<std::string_view>& before, const std::vector<std::string_view>& after) {
+std::vector<Hunk> hunks(const std::vector<std::string_view>& before,
+                        const std::vector<std::string_view>& after) {
   std::size_t head = 0;
   while (head < before.size() && head < after.size() && before[head] == after[head]) ++head;
   std::size_t tail = 0;
@@ -54,7 +55,8 @@ std::vector<Hunk> hunks(const std::vector<std::string_view>& before, const std::
   const auto at = [&](std::size_t i, std::size_t k) -> std::uint32_t& { return length[i * (m + 1) + k]; };
   for (std::size_t i = n; i-- > 0;) {
     for (std::size_t k = m; k-- > 0;)
-      at(i, k) = before[head + i] == after[head + k] ? at(i + 1, k + 1) + 1 : std::max(at(i + 1, k), at(i, k + 1));
+      at(i, k) =
+          before[head + i] == after[head + k] ? at(i + 1, k + 1) + 1 : std::max(at(i + 1, k), at(i, k + 1));
   }
   std::size_t i = 0, k = 0;
   while (i < n || k < m) {

@@ -105,7 +105,8 @@ Json Session::document_highlight(const Json& params) {
   const FileId file = index_.id(place.path);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> kinds;
   for (const auto& use : family->symbols.uses) {
-    if (use.where.file != file || std::find(symbols.begin(), symbols.end(), use.symbol) == symbols.end()) continue;
+    if (use.where.file != file || std::find(symbols.begin(), symbols.end(), use.symbol) == symbols.end())
+      continue;
     kinds[{use.where.begin, use.where.end}] = use.role == check::UseRole::read    ? 2
                                               : use.role == check::UseRole::write ? 3
                                                                                   : 1;
@@ -131,7 +132,8 @@ Json Session::rename(const Json& params) {
   const auto place = place_in(params);
   const std::string name = string_of(params, "newName");
   if (!may_name(name))
-    throw Refusal{invalid_params, "'" + name + "' is no name: letters, digits, _ and - between them; no keyword"};
+    throw Refusal{invalid_params,
+                  "'" + name + "' is no name: letters, digits, _ and - between them; no keyword"};
   std::shared_ptr<const Family> first;
   std::set<PlaceOfName> declared;
   std::set<std::string> files;
@@ -151,7 +153,8 @@ Json Session::rename(const Json& params) {
     for (const auto& path : open) {
       const auto family = index_.family(path);
       for (const auto& use : family->symbols.uses) {
-        if (declared.contains(key(family->symbols.all[use.symbol].name_where))) places.emplace(key(use.where), use.where);
+        if (declared.contains(key(family->symbols.all[use.symbol].name_where)))
+          places.emplace(key(use.where), use.where);
       }
       for (const auto& use : family->symbols.uses) {
         if (places.contains(key(use.where))) declared.insert(key(family->symbols.all[use.symbol].name_where));
@@ -160,9 +163,10 @@ Json Session::rename(const Json& params) {
       for (const auto& symbol : family->symbols.all) {
         if (!declared.contains(key(symbol.name_where))) continue;
         for (const auto& other : family->symbols.all) {
-          const bool one_sort = other.kind == symbol.kind ||
-                                (other.kind == check::SymbolKind::device && symbol.kind == check::SymbolKind::module) ||
-                                (other.kind == check::SymbolKind::module && symbol.kind == check::SymbolKind::device);
+          const bool one_sort =
+              other.kind == symbol.kind ||
+              (other.kind == check::SymbolKind::device && symbol.kind == check::SymbolKind::module) ||
+              (other.kind == check::SymbolKind::module && symbol.kind == check::SymbolKind::device);
           if (other.name == name && one_sort && other.owner == symbol.owner && symbol.name != name)
             throw Refusal{request_failed, "there is a " + std::string(check::name(other.kind)) + " '" + name +
                                               "' already, in " + index_.path(other.name_where.file)};

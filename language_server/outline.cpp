@@ -102,8 +102,10 @@ Json Session::document_symbol(const Json& params) {
   Json result = Json::array();
   for (const auto& symbol : symbols.all) {
     // A declaration that is not whole yet still holds its name.
-    const auto begin = std::min(symbol.where.valid() ? symbol.where.begin : symbol.name_where.begin, symbol.name_where.begin);
-    const auto end = std::max(symbol.where.valid() ? symbol.where.end : symbol.name_where.end, symbol.name_where.end);
+    const auto begin = std::min(symbol.where.valid() ? symbol.where.begin : symbol.name_where.begin,
+                                symbol.name_where.begin);
+    const auto end =
+        std::max(symbol.where.valid() ? symbol.where.end : symbol.name_where.end, symbol.name_where.end);
     Json made{{"name", shown_name(symbol)},
               {"kind", symbol_kind(symbol.kind)},
               {"detail", check::name(symbol.kind)},

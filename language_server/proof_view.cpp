@@ -25,7 +25,8 @@ std::string in_dark(std::string svg) {
   return svg;
 }
 
-/// The groups of nodes in a picture by Graphviz: `<g id="node3" class="node">`, then `<title>12 WTM( … )</title>`.
+/// The groups of nodes in a picture by Graphviz: `<g id="node3" class="node">`, then `<title>12 WTM( …
+/// )</title>`.
 std::vector<Drawing::Place> places_of(const std::string& svg, const pan::Graph& body) {
   std::vector<Drawing::Place> places;
   constexpr std::string_view group = "<g id=\"node";
@@ -36,8 +37,10 @@ std::vector<Drawing::Place> places_of(const std::string& svg, const pan::Graph& 
     if (end == std::string::npos || title == std::string::npos) break;
     std::size_t node = 0;
     const char* first = svg.data() + title + 7;
-    if (std::from_chars(first, svg.data() + svg.size(), node).ec != std::errc{} || node >= body.nodes.size()) continue;
-    if (body.nodes[node].where.valid()) places.push_back({svg.substr(begin, end - begin), body.nodes[node].where});
+    if (std::from_chars(first, svg.data() + svg.size(), node).ec != std::errc{} || node >= body.nodes.size())
+      continue;
+    if (body.nodes[node].where.valid())
+      places.push_back({svg.substr(begin, end - begin), body.nodes[node].where});
   }
   return places;
 }
@@ -45,18 +48,27 @@ std::vector<Drawing::Place> places_of(const std::string& svg, const pan::Graph& 
 Json picture_json(const Drawing& drawing, const Analysis& analysis, const Workspace& workspace) {
   Json places = Json::array();
   for (const auto& place : drawing.places)
-    places.push_back({{"id", place.id},
-                      {"uri", workspace.uri(analysis.path(place.where.file))},
-                      {"range", range_of(analysis.text(place.where.file), place.where.begin, place.where.end)}});
+    places.push_back(
+        {{"id", place.id},
+         {"uri", workspace.uri(analysis.path(place.where.file))},
+         {"range", range_of(analysis.text(place.where.file), place.where.begin, place.where.end)}});
   return places;
 }
 
 Json empty_picture(const Json& params) {
-  return {{"svg", ""},         {"reason", ""},      {"title", ""},
-          {"kind", string_of(params, "kind")},      {"skill", ""},
-          {"module", ""},      {"requirement", ""}, {"environment", ""},
-          {"state", ""},       {"stale", false},    {"places", Json::array()},
-          {"choices", {{"skills", Json::array()}, {"modules", Json::array()}, {"requirements", Json::array()}}}};
+  return {
+      {"svg", ""},
+      {"reason", ""},
+      {"title", ""},
+      {"kind", string_of(params, "kind")},
+      {"skill", ""},
+      {"module", ""},
+      {"requirement", ""},
+      {"environment", ""},
+      {"state", ""},
+      {"stale", false},
+      {"places", Json::array()},
+      {"choices", {{"skills", Json::array()}, {"modules", Json::array()}, {"requirements", Json::array()}}}};
 }
 
 /// Whether a place is in [begin, end] of a span.
@@ -85,14 +97,17 @@ Json Session::inlay_hint(const Json& params) {
       for (const auto& requirement : skill->requirements) {
         const auto found = std::find_if(proof.requirements.begin(), proof.requirements.end(),
                                         [&](const auto& each) { return each.name == requirement.name.text; });
-        if (found == proof.requirements.end() || requirement.where.end < from || requirement.where.begin > to) continue;
+        if (found == proof.requirements.end() || requirement.where.end < from || requirement.where.begin > to)
+          continue;
         // Of an earlier text: what it said till the new proof is there.
         const bool old = known->second.proved != known->second.analysis;
         const bool open = proof.ended && found->state == "undecided";
         result.push_back({{"position", json_of(text->position(requirement.where.end))},
                           {"label", (old ? "(was) " : "") + found->bound + " of " + found->limit +
                                         (found->exact ? ", exact" : "") +
-                                        (found->state == "fails" ? ", fails" : open ? ", not decided in time" : "")},
+                                        (found->state == "fails" ? ", fails"
+                                         : open                  ? ", not decided in time"
+                                                                 : "")},
                           {"paddingLeft", true},
                           {"tooltip", found->measure + " in " + proof.environment + ": " + found->state}});
       }
@@ -109,18 +124,21 @@ Json Session::code_lens(const Json& params) {
   if (text == nullptr || tree == nullptr) return result;
   const auto lens = [&](const SourceSpan& where, const char* title, const char* command, Json arguments) {
     if (commands_.contains(command))
-      result.push_back({{"range", range_of(*text, where.begin, where.end)},
-                        {"command", {{"title", title}, {"command", command}, {"arguments", {std::move(arguments)}}}}});
+      result.push_back(
+          {{"range", range_of(*text, where.begin, where.end)},
+           {"command", {{"title", title}, {"command", command}, {"arguments", {std::move(arguments)}}}}});
   };
   const auto roots = roots_of(path);
   const auto known = known_.find(roots.front());
   const std::string uri = workspace_.uri(path);
   std::string first_skill;
-  if (known != known_.end() && known->second.analysis != nullptr && !known->second.analysis->specification.skills.empty())
+  if (known != known_.end() && known->second.analysis != nullptr &&
+      !known->second.analysis->specification.skills.empty())
     first_skill = known->second.analysis->specification.skills.front().skill.name;
   for (const auto& unit : tree->units) {
     if (const auto* module = std::get_if<syntax::ModuleUnit>(&unit); module != nullptr && module->has_body) {
-      lens(module->where, "graph", "pal.showGraph", {{"uri", uri}, {"skill", first_skill}, {"module", module->name.text}});
+      lens(module->where, "graph", "pal.showGraph",
+           {{"uri", uri}, {"skill", first_skill}, {"module", module->name.text}});
     }
     const auto* skill = std::get_if<syntax::SkillUnit>(&unit);
     if (skill == nullptr) continue;
@@ -136,7 +154,8 @@ Json Session::code_lens(const Json& params) {
     }
     lens(skill->name.where, "what if", "pal.whatIf",
          {{"uri", uri}, {"skill", skill->name.text}, {"environmentUri", environment}});
-    lens(skill->name.where, "run in the workcell", "pal.runInWorkcell", {{"uri", uri}, {"skill", skill->name.text}});
+    lens(skill->name.where, "run in the workcell", "pal.runInWorkcell",
+         {{"uri", uri}, {"skill", skill->name.text}});
     for (std::size_t i = 0; proofs != nullptr && i < proofs->size(); ++i) {
       for (const auto& each : (*proofs)[i].requirements) {
         const auto found = std::find_if(skill->requirements.begin(), skill->requirements.end(),
@@ -163,13 +182,20 @@ Json Session::requirements(const Json& params) {
       for (const auto& requirement : network.requirements) {
         Json made{{"name", requirement.name},
                   {"uri", workspace_.uri(analysis->path(requirement.where.file))},
-                  {"range", range_of(analysis->text(requirement.where.file), requirement.where.begin, requirement.where.end)},
-                  {"state", "open"}, {"bound", ""}, {"limit", ""}, {"exact", false}, {"message", ""}};
-        for (std::size_t k = 0; here.proved == analysis && here.proofs != nullptr && k < here.proofs->size(); ++k) {
+                  {"range", range_of(analysis->text(requirement.where.file), requirement.where.begin,
+                                     requirement.where.end)},
+                  {"state", "open"},
+                  {"bound", ""},
+                  {"limit", ""},
+                  {"exact", false},
+                  {"message", ""}};
+        for (std::size_t k = 0; here.proved == analysis && here.proofs != nullptr && k < here.proofs->size();
+             ++k) {
           for (const auto& each : (*here.proofs)[k].requirements) {
             if ((*here.proofs)[k].skill != network.skill.name || each.name != requirement.name) continue;
             std::string message;
-            for (const auto& finding : each.findings) message += (message.empty() ? "" : "\n") + finding.message;
+            for (const auto& finding : each.findings)
+              message += (message.empty() ? "" : "\n") + finding.message;
             made["state"] = each.state;
             made["bound"] = each.bound;
             made["limit"] = each.limit;
@@ -208,7 +234,8 @@ Json Session::pan_picture(const Json& params) {
   std::shared_ptr<const Analysis> analysis;
   for (const auto& root : roots_of(path)) {
     const Known& here = known(root);
-    const auto source = here.analysis->diagnostics.has_errors() && here.sound != nullptr ? here.sound : here.analysis;
+    const auto source =
+        here.analysis->diagnostics.has_errors() && here.sound != nullptr ? here.sound : here.analysis;
     for (const auto* list : {&source->specification.skills, &source->specification.sketches}) {
       for (const auto& each : *list) {
         result["choices"]["skills"].push_back(each.skill.name);
@@ -236,11 +263,13 @@ Json Session::pan_picture(const Json& params) {
   }
   if (!chosen && wanted_module.empty()) {
     for (std::size_t i = 0; i < network->modules.size() && !chosen; ++i) {
-      if (!network->modules[i].body.empty() && (!network->main.valid() || network->main.index() == i)) chosen = i;
+      if (!network->modules[i].body.empty() && (!network->main.valid() || network->main.index() == i))
+        chosen = i;
     }
   }
   if (!chosen) {
-    result["reason"] = wanted_module.empty() ? "no module has a body" : "there is no module '" + wanted_module + "' with a body";
+    result["reason"] = wanted_module.empty() ? "no module has a body"
+                                             : "there is no module '" + wanted_module + "' with a body";
     return result;
   }
   pan::DotOptions options;
@@ -277,7 +306,8 @@ Json Session::atc_picture(const Json& params) {
         const auto& each = proof.requirements[i];
         if (each.has_run || each.state == "undecided") result["choices"]["requirements"].push_back(each.name);
         if (!each.has_run) continue;
-        const bool at = has_position && file && !each.findings.empty() && holds(each.findings.front().where, *file, offset);
+        const bool at = has_position && file && !each.findings.empty() &&
+                        holds(each.findings.front().where, *file, offset);
         if (!wanted.empty() ? each.name == wanted : at) chosen = i;
         if (each.state == "fails" && !failing) failing = i;
         if (!any) any = i;

@@ -17,15 +17,15 @@ namespace pal::language_server {
 /// What is known of one requirement.
 struct ProvedRequirement {
   std::string name;
-  std::string state;  // "holds", "fails", "undecided", "never"
-  std::string bound;  // "7.3 ms", "<= 9 ms", "no bound"
-  std::string limit;  // "10 ms"
-  std::string measure;      // "age of pc-force at TXM( motion to MC1 ) in SM1"
-  std::string explanation;  // one paragraph; may be empty
-  bool exact = false;       // a run attains the bound
-  bool has_run = false;     // there is a worst run to draw
+  std::string state;                 // "holds", "fails", "undecided", "never"
+  std::string bound;                 // "7.3 ms", "<= 9 ms", "no bound"
+  std::string limit;                 // "10 ms"
+  std::string measure;               // "age of pc-force at TXM( motion to MC1 ) in SM1"
+  std::string explanation;           // one paragraph; may be empty
+  bool exact = false;                // a run attains the bound
+  bool has_run = false;              // there is a worst run to draw
   std::vector<Diagnostic> findings;  // that it fails or is undecided, and why
-  SourceSpan cause;         // the statement that most of the time is spent on; invalid: none
+  SourceSpan cause;                  // the statement that most of the time is spent on; invalid: none
 };
 
 /// A picture, and what stands at which of its elements.

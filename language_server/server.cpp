@@ -34,7 +34,8 @@ std::string text_of(const Json& message) {
 
 class Server {
  public:
-  Server(std::istream& in, std::ostream& out, const FileSystem& files, const Options& options, std::ostream* log)
+  Server(std::istream& in, std::ostream& out, const FileSystem& files, const Options& options,
+         std::ostream* log)
       : in_(in),
         out_(out),
         log_(log),
@@ -166,7 +167,8 @@ class Server {
   void note(const char* direction, const std::string& text) {
     if (log_ == nullptr) return;
     const std::lock_guard lock(log_mutex_);
-    const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begun_);
+    const auto now =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begun_);
     *log_ << now.count() << " ms " << direction << ' ' << text << std::endl;
   }
 
@@ -191,7 +193,8 @@ class Server {
 
 }  // namespace
 
-bool serve(std::istream& in, std::ostream& out, const FileSystem& files, const Options& options, std::ostream* log) {
+bool serve(std::istream& in, std::ostream& out, const FileSystem& files, const Options& options,
+           std::ostream* log) {
   return Server(in, out, files, options, log).run();
 }
 

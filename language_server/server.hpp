@@ -10,8 +10,8 @@
 namespace pal::language_server {
 
 struct Options {
-  std::string version;        // of the program
-  std::string documentation;  // URL of the folder docs; empty: findings get no links
+  std::string version;             // of the program
+  std::string documentation;       // URL of the folder docs; empty: findings get no links
   const Prover* prover = nullptr;  // none: nothing is proved
 };
 
@@ -21,8 +21,8 @@ struct Options {
 bool serve(std::istream& in, std::ostream& out, const FileSystem& files, const Options& options,
            std::ostream* log = nullptr);
 
-/// The same for tests, on one thread. Each line of `script` is a message; after each one all checks and proofs
-/// are made. What is sent is written to the result, a message a line, keys sorted.
+/// The same for tests, on one thread. Each line of `script` is a message; after each one all checks and
+/// proofs are made. What is sent is written to the result, a message a line, keys sorted.
 std::string replay(const std::string& script, const FileSystem& files, const Options& options);
 
 }  // namespace pal::language_server

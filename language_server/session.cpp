@@ -174,7 +174,10 @@ void Session::configure(const Json& settings) {
 }
 
 void Session::ask_client(const char* method, Json params) {
-  send_({{"jsonrpc", "2.0"}, {"id", "pal-" + std::to_string(++asked_)}, {"method", method}, {"params", std::move(params)}});
+  send_({{"jsonrpc", "2.0"},
+         {"id", "pal-" + std::to_string(++asked_)},
+         {"method", method},
+         {"params", std::move(params)}});
 }
 
 void Session::initialized(const Json&) {
@@ -212,14 +215,16 @@ Session::Place Session::place_in(const Json& params) const {
 Json Session::location(const SourceSpan& where) const {
   const auto& path = index_.path(where.file);
   const auto text = workspace_.text(path);
-  return {{"uri", workspace_.uri(path)}, {"range", range_of(text != nullptr ? *text : Text(), where.begin, where.end)}};
+  return {{"uri", workspace_.uri(path)},
+          {"range", range_of(text != nullptr ? *text : Text(), where.begin, where.end)}};
 }
 
 void Session::did_open(const Json& params) {
   const Json& document = member(params, "textDocument");
   const Json& version = member(document, "version");
-  workspace_.open(path_in(params), {string_of(document, "uri"), version.is_number() ? version.get<std::int64_t>() : 0,
-                                    std::make_shared<const Text>(string_of(document, "text"))});
+  workspace_.open(path_in(params),
+                  {string_of(document, "uri"), version.is_number() ? version.get<std::int64_t>() : 0,
+                   std::make_shared<const Text>(string_of(document, "text"))});
   to_check_.insert(path_in(params));
 }
 
@@ -233,7 +238,8 @@ void Session::did_change(const Json& params) {
     if (range.is_null()) {
       text = Text(string_of(change, "text"));
     } else {
-      text.replace(position_of(member(range, "start")), position_of(member(range, "end")), string_of(change, "text"));
+      text.replace(position_of(member(range, "start")), position_of(member(range, "end")),
+                   string_of(change, "text"));
     }
   }
   const Json& version = member(member(params, "textDocument"), "version");
@@ -273,7 +279,8 @@ void Session::did_change_configuration(const Json& params) {
 void Session::did_change_folders(const Json& params) {
   auto folders = workspace_.folders();
   const Json& event = member(params, "event");
-  for (const Json& removed : member(event, "removed")) std::erase(folders, path_of(string_of(removed, "uri")).value_or(""));
+  for (const Json& removed : member(event, "removed"))
+    std::erase(folders, path_of(string_of(removed, "uri")).value_or(""));
   for (const Json& added : member(event, "added")) {
     if (auto path = path_of(string_of(added, "uri"))) folders.push_back(std::move(*path));
   }

@@ -39,7 +39,8 @@ class Session {
   Session(const FileSystem& disk, const Options& options, Send send)
       : workspace_(disk), index_(workspace_), options_(options), send_(std::move(send)) {}
 
-  /// Handles one message: answers a request, or takes a notification. `cancelled`: the client wants no answer.
+  /// Handles one message: answers a request, or takes a notification. `cancelled`: the client wants no
+  /// answer.
   void receive(const Json& message, bool cancelled = false);
 
   /// Checks what has changed and publishes its findings. Once `newer` says that a message waits, the rest is
@@ -73,7 +74,9 @@ class Session {
   void did_change_folders(const Json& params);
   void ignore(const Json&) {}
   void configure(const Json& settings);
-  void notify(const char* method, Json params) { send_({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}); }
+  void notify(const char* method, Json params) {
+    send_({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+  }
   void ask_client(const char* method, Json params);
   /// The path of a document; refuses what is no file.
   std::string path_in(const Json& params) const;
@@ -138,16 +141,17 @@ class Session {
   bool over_ = false;
 
   // The client: what it can, and its settings.
-  bool progress_ = false, watches_ = false, refreshes_hints_ = false, refreshes_lenses_ = false, snippets_ = false;
+  bool progress_ = false, watches_ = false, refreshes_hints_ = false, refreshes_lenses_ = false,
+       snippets_ = false;
   std::vector<std::string> environments_;
   double proof_seconds_ = 2;
   bool hints_ = true, pictures_ = false;
   std::set<std::string> commands_;
   int asked_ = 0;
 
-  std::map<std::string, Known> known_;    // by root
-  std::set<std::string> published_;       // paths with findings that the client shows
-  std::set<std::string> to_check_;        // open files
+  std::map<std::string, Known> known_;  // by root
+  std::set<std::string> published_;     // paths with findings that the client shows
+  std::set<std::string> to_check_;      // open files
   std::vector<ProofJob> jobs_;
   bool progress_shown_ = false;
 };

@@ -52,7 +52,8 @@ std::string uri_of(std::string_view path) {
   std::string result = "file://";
   for (const char c : path) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80 && (std::isalnum(byte) != 0 || std::string_view("-._~/").find(c) != std::string_view::npos)) {
+    if (byte < 0x80 &&
+        (std::isalnum(byte) != 0 || std::string_view("-._~/").find(c) != std::string_view::npos)) {
       result += c;
     } else {
       result += '%';

@@ -94,7 +94,8 @@ std::vector<std::string> environments_near(const std::vector<ProjectFile>& files
     std::vector<std::string> found;
     for (const auto& file : files) {
       // A file with a skill has its environment for that one.
-      if (file.has_environment && !file.has_skill && folder_of(file.path) == folder) found.push_back(file.path);
+      if (file.has_environment && !file.has_skill && folder_of(file.path) == folder)
+        found.push_back(file.path);
     }
     std::sort(found.begin(), found.end());
     if (!found.empty() || folder == top || folder == folder_of(folder)) return found;

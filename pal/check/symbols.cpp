@@ -67,8 +67,7 @@ class SymbolFinder {
   void declare(const syntax::Uses&) {}
   void declare(const syntax::MessageUnit& unit) {
     declare(SymbolKind::message, unit.name, unit.where);
-    for (const auto& field : unit.field_names)
-      declare(SymbolKind::field, field, field.where, unit.name.text);
+    for (const auto& field : unit.field_names) declare(SymbolKind::field, field, field.where, unit.name.text);
   }
   void declare(const syntax::ConditionUnit& unit) { declare(SymbolKind::condition, unit.name, unit.where); }
   void declare(const syntax::DeviceUnit& unit) { declare(SymbolKind::device, unit.name, unit.where); }
@@ -159,9 +158,7 @@ class SymbolFinder {
   void party(const syntax::Name& name) {
     if (!module(name)) use(scope_->devices.find(name.text), name, UseRole::mention);
   }
-  void message(const syntax::Name& name, UseRole role) {
-    use(scope_->messages.find(name.text), name, role);
-  }
+  void message(const syntax::Name& name, UseRole role) { use(scope_->messages.find(name.text), name, role); }
   void condition(const syntax::Name& name, UseRole role) {
     use(scope_->conditions.find(name.text), name, role);
   }
@@ -190,8 +187,8 @@ class SymbolFinder {
   // ---- templates
 
   void look_up(const syntax::SkillUnit& skill) {
-    for (const auto* list : {&skill.sensor_drivers, &skill.machine_controllers, &skill.logical_sensors,
-                             &skill.skill_methods})
+    for (const auto* list :
+         {&skill.sensor_drivers, &skill.machine_controllers, &skill.logical_sensors, &skill.skill_methods})
       names(*list);
     for (const auto& each : skill.contingencies) {
       if (each.method) module(*each.method);
@@ -398,8 +395,8 @@ Symbols symbols_of(const std::vector<syntax::Tree>& trees) {
 }
 
 const char* name(SymbolKind kind) {
-  constexpr std::array names{"skill",     "module",    "device",      "message",     "field",
-                             "condition", "activity",  "parameter",   "requirement", "contingency",
+  constexpr std::array names{"skill",      "module",      "device",    "message",     "field",
+                             "condition",  "activity",    "parameter", "requirement", "contingency",
                              "completion", "environment", "processor"};
   return names.at(static_cast<std::size_t>(kind));
 }

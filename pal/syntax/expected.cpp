@@ -124,8 +124,8 @@ class Walker {
                       : type == Parser::END_CONCURRENT ? "END CONCURRENT"
                                                        : "END WTM");
     } else if (type == Parser::HEADER) {
-      for (const char* kind :
-           {"Sensor Driver:", "Logical Sensor:", "Machine Controller:", "Skill Module:", "Contingency Module:"})
+      for (const char* kind : {"Sensor Driver:", "Logical Sensor:", "Machine Controller:", "Skill Module:",
+                               "Contingency Module:"})
         keywords.insert(kind);
     } else if (type == Parser::END && here == Parser::RuleSkillUnit) {
       keywords.insert("END SKILL");
@@ -144,7 +144,8 @@ class Walker {
   void number() {
     if (rule(0) == Parser::RuleSend || (rule(0) == Parser::RuleMeasure && last() == Parser::COMPLETION)) {
       wanted.insert(Wanted::completion_code);
-    } else if (rule(0) == Parser::RuleSlot && first(0) == Parser::COMPLETION && last() == Parser::CONTINGENCY) {
+    } else if (rule(0) == Parser::RuleSlot && first(0) == Parser::COMPLETION &&
+               last() == Parser::CONTINGENCY) {
       wanted.insert(Wanted::contingency_number);
     } else {
       wanted.insert(Wanted::number);
@@ -189,8 +190,8 @@ class Walker {
       case Parser::RuleMeasure:
         return Wanted::processor;
       case Parser::RuleItem:
-        return last() == Parser::ON   ? Wanted::processor
-               : last() == Parser::OF ? Wanted::module
+        return last() == Parser::ON       ? Wanted::processor
+               : last() == Parser::OF     ? Wanted::module
                : last() == Parser::DEVICE ? Wanted::device
                                           : Wanted::new_name;
       case Parser::RuleThreadPart:
@@ -206,9 +207,7 @@ class Walker {
         return Wanted::sender;
       case Parser::RuleSend:
       case Parser::RulePattern:
-        return has_kind_word() ? Wanted::receiver
-               : last() == Parser::FROM ? Wanted::asked
-                                        : Wanted::receiver;
+        return has_kind_word() ? Wanted::receiver : last() == Parser::FROM ? Wanted::asked : Wanted::receiver;
       case Parser::RuleStep:
         return Wanted::module;
       default:

@@ -12,11 +12,11 @@ namespace pal::syntax {
 /// The sort of a name, number or text that may stand at a place.
 enum class Wanted : std::uint8_t {
   new_name,
-  message,           // of a WTM, a TXM, a slot or a requirement
-  sender,            // WTM( X from …
-  receiver,          // TXM( X to …
-  asked,             // TXM( request X from …
-  party,             // a module or device of a requirement
+  message,   // of a WTM, a TXM, a slot or a requirement
+  sender,    // WTM( X from …
+  receiver,  // TXM( X to …
+  asked,     // TXM( request X from …
+  party,     // a module or device of a requirement
   condition,
   activity,          // or a module, as a statement
   activity_of_time,  // TIME …
@@ -27,7 +27,7 @@ enum class Wanted : std::uint8_t {
   machine_controller,
   skill_method,
   contingency_method,
-  device,            // of an environment
+  device,  // of an environment
   processor,
   skill,
   time_unit,

@@ -86,9 +86,9 @@ class Scanner {
     std::string capitals(text_.substr(at_, end - at_));
     for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const auto known = keywords().find(capitals);
-    add(known == keywords().end()             ? TextToken::Kind::name
+    add(known == keywords().end()          ? TextToken::Kind::name
         : known->second >= Lexer::ACTIVITY ? TextToken::Kind::contextual
-                                              : TextToken::Kind::keyword,
+                                           : TextToken::Kind::keyword,
         end);
   }
 
@@ -112,8 +112,8 @@ class Scanner {
   std::size_t string_end() const {
     auto end = at_ + 1;
     while (end < text_.size() && text_[end] != '"' && text_[end] != '\r' && text_[end] != '\n') {
-      const bool escape = text_[end] == '\\' && end + 1 < text_.size() && text_[end + 1] != '\r' &&
-                          text_[end + 1] != '\n';
+      const bool escape =
+          text_[end] == '\\' && end + 1 < text_.size() && text_[end + 1] != '\r' && text_[end + 1] != '\n';
       end += escape ? 2 : 1;
     }
     return end < text_.size() && text_[end] == '"' ? end + 1 : end;

@@ -19,8 +19,8 @@ ExitStatus serve_editor(const LanguageServerOptions& options, const Console& con
   }
   const EditorProver prover;
   const language_server::Options server{PAL_VERSION, PAL_DOCUMENTATION_URL, &prover};
-  const bool shut_down =
-      language_server::serve(std::cin, console.out, console.files, server, options.log.empty() ? nullptr : &log);
+  const bool shut_down = language_server::serve(std::cin, console.out, console.files, server,
+                                                options.log.empty() ? nullptr : &log);
   return shut_down ? ExitStatus::all_hold : ExitStatus::wrong_specification;
 }
 

@@ -65,9 +65,10 @@ std::vector<language_server::Drawing::Place> places_of(const std::string& svg,
         std::from_chars(first.ptr + 1, last, number).ec != std::errc{})
       continue;
     const auto& bar = timeline.lanes.at(lane).bars.at(number);
-    const auto found = std::find_if(problem.statements.begin(), problem.statements.end(), [&](const auto& each) {
-      return bar.line != 0 && each.line == bar.line && each.file == bar.file && each.text == bar.text;
-    });
+    const auto found =
+        std::find_if(problem.statements.begin(), problem.statements.end(), [&](const auto& each) {
+          return bar.line != 0 && each.line == bar.line && each.file == bar.file && each.text == bar.text;
+        });
     if (found != problem.statements.end()) places.push_back({svg.substr(begin, end - begin), found->where});
   }
   return places;
@@ -75,7 +76,8 @@ std::vector<language_server::Drawing::Place> places_of(const std::string& svg,
 
 }  // namespace
 
-language_server::SkillProof EditorProver::prove(const pan::Network& skill, const pan::Environment& environment,
+language_server::SkillProof EditorProver::prove(const pan::Network& skill,
+                                                const pan::Environment& environment,
                                                 const SourceManager& sources, double seconds,
                                                 const std::function<bool()>& stop) const {
   language_server::SkillProof made{skill.skill.name, environment.name, {}, {}, false, {}};
