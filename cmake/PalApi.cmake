@@ -13,5 +13,5 @@ set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
 set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
 set(DOXYGEN_QUIET YES)
-doxygen_add_docs(api docs/api/README.md pal trace analyzer codegen operations runtime server programs
+doxygen_add_docs(api docs/api/README.md pal trace analyzer codegen operations runtime server language_server programs
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}" COMMENT "Reference of the headers")

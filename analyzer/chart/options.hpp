@@ -75,6 +75,9 @@ struct ChartOptions {
   std::optional<Window> window;
   /// Whether short actions are drawn once more, enlarged, under the chart, where it helps.
   bool detail = true;
+  /// Whether each bar has an id: "bar-LANE-NUMBER", both from 0 as in the timeline. Where a bar is drawn more than
+  /// once, "-2" and so on follow.
+  bool ids = false;
 };
 
 }  // namespace pal::analyzer::chart

@@ -80,7 +80,9 @@ void Panel::draw_bars(const Layer& layer) {
     for (const Bar& bar : lane.bars) {
       if (!touches(layer, bar.from_ns, bar.to_ns)) continue;
       const Box box = bar_box(layer, i, bar.from_ns, bar.to_ns);
-      out_.rect(box, style_of(bar, layer.role), bar_title(layer, lane, bar));
+      const auto number = static_cast<std::size_t>(&bar - lane.bars.data());
+      out_.rect(box, style_of(bar, layer.role), bar_title(layer, lane, bar),
+                layer.options->ids ? "bar-" + std::to_string(i) + "-" + std::to_string(number) : "");
       if (layer.role != Role::backdrop) labels_.take(box);
     }
   }

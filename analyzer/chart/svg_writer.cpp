@@ -37,9 +37,14 @@ bool SvgWriter::has_drawn(std::string_view style) const {
   return styles_.contains(style) || (next != styles_.end() && next->compare(0, longer.size(), longer) == 0);
 }
 
-void SvgWriter::rect(const Box& box, std::string_view style, std::string_view title) {
+void SvgWriter::rect(const Box& box, std::string_view style, std::string_view title, const std::string& id) {
   styles_.emplace(style);
-  out_ += "<rect" + attribute("x", box.x0) + attribute("y", box.y0) + attribute("width", box.x1 - box.x0) +
+  out_ += "<rect";
+  if (!id.empty()) {
+    const int count = ++ids_[id];
+    out_ += attribute("id", count == 1 ? id : id + "-" + std::to_string(count));
+  }
+  out_ += attribute("x", box.x0) + attribute("y", box.y0) + attribute("width", box.x1 - box.x0) +
           attribute("height", box.y1 - box.y0) + attribute("class", style);
   end("rect", title);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,7 +30,8 @@ enum class Anchor { start, middle, end };
 /// none. `style` is one or more names of classes of the style sheet in svg_style.hpp.
 class SvgWriter {
  public:
-  void rect(const Box& box, std::string_view style, std::string_view title = {});
+  /// `id`: made unique by a number behind it; empty: none.
+  void rect(const Box& box, std::string_view style, std::string_view title = {}, const std::string& id = {});
   void line(Point from, Point to, std::string_view style, std::string_view title = {});
   /// `data` is the value of the attribute d.
   void path(const std::string& data, std::string_view style, std::string_view title = {});
@@ -48,6 +50,7 @@ class SvgWriter {
 
   std::string out_;
   std::set<std::string, std::less<>> styles_;
+  std::map<std::string, int> ids_;
 };
 
 /// Part of a path: "M x y", "L x y".

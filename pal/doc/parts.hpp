@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pal/doc/document.hpp"
+#include "pal/doc/words.hpp"
 
 namespace pal::doc {
 
@@ -18,11 +19,6 @@ Section table(std::string title, Table table);
 
 /// The name, and what its descriptions say.
 Line named(const std::string& name, const std::vector<std::string>& descriptions);
-
-/// What a message carries: "fx, fy, fz: real, in N; on: boolean".
-std::string content_of(const pan::Message& message);
-/// "real, in N"; "boolean".
-std::string type_text(pan::ScalarType type, const std::string& unit, int size = 0);
 
 /// The template of one logical sensor: its description, the drivers that it needs, methods, what it returns.
 Part sensor_part(const pan::Network& network, pan::ModuleId sensor);

@@ -80,6 +80,7 @@ class Builder {
   EnvironmentUnit environment_unit(Parser::EnvironmentUnitContext* context);
   bool add_resource(Resources& resources, Parser::ItemContext* context);
   void add_item(EnvironmentUnit& environment, Parser::ItemContext* context);
+  void add_names(std::vector<ItemName>& names, Parser::ItemContext* context) const;
   std::string thread(Parser::ThreadContext* context);
   template <typename Behaviour>
   void add_device(EnvironmentUnit& environment, const std::string& name, SourceSpan where,

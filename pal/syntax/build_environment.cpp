@@ -18,8 +18,42 @@ EnvironmentUnit Builder::environment_unit(Parser::EnvironmentUnitContext* contex
   EnvironmentUnit result;
   result.name = name(context->name());
   result.where = span(span(context->ENVIRONMENT(0)), result.name.where);
-  for (auto* item : context->item()) add_item(result, item);
+  result.whole = span(context);
+  for (auto* item : context->item()) {
+    add_item(result, item);
+    add_names(result.names, item);
+  }
   return result;
+}
+
+void Builder::add_names(std::vector<ItemName>& names, Parser::ItemContext* context) const {
+  using Role = ItemName::Role;
+  const auto add = [&](Role role, antlr4::ParserRuleContext* named, std::string owner = {}) {
+    if (named == nullptr) return;
+    auto made = name(named);
+    if (!made.text.empty()) names.push_back({role, std::move(made), span(context), std::move(owner)});
+  };
+  if (auto* p = dynamic_cast<Parser::ProcessorContext*>(context)) {
+    add(Role::processor, p->name());
+  } else if (auto* e = dynamic_cast<Parser::EventDeviceContext*>(context)) {
+    add(Role::device, e->name());
+    if (e->message() != nullptr) add(Role::message, e->message()->name());
+    for (auto* clause : e->eventClause()) {
+      if (clause->message() != nullptr) add(Role::message, clause->message()->name());
+    }
+  } else if (auto* r = dynamic_cast<Parser::RequestDeviceContext*>(context)) {
+    add(Role::device, r->name());
+  } else if (auto* f = dynamic_cast<Parser::FrameDeviceContext*>(context)) {
+    add(Role::device, f->name());
+  } else if (auto* placed = dynamic_cast<Parser::PlacementContext*>(context)) {
+    if (placed->thread() != nullptr) {
+      for (auto* part : placed->thread()->threadPart()) add(Role::thread, part->name());
+    }
+    add(Role::placed_on, placed->name());
+  } else if (auto* t = dynamic_cast<Parser::ActivityTimeContext*>(context)) {
+    add(Role::activity, t->activityName(), name(t->name()).text);
+    add(Role::owner, t->name());
+  }
 }
 
 bool Builder::add_resource(Resources& resources, Parser::ItemContext* context) {

@@ -22,6 +22,7 @@ SkillUnit Builder::skill_unit(Parser::SkillUnitContext* context) {
   SkillUnit result;
   result.name = name(context->name());
   result.where = span(span(context->SKILL(0)), result.name.where);
+  result.whole = span(context);
   for (auto* slot : context->slot()) add_slot(result, slot);
   return result;
 }
@@ -62,7 +63,7 @@ void Builder::add_slot(SkillUnit& skill, Parser::SlotContext* context) {
   if (auto* c = dynamic_cast<Parser::ContingencySlotContext*>(context)) {
     const auto number = integer(c->NUMBER());
     if (!number) return;
-    Contingency contingency{*number, text(c->STRING()), std::nullopt, span(c)};
+    Contingency contingency{*number, text(c->STRING()), std::nullopt, span(c), span(c->NUMBER())};
     if (c->name() != nullptr) contingency.method = name(c->name());
     skill.contingencies.push_back(std::move(contingency));
     return;
@@ -112,7 +113,9 @@ std::optional<Completion> Builder::completion(Parser::CompletionSlotContext* con
   if (!code) return std::nullopt;
   result.code = *code;
   result.where = span(context);
+  result.code_where = span(context->NUMBER(0));
   if (context->CONTINGENCY() != nullptr) {
+    result.contingency_where = span(context->NUMBER(1));
     result.kind = pan::Completion::Kind::contingency;
     result.contingency = integer(context->NUMBER(1)).value_or(0);
   } else if (context->ERROR() != nullptr) {

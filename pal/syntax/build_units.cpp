@@ -68,6 +68,7 @@ ModuleUnit Builder::module_unit(Parser::ModuleUnitContext* context) {
   result.name = name(context->name());
   if (const auto word = kind(context->header())) result.kind = *word;
   result.where = span(span(context->header()), result.name.where);
+  result.whole = span(context);
   for (auto* heading : context->heading()) add_heading(result, heading);
   result.has_body = context->BEGIN() != nullptr;
   result.body = statements(context->statements());

@@ -77,6 +77,7 @@ struct ModuleUnit {
   Statements body;
   SourceSpan where;  // from the kind to the name
   SourceSpan end;    // the last END
+  SourceSpan whole{};
 };
 
 struct Contingency {
@@ -84,6 +85,7 @@ struct Contingency {
   std::string description;
   std::optional<Name> method;
   SourceSpan where;
+  SourceSpan number_where{};
 };
 
 /// A value of a parameter: 20, 2 cm/s, TRUE, "park".
@@ -112,6 +114,8 @@ struct Completion {
   int contingency = 0;
   std::string description;
   SourceSpan where;
+  SourceSpan code_where{};
+  SourceSpan contingency_where{};  // invalid: it names none
 };
 
 /// Every statement of this form; of one module only, if one is named.
@@ -203,6 +207,7 @@ struct SkillUnit {
   std::vector<Completion> completions;
   std::vector<Requirement> requirements;
   SourceSpan where;  // SKILL and the name
+  SourceSpan whole{};
 };
 
 /// COST SEND 0.05 ms, LATENCY WITHIN PROCESSOR 0 ms
@@ -222,8 +227,25 @@ struct Resources {
   std::optional<NameSlot> skills;
 };
 
+/// A name in an item of an environment.
+struct ItemName {
+  enum class Role {
+    processor,  // PROCESSOR P0: declares it
+    placed_on,  // … ON P0
+    device,     // DEVICE alter: a device, or a module without a body
+    message,    // of an event or its answer
+    thread,     // PLACE SM1.2: the module
+    activity,   // TIME extract-z
+    owner       // … OF LS1
+  };
+  Role role = Role::processor;
+  Name name;
+  SourceSpan item;
+  std::string owner{};  // activity: the module that OF names; empty: any
+};
+
 /// ENVIRONMENT name … END ENVIRONMENT. Its parts need no names looked up, and are what pan::Environment
-/// holds.
+/// holds. `names` are those in the items, for those who look them up all the same.
 struct EnvironmentUnit {
   Name name;
   std::vector<std::string> descriptions;
@@ -234,6 +256,8 @@ struct EnvironmentUnit {
   std::vector<pan::ActivityTime> activities;
   std::vector<CostItem> costs;
   SourceSpan where;  // ENVIRONMENT and the name
+  SourceSpan whole{};
+  std::vector<ItemName> names{};  // in the order of the text
 };
 
 using Unit =

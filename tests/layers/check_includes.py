@@ -10,11 +10,11 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["trace", "pal", "analyzer", "codegen", "operations", "server", "runtime", "skills_pal", "sim", "programs", "tests"]
+FOLDERS = ["trace", "pal", "analyzer", "codegen", "operations", "server", "language_server", "runtime", "skills_pal", "sim", "programs", "tests"]
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((?:.*?)\)\1"|"(?:\\.|[^"\\\n])*"', re.S)
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 # At the beginning of a line: of a namespace.
-DEFINED = re.compile(r"^(?:(?:class|struct|enum class|enum)\s+([A-Z]\w+)[^;{(]*\{|using\s+([A-Z]\w+)\s*=)", re.M)
+DEFINED = re.compile(r"^(?:(?:class|struct|enum class|enum)\s+([A-Z]\w+)\b(?!::)[^;{(]*\{|using\s+([A-Z]\w+)\s*=)", re.M)
 DECLARED = re.compile(r"\b(?:class|struct|enum|using|typename|concept)\s+([A-Z]\w+)\b(?!::)")
 NAME = re.compile(r"\b[A-Z]\w+\b")
 

@@ -16,7 +16,7 @@ KERNEL = ["runtime/include", "runtime/watch", "runtime/kernel", "runtime/executi
 RUNTIME = ["runtime/include", "trace"]
 PROTOCOLS = ["runtime/drivers/val/protocol.hpp", "runtime/drivers/alter/protocol.hpp"]
 COMPILER = ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/rewrite", "pal/check", "analyzer", "analyzer/chart",
-            "analyzer/run_checker", "analyzer/whatif", *PARTS, "codegen", "operations", "trace"]
+            "analyzer/run_checker", "analyzer/whatif", *PARTS, "codegen", "operations", "language_server", "trace"]
 # Each program: a room may use those before it.
 ROOMS = {"pal": ["session", "reports", "commands", "options"], "workcell": ["session", "reports", "options", "commands"]}
 
@@ -46,6 +46,7 @@ LAYERS = {
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "server": ["operations", "pal/explain", "pal/support", "pal/pan"],  # likewise
+    "language_server": ["pal/support", "pal/pan", "pal/doc", "pal/syntax", "pal/check"],  # proofs come from the program
     **rooms("pal", COMPILER),
     **{room: KERNEL[:i] + ["trace"] for i, room in enumerate(KERNEL)},
     **{protocol: RUNTIME for protocol in PROTOCOLS},
@@ -65,6 +66,7 @@ NAMESPACES = {
     "codegen": "pal::codegen",
     "operations": "pal::operations",
     "server": "pal::server",
+    "language_server": "pal::language_server",
     "runtime": "pal::runtime",
     "runtime/drivers": "pal::runtime::drivers",
     **{f"runtime/drivers/{device}": f"pal::runtime::drivers::{device}" for device in ["alter", "force_torque", "gripper", "range_finder", "val"]},

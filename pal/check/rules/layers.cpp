@@ -1,4 +1,5 @@
-// Which kinds of module may communicate (thesis, figure 3.3).
+#include "pal/check/rules/layers.hpp"
+
 #include <set>
 #include <string>
 #include <utility>
@@ -12,13 +13,41 @@ namespace pal::check {
 
 namespace {
 
-/// The boxes of figure 3.3 from top to bottom. Talk is between neighbours.
-enum class Layer { skill, logical_sensor, machine_controller, sensor_driver, device };
-
 Layer layer(const pan::Network& network, const pan::Party& party) {
   const auto* module = std::get_if<pan::ModuleId>(&party);
   if (module == nullptr) return Layer::device;
-  switch (network.modules[module->index()].kind) {
+  return layer_of(network.modules[module->index()].kind);
+}
+
+std::string described(const pan::Network& network, const pan::Party& party) {
+  const auto* module = std::get_if<pan::ModuleId>(&party);
+  const auto kind = module == nullptr ? "device" : kind_text(network.modules[module->index()].kind);
+  return kind + " " + quoted(party_name(network, party));
+}
+
+std::string partners(Layer layer) {
+  switch (layer) {
+    case Layer::skill:
+      return "go by way of a neighbour: skill and contingency modules talk with logical sensors and machine "
+             "controllers";
+    case Layer::logical_sensor:
+      return "go by way of a neighbour: logical sensors talk with sensor drivers below and skill modules "
+             "above";
+    case Layer::machine_controller:
+      return "go by way of a neighbour: machine controllers talk with skill modules and with devices";
+    case Layer::sensor_driver:
+      return "go by way of a neighbour: sensor drivers talk with logical sensors and with devices";
+    case Layer::device:
+      return "go by way of a neighbour: only sensor drivers and machine controllers talk with devices";
+  }
+  return {};
+}
+
+}  // namespace
+
+Layer layer_of(std::optional<pan::ModuleKind> kind) {
+  if (!kind) return Layer::device;
+  switch (*kind) {
     case pan::ModuleKind::skill_module:
     case pan::ModuleKind::contingency_module:
       return Layer::skill;
@@ -47,32 +76,6 @@ bool may_talk(Layer a, Layer b) {
   }
   return false;
 }
-
-std::string described(const pan::Network& network, const pan::Party& party) {
-  const auto* module = std::get_if<pan::ModuleId>(&party);
-  const auto kind = module == nullptr ? "device" : kind_text(network.modules[module->index()].kind);
-  return kind + " " + quoted(party_name(network, party));
-}
-
-std::string partners(Layer layer) {
-  switch (layer) {
-    case Layer::skill:
-      return "go by way of a neighbour: skill and contingency modules talk with logical sensors and machine "
-             "controllers";
-    case Layer::logical_sensor:
-      return "go by way of a neighbour: logical sensors talk with sensor drivers below and skill modules "
-             "above";
-    case Layer::machine_controller:
-      return "go by way of a neighbour: machine controllers talk with skill modules and with devices";
-    case Layer::sensor_driver:
-      return "go by way of a neighbour: sensor drivers talk with logical sensors and with devices";
-    case Layer::device:
-      return "go by way of a neighbour: only sensor drivers and machine controllers talk with devices";
-  }
-  return {};
-}
-
-}  // namespace
 
 void check_layers(const pan::Network& network, Diagnostics& diagnostics) {
   std::set<std::pair<pan::Party, pan::Party>> seen;

@@ -132,6 +132,12 @@ struct ExplainOptions {
 /// Prints the pages on findings.
 ExitStatus explain_code(const ExplainOptions& options, const Console& console);
 
+struct LanguageServerOptions {
+  std::string log;  // where to write every message; empty: nowhere
+};
+/// Serves an editor on the standard input and `console.out`.
+ExitStatus serve_editor(const LanguageServerOptions& options, const Console& console);
+
 struct SequenceOptions {
   Selection selection;
   std::string output = ".";

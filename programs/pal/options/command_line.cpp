@@ -98,6 +98,8 @@ ExitStatus run(const std::vector<std::string>& given, const Console& console) {
   add_explain(app, explain_options);
   add_sequence(app, sequence_options);
   add_resources(app, resources_options);
+  LanguageServerOptions language_server_options;
+  add_language_server(app, language_server_options);
   OperationOptions operation_check, operation_tell, operation_format;
   add_operation(app, operation_check, operation_tell, operation_format);
 
@@ -130,6 +132,7 @@ ExitStatus run(const std::vector<std::string>& given, const Console& console) {
     console.out << completion_script(app, shell);
     return ExitStatus::all_hold;
   }
+  if (app.got_subcommand("language-server")) return serve_editor(language_server_options, console);
   if (app.got_subcommand("explain")) return explain_code(explain_options, console);
   return generate(generate_options, console);
 }

@@ -79,4 +79,13 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
   command->footer("Exit status: 0 explained; 2 no such code.");
 }
 
+void add_language_server(CLI::App& app, LanguageServerOptions& options) {
+  CLI::App* command =
+      app.add_subcommand("language-server", "Serves an editor by the Language Server Protocol, on standard input "
+                                            "and output");
+  command->add_option("--log", options.log, "write every message to this file")->type_name("FILE");
+  command->footer("Exit status: 0 the editor shut it down; 1 the input ended before; 2 bad usage, or the log could "
+                  "not be written.");
+}
+
 }  // namespace pal::program

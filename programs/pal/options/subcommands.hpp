@@ -22,6 +22,7 @@ void add_fmt(CLI::App& app, FormatOptions& options);
 void add_resources(CLI::App& app, ResourcesOptions& options);
 void add_doc(CLI::App& app, DocOptions& options);
 void add_explain(CLI::App& app, ExplainOptions& options);
+void add_language_server(CLI::App& app, LanguageServerOptions& options);
 
 /// `operation` with its own commands: check, storyboard and format.
 void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& format);

@@ -1,0 +1,252 @@
+// Findings of open files, and their cures as code actions.
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "language_server/session.hpp"
+#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/edit.hpp"
+
+namespace pal::language_server {
+
+namespace {
+
+/// What these findings are about does nothing: editors fade it.
+bool is_unused(Code code) {
+  return code == Code::PAL0217 || code == Code::PAL0209 || code == Code::PAL0501 || code == Code::PAL0406 ||
+         code == Code::PAL0731 || code == Code::PAL0723;
+}
+
+int level(Severity severity) {
+  return severity == Severity::error ? 1 : severity == Severity::warning ? 2 : 3;
+}
+
+Json place(const Analysis& analysis, const Workspace& workspace, const SourceSpan& where) {
+  return {{"uri", workspace.uri(analysis.path(where.file))},
+          {"range", range_of(analysis.text(where.file), where.begin, where.end)}};
+}
+
+Json diagnostic(const Diagnostic& finding, const Analysis& analysis, const Workspace& workspace,
+                const std::string& documentation) {
+  std::string message = finding.message;
+  Json related = Json::array();
+  for (const auto& note : finding.notes) {
+    if (note.where.valid()) {
+      related.push_back({{"location", place(analysis, workspace, note.where)}, {"message", note.text}});
+    } else {
+      message += "\n" + note.text;
+    }
+  }
+  if (!finding.hint.empty()) message += "\nhint: " + finding.hint;
+  Json result{{"range", range_of(analysis.text(finding.where.file), finding.where.begin, finding.where.end)},
+              {"severity", level(finding.severity)},
+              {"code", name(finding.code)},
+              {"source", "pal"},
+              {"message", message}};
+  if (!related.empty()) result["relatedInformation"] = std::move(related);
+  if (is_unused(finding.code)) result["tags"] = {1};
+  if (!documentation.empty()) {
+    std::string anchor(name(finding.code));
+    for (char& c : anchor) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    result["codeDescription"] = {{"href", documentation + "/reference/diagnostics.md#" + anchor}};
+  }
+  return result;
+}
+
+std::string shortened(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c == '\n' || c == '\t' ? ' ' : c;
+  constexpr std::size_t most = 40;
+  return result.size() > most ? result.substr(0, most) + "…" : result;
+}
+
+std::string title_of(const Diagnostic& finding, const Analysis& analysis) {
+  if (finding.fix.size() != 1) return finding.hint.empty() ? "make the change" : finding.hint;
+  const Edit& edit = finding.fix.front();
+  const std::string before = shortened(analysis.sources.text(edit.where));
+  if (before.empty()) return "insert '" + shortened(edit.text) + "'";
+  if (edit.text.empty()) return "remove '" + before + "'";
+  return "replace '" + before + "' by '" + shortened(edit.text) + "'";
+}
+
+/// Of edits that overlap, the first is made.
+Json workspace_edit(std::vector<Edit> edits, const Analysis& analysis, const Workspace& workspace) {
+  std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
+    return std::pair(a.where.file, a.where.begin) < std::pair(b.where.file, b.where.begin);
+  });
+  Json changes = Json::object();
+  SourceSpan last;
+  for (const Edit& edit : edits) {
+    if (last.valid() && last.file == edit.where.file && edit.where.begin < last.end) continue;
+    last = edit.where;
+    changes[workspace.uri(analysis.path(edit.where.file))].push_back(
+        text_edit(analysis.text(edit.where.file), edit.where.begin, edit.where.end, edit.text));
+  }
+  return {{"changes", std::move(changes)}};
+}
+
+}  // namespace
+
+std::vector<std::string> Session::roots_of(const std::string& path) {
+  return index_.roots(path);
+}
+
+const Known& Session::known(const std::string& root) {
+  Known& known = known_[root];
+  auto inputs = inputs_of(workspace_, root, environments_);
+  if (known.analysis == nullptr || !is_current(*known.analysis, workspace_, inputs)) {
+    known.analysis = analyze(workspace_, std::move(inputs), {});
+    if (!known.analysis->diagnostics.has_errors()) known.sound = known.analysis;
+  }
+  return known;
+}
+
+std::vector<Diagnostic> Session::findings(const Known& known, const std::string& path) const {
+  std::vector<Diagnostic> result;
+  const auto file = known.analysis->file(path);
+  if (!file) return result;
+  const auto add = [&](const std::vector<Diagnostic>& all) {
+    for (const auto& finding : all) {
+      if (finding.where.valid() && finding.where.file == *file) result.push_back(finding);
+    }
+  };
+  add(known.analysis->diagnostics.sorted());
+  if (known.proofs == nullptr || known.proved != known.analysis) return result;
+  for (const auto& proof : *known.proofs) {
+    add(proof.findings);
+    if (proof.ended) continue;  // what had no time to be decided is no finding while typing
+    for (const auto& requirement : proof.requirements) add(requirement.findings);
+  }
+  return result;
+}
+
+void Session::publish() {
+  std::set<std::string> shown;
+  for (const auto& [path, document] : workspace_.documents()) {
+    if (!path.ends_with(".pal")) continue;
+    Json list = Json::array();
+    for (const auto& root : roots_of(path)) {
+      const auto known = known_.find(root);
+      if (known == known_.end() || known->second.analysis == nullptr) continue;
+      for (const auto& finding : findings(known->second, path)) {
+        Json made = diagnostic(finding, *known->second.analysis, workspace_, options_.documentation);
+        if (std::find(list.begin(), list.end(), made) == list.end()) list.push_back(std::move(made));
+      }
+    }
+    shown.insert(path);
+    notify("textDocument/publishDiagnostics",
+           {{"uri", document.uri}, {"version", document.version}, {"diagnostics", std::move(list)}});
+  }
+  for (const auto& path : published_) {
+    if (!shown.contains(path))
+      notify("textDocument/publishDiagnostics", {{"uri", workspace_.uri(path)}, {"diagnostics", Json::array()}});
+  }
+  published_ = std::move(shown);
+}
+
+bool Session::check(const std::function<bool()>& newer) {
+  if (to_check_.empty()) return true;
+  std::set<std::string> roots;
+  for (const auto& [path, document] : workspace_.documents()) {
+    if (!path.ends_with(".pal")) continue;
+    for (auto& root : roots_of(path)) roots.insert(std::move(root));
+  }
+  std::erase_if(known_, [&](const auto& each) { return !roots.contains(each.first); });
+  for (const auto& root : roots) {
+    if (newer && newer()) return false;
+    const auto before = known_[root].analysis;
+    const Known& now = known(root);
+    if (now.analysis != before || now.proved != now.analysis) {
+      if (options_.prover != nullptr && proof_seconds_ > 0 && !now.analysis->diagnostics.has_errors() &&
+          now.proved != now.analysis)
+        jobs_.push_back({now.analysis, workspace_.revision(), proof_seconds_});
+    }
+  }
+  to_check_.clear();
+  publish();
+  if (pictures_) {
+    Json uris = Json::array();
+    for (const auto& [path, document] : workspace_.documents()) uris.push_back(document.uri);
+    notify("pal/changed", {{"uris", std::move(uris)}, {"what", "text"}});
+  }
+  return true;
+}
+
+std::vector<ProofJob> Session::take_jobs() {
+  return std::exchange(jobs_, {});
+}
+
+void Session::proved(const ProofJob& job, Proofs proofs) {
+  const auto found = known_.find(job.analysis->root);
+  if (found == known_.end() || found->second.analysis != job.analysis) return;  // of an earlier text
+  found->second.proved = job.analysis;
+  found->second.proofs = std::make_shared<const Proofs>(std::move(proofs));
+  publish();
+  if (pictures_) {
+    Json uris = Json::array();
+    for (const auto& [path, document] : workspace_.documents()) uris.push_back(document.uri);
+    notify("pal/changed", {{"uris", std::move(uris)}, {"what", "proof"}});
+  }
+  if (refreshes_hints_) ask_client("workspace/inlayHint/refresh", nullptr);
+  if (refreshes_lenses_) ask_client("workspace/codeLens/refresh", nullptr);
+}
+
+Json Session::code_action(const Json& params) {
+  const auto path = path_in(params);
+  const auto text = workspace_.text(path);
+  if (text == nullptr) return Json::array();
+  const Json& range = member(params, "range");
+  const auto begin = text->offset(position_of(member(range, "start")));
+  const auto end = text->offset(position_of(member(range, "end")));
+  const Json& only = member(member(params, "context"), "only");
+  const auto wants = [&](std::string_view kind) {
+    if (!only.is_array() || only.empty()) return true;
+    return std::any_of(only.begin(), only.end(), [&](const Json& each) {
+      const auto asked = each.is_string() ? each.get<std::string>() : std::string();
+      return kind == asked || kind.starts_with(asked + ".");
+    });
+  };
+  Json actions = Json::array();
+  const auto add = [&](Json action) {
+    if (std::find(actions.begin(), actions.end(), action) == actions.end()) actions.push_back(std::move(action));
+  };
+  std::vector<Edit> all;
+  std::shared_ptr<const Analysis> analysis_of_all;
+  for (const auto& root : roots_of(path)) {
+    const Known& here = known(root);
+    const Analysis& analysis = *here.analysis;
+    const auto found = findings(here, path);
+    for (const auto& finding : found) {
+      if (finding.fix.empty()) continue;
+      if (analysis_of_all == nullptr || analysis_of_all == here.analysis) {
+        analysis_of_all = here.analysis;
+        all.insert(all.end(), finding.fix.begin(), finding.fix.end());
+      }
+      if (finding.where.end < begin || finding.where.begin > end || !wants("quickfix")) continue;
+      const Json told = diagnostic(finding, analysis, workspace_, options_.documentation);
+      add({{"title", title_of(finding, analysis)},
+           {"kind", "quickfix"},
+           {"isPreferred", true},
+           {"diagnostics", {told}},
+           {"edit", workspace_edit(finding.fix, analysis, workspace_)}});
+      std::vector<Edit> of_kind;
+      std::size_t count = 0;
+      for (const auto& other : found) {
+        if (other.code != finding.code || other.fix.empty()) continue;
+        of_kind.insert(of_kind.end(), other.fix.begin(), other.fix.end());
+        ++count;
+      }
+      if (count > 1)
+        add({{"title", "fix all " + std::to_string(count) + ": " + std::string(title(finding.code))},
+             {"kind", "quickfix"},
+             {"edit", workspace_edit(of_kind, analysis, workspace_)}});
+    }
+  }
+  if (!all.empty() && wants("source.fixAll.pal") && only.is_array() && !only.empty())
+    add({{"title", "fix all that can be fixed"},
+         {"kind", "source.fixAll.pal"},
+         {"edit", workspace_edit(all, *analysis_of_all, workspace_)}});
+  return actions;
+}
+
+}  // namespace pal::language_server

@@ -1,0 +1,306 @@
+// Proofs in place: hints, lenses, the list of requirements, pictures.
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "language_server/session.hpp"
+#include "pal/pan/dot.hpp"
+#include "pal/support/xml.hpp"
+
+namespace pal::language_server {
+
+namespace {
+
+/// What a dark editor shows instead of black on white.
+constexpr const char* dark_style =
+    "<style>text{fill:#ddd!important}path,polygon,polyline,line,rect{stroke:#bbb}"
+    "polygon[fill=\"white\"],polygon[fill=\"#ffffff\"],rect.paper,.fold{fill:transparent!important}"
+    "polygon[fill=\"black\"]{fill:#ddd!important}.node polygon:not([fill=\"none\"]){fill:#2d3a45!important}"
+    ".message-name,.halo{stroke:#1e1e1e!important}.on-light,.on-dark{fill:#000!important}</style>";
+
+std::string in_dark(std::string svg) {
+  const auto open = svg.find("<svg");
+  const auto end = open == std::string::npos ? open : svg.find('>', open);
+  if (end != std::string::npos) svg.insert(end + 1, dark_style);
+  return svg;
+}
+
+/// The groups of nodes in a picture by Graphviz: `<g id="node3" class="node">`, then `<title>12 WTM( … )</title>`.
+std::vector<Drawing::Place> places_of(const std::string& svg, const pan::Graph& body) {
+  std::vector<Drawing::Place> places;
+  constexpr std::string_view group = "<g id=\"node";
+  for (auto at = svg.find(group); at != std::string::npos; at = svg.find(group, at + 1)) {
+    const auto begin = at + 7;
+    const auto end = svg.find('"', begin);
+    const auto title = svg.find("<title>", at);
+    if (end == std::string::npos || title == std::string::npos) break;
+    std::size_t node = 0;
+    const char* first = svg.data() + title + 7;
+    if (std::from_chars(first, svg.data() + svg.size(), node).ec != std::errc{} || node >= body.nodes.size()) continue;
+    if (body.nodes[node].where.valid()) places.push_back({svg.substr(begin, end - begin), body.nodes[node].where});
+  }
+  return places;
+}
+
+Json picture_json(const Drawing& drawing, const Analysis& analysis, const Workspace& workspace) {
+  Json places = Json::array();
+  for (const auto& place : drawing.places)
+    places.push_back({{"id", place.id},
+                      {"uri", workspace.uri(analysis.path(place.where.file))},
+                      {"range", range_of(analysis.text(place.where.file), place.where.begin, place.where.end)}});
+  return places;
+}
+
+Json empty_picture(const Json& params) {
+  return {{"svg", ""},         {"reason", ""},      {"title", ""},
+          {"kind", string_of(params, "kind")},      {"skill", ""},
+          {"module", ""},      {"requirement", ""}, {"environment", ""},
+          {"state", ""},       {"stale", false},    {"places", Json::array()},
+          {"choices", {{"skills", Json::array()}, {"modules", Json::array()}, {"requirements", Json::array()}}}};
+}
+
+/// Whether a place is in [begin, end] of a span.
+bool holds(const SourceSpan& where, FileId file, std::uint32_t offset) {
+  return where.file == file && where.begin <= offset && offset <= where.end;
+}
+
+}  // namespace
+
+Json Session::inlay_hint(const Json& params) {
+  const auto path = path_in(params);
+  const auto text = workspace_.text(path);
+  Json result = Json::array();
+  if (!hints_ || text == nullptr) return result;
+  const Json& range = member(params, "range");
+  const auto from = text->offset(position_of(member(range, "start")));
+  const auto to = text->offset(position_of(member(range, "end")));
+  const auto* tree = index_.tree(path);
+  for (std::size_t i = 0; tree != nullptr && i < tree->units.size(); ++i) {
+    const auto* skill = std::get_if<syntax::SkillUnit>(&tree->units[i]);
+    if (skill == nullptr) continue;
+    const auto known = known_.find(path);
+    if (known == known_.end() || known->second.proofs == nullptr) continue;
+    for (const auto& proof : *known->second.proofs) {
+      if (proof.skill != skill->name.text) continue;
+      for (const auto& requirement : skill->requirements) {
+        const auto found = std::find_if(proof.requirements.begin(), proof.requirements.end(),
+                                        [&](const auto& each) { return each.name == requirement.name.text; });
+        if (found == proof.requirements.end() || requirement.where.end < from || requirement.where.begin > to) continue;
+        // Of an earlier text: what it said till the new proof is there.
+        const bool old = known->second.proved != known->second.analysis;
+        const bool open = proof.ended && found->state == "undecided";
+        result.push_back({{"position", json_of(text->position(requirement.where.end))},
+                          {"label", (old ? "(was) " : "") + found->bound + " of " + found->limit +
+                                        (found->exact ? ", exact" : "") +
+                                        (found->state == "fails" ? ", fails" : open ? ", not decided in time" : "")},
+                          {"paddingLeft", true},
+                          {"tooltip", found->measure + " in " + proof.environment + ": " + found->state}});
+      }
+    }
+  }
+  return result;
+}
+
+Json Session::code_lens(const Json& params) {
+  const auto path = path_in(params);
+  const auto text = workspace_.text(path);
+  const auto* tree = index_.tree(path);
+  Json result = Json::array();
+  if (text == nullptr || tree == nullptr) return result;
+  const auto lens = [&](const SourceSpan& where, const char* title, const char* command, Json arguments) {
+    if (commands_.contains(command))
+      result.push_back({{"range", range_of(*text, where.begin, where.end)},
+                        {"command", {{"title", title}, {"command", command}, {"arguments", {std::move(arguments)}}}}});
+  };
+  const auto roots = roots_of(path);
+  const auto known = known_.find(roots.front());
+  const std::string uri = workspace_.uri(path);
+  std::string first_skill;
+  if (known != known_.end() && known->second.analysis != nullptr && !known->second.analysis->specification.skills.empty())
+    first_skill = known->second.analysis->specification.skills.front().skill.name;
+  for (const auto& unit : tree->units) {
+    if (const auto* module = std::get_if<syntax::ModuleUnit>(&unit); module != nullptr && module->has_body) {
+      lens(module->where, "graph", "pal.showGraph", {{"uri", uri}, {"skill", first_skill}, {"module", module->name.text}});
+    }
+    const auto* skill = std::get_if<syntax::SkillUnit>(&unit);
+    if (skill == nullptr) continue;
+    std::string environment;
+    const Proofs* proofs = known == known_.end() ? nullptr : known->second.proofs.get();
+    if (known != known_.end() && known->second.sound != nullptr) {
+      const auto& sound = *known->second.sound;
+      for (std::size_t i = 0; i < sound.specification.skills.size(); ++i) {
+        const auto* chosen = sound.environment(i);
+        if (chosen != nullptr && sound.specification.skills[i].skill.name == skill->name.text)
+          environment = workspace_.uri(sound.path(chosen->where.file));
+      }
+    }
+    lens(skill->name.where, "what if", "pal.whatIf",
+         {{"uri", uri}, {"skill", skill->name.text}, {"environmentUri", environment}});
+    lens(skill->name.where, "run in the workcell", "pal.runInWorkcell", {{"uri", uri}, {"skill", skill->name.text}});
+    for (std::size_t i = 0; proofs != nullptr && i < proofs->size(); ++i) {
+      for (const auto& each : (*proofs)[i].requirements) {
+        const auto found = std::find_if(skill->requirements.begin(), skill->requirements.end(),
+                                        [&](const auto& written) { return written.name.text == each.name; });
+        if ((*proofs)[i].skill == skill->name.text && each.has_run && found != skill->requirements.end())
+          lens(found->name.where, "chart", "pal.showChart",
+               {{"uri", uri}, {"skill", skill->name.text}, {"requirement", each.name}});
+      }
+    }
+  }
+  return result;
+}
+
+Json Session::requirements(const Json& params) {
+  Json result = Json::array();
+  for (const auto& root : roots_of(path_in(params))) {
+    const Known& here = known(root);
+    const auto analysis = here.analysis;
+    for (std::size_t i = 0; i < analysis->specification.skills.size(); ++i) {
+      const auto& network = analysis->specification.skills[i];
+      const auto& where = network.skill.where;
+      const auto* environment = analysis->environment(i);
+      Json list = Json::array();
+      for (const auto& requirement : network.requirements) {
+        Json made{{"name", requirement.name},
+                  {"uri", workspace_.uri(analysis->path(requirement.where.file))},
+                  {"range", range_of(analysis->text(requirement.where.file), requirement.where.begin, requirement.where.end)},
+                  {"state", "open"}, {"bound", ""}, {"limit", ""}, {"exact", false}, {"message", ""}};
+        for (std::size_t k = 0; here.proved == analysis && here.proofs != nullptr && k < here.proofs->size(); ++k) {
+          for (const auto& each : (*here.proofs)[k].requirements) {
+            if ((*here.proofs)[k].skill != network.skill.name || each.name != requirement.name) continue;
+            std::string message;
+            for (const auto& finding : each.findings) message += (message.empty() ? "" : "\n") + finding.message;
+            made["state"] = each.state;
+            made["bound"] = each.bound;
+            made["limit"] = each.limit;
+            made["exact"] = each.exact;
+            made["message"] = message;
+          }
+        }
+        list.push_back(std::move(made));
+      }
+      result.push_back({{"skill", network.skill.name},
+                        {"uri", workspace_.uri(analysis->path(where.file))},
+                        {"range", range_of(analysis->text(where.file), where.begin, where.end)},
+                        {"environment", environment == nullptr ? "" : environment->name},
+                        {"requirements", std::move(list)}});
+    }
+  }
+  return result;
+}
+
+Json Session::picture(const Json& params) {
+  const std::string kind = string_of(params, "kind");
+  if (kind == "pan") return pan_picture(params);
+  if (kind == "atc") return atc_picture(params);
+  throw Refusal{invalid_params, "kind must be pan or atc"};
+}
+
+Json Session::pan_picture(const Json& params) {
+  const auto path = path_in(params);
+  const auto text = workspace_.text(path);
+  Json result = empty_picture(params);
+  const std::string wanted_skill = string_of(params, "skill");
+  const std::string wanted_module = string_of(params, "module");
+  const bool has_position = !member(params, "position").is_null() && text != nullptr;
+  const auto offset = has_position ? text->offset(position_of(member(params, "position"))) : 0;
+  const pan::Network* network = nullptr;
+  std::shared_ptr<const Analysis> analysis;
+  for (const auto& root : roots_of(path)) {
+    const Known& here = known(root);
+    const auto source = here.analysis->diagnostics.has_errors() && here.sound != nullptr ? here.sound : here.analysis;
+    for (const auto* list : {&source->specification.skills, &source->specification.sketches}) {
+      for (const auto& each : *list) {
+        result["choices"]["skills"].push_back(each.skill.name);
+        if (network != nullptr || (!wanted_skill.empty() && each.skill.name != wanted_skill)) continue;
+        network = &each;
+        analysis = source;
+        result["stale"] = source != here.analysis;
+      }
+    }
+  }
+  if (network == nullptr) {
+    result["reason"] = "there is no skill without errors in this file, and no module by itself";
+    return result;
+  }
+  std::optional<std::size_t> chosen;
+  const auto file = analysis->file(path);
+  for (std::size_t i = 0; i < network->modules.size(); ++i) {
+    const auto& module = network->modules[i];
+    if (module.body.empty()) continue;
+    result["choices"]["modules"].push_back(module.name);
+    const auto& nodes = module.body.nodes;
+    const bool here = has_position && file && nodes.front().where.file == *file &&
+                      nodes.front().where.begin <= offset && offset <= nodes.back().where.end;
+    if (!wanted_module.empty() ? module.name == wanted_module : here) chosen = i;
+  }
+  if (!chosen && wanted_module.empty()) {
+    for (std::size_t i = 0; i < network->modules.size() && !chosen; ++i) {
+      if (!network->modules[i].body.empty() && (!network->main.valid() || network->main.index() == i)) chosen = i;
+    }
+  }
+  if (!chosen) {
+    result["reason"] = wanted_module.empty() ? "no module has a body" : "there is no module '" + wanted_module + "' with a body";
+    return result;
+  }
+  pan::DotOptions options;
+  options.letters = flag_of(params, "letters");
+  if (options.letters) options.direction = pan::DotOptions::Direction::left_to_right;
+  Drawing drawing{pan::svg(pan::to_dot(*network, pan::ModuleId(*chosen), options)), {}};
+  drawing.places = places_of(drawing.svg, network->modules[*chosen].body);
+  result["skill"] = network->skill.name;
+  result["module"] = network->modules[*chosen].name;
+  result["title"] = network->modules[*chosen].name + " of " + network->skill.name;
+  result["places"] = picture_json(drawing, *analysis, workspace_);
+  result["svg"] = flag_of(params, "dark") ? in_dark(std::move(drawing.svg)) : std::move(drawing.svg);
+  return result;
+}
+
+Json Session::atc_picture(const Json& params) {
+  const auto path = path_in(params);
+  const auto text = workspace_.text(path);
+  Json result = empty_picture(params);
+  result["reason"] = "nothing is proved yet: there are errors, no environment, or no requirement";
+  const std::string wanted_skill = string_of(params, "skill");
+  const std::string wanted = string_of(params, "requirement");
+  const bool has_position = !member(params, "position").is_null() && text != nullptr;
+  const auto offset = has_position ? text->offset(position_of(member(params, "position"))) : 0;
+  for (const auto& root : roots_of(path)) {
+    const Known& here = known(root);
+    if (here.proofs == nullptr) continue;
+    for (const auto& proof : *here.proofs) {
+      result["choices"]["skills"].push_back(proof.skill);
+      if (!wanted_skill.empty() && proof.skill != wanted_skill) continue;
+      const auto file = here.proved == nullptr ? std::nullopt : here.proved->file(path);
+      std::optional<std::size_t> chosen, failing, any;
+      for (std::size_t i = 0; i < proof.requirements.size(); ++i) {
+        const auto& each = proof.requirements[i];
+        if (each.has_run || each.state == "undecided") result["choices"]["requirements"].push_back(each.name);
+        if (!each.has_run) continue;
+        const bool at = has_position && file && !each.findings.empty() && holds(each.findings.front().where, *file, offset);
+        if (!wanted.empty() ? each.name == wanted : at) chosen = i;
+        if (each.state == "fails" && !failing) failing = i;
+        if (!any) any = i;
+      }
+      if (!chosen && wanted.empty()) chosen = failing ? failing : any;
+      if (!result["svg"].get<std::string>().empty() || !chosen) continue;
+      const auto& each = proof.requirements[*chosen];
+      auto drawing = proof.chart(*chosen);
+      if (!drawing) continue;
+      result["reason"] = "";
+      result["skill"] = proof.skill;
+      result["requirement"] = each.name;
+      result["environment"] = proof.environment;
+      result["state"] = each.state;
+      result["stale"] = here.proved != here.analysis;
+      result["title"] = each.name + " of " + proof.skill + " in " + proof.environment;
+      result["places"] = picture_json(*drawing, *here.proved, workspace_);
+      result["svg"] = flag_of(params, "dark") ? in_dark(std::move(drawing->svg)) : std::move(drawing->svg);
+    }
+  }
+  if (result["svg"].get<std::string>().empty() && !wanted.empty())
+    result["reason"] = "'" + wanted + "' has no worst run to draw";
+  return result;
+}
+
+}  // namespace pal::language_server

@@ -1,0 +1,155 @@
+// One client's session, message by message, on one thread. Private to language_server: shows nlohmann's JSON.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "language_server/analysis.hpp"
+#include "language_server/index.hpp"
+#include "language_server/json.hpp"
+#include "language_server/server.hpp"
+#include "language_server/workspace.hpp"
+
+namespace pal::language_server {
+
+/// The proofs of one file's skills, to be made on another thread.
+struct ProofJob {
+  std::shared_ptr<const Analysis> analysis;
+  std::uint64_t revision = 0;  // of the workspace, when it was asked for
+  double seconds = 0;
+};
+
+/// What is known of a file with skills.
+struct Known {
+  std::shared_ptr<const Analysis> analysis;  // of the present text
+  std::shared_ptr<const Analysis> sound;     // the last one without errors
+  std::shared_ptr<const Analysis> proved;    // the one that `proofs` are of
+  std::shared_ptr<const Proofs> proofs;
+};
+
+class Session {
+ public:
+  using Send = std::function<void(const Json& message)>;
+
+  Session(const FileSystem& disk, const Options& options, Send send)
+      : workspace_(disk), index_(workspace_), options_(options), send_(std::move(send)) {}
+
+  /// Handles one message: answers a request, or takes a notification. `cancelled`: the client wants no answer.
+  void receive(const Json& message, bool cancelled = false);
+
+  /// Checks what has changed and publishes its findings. Once `newer` says that a message waits, the rest is
+  /// left for the next call. Whether all is done.
+  bool check(const std::function<bool()>& newer);
+
+  /// The proofs to be made for what was checked; earlier ones are of no use any more.
+  std::vector<ProofJob> take_jobs();
+  void proved(const ProofJob& job, Proofs proofs);
+
+  /// After the notification `exit`.
+  bool is_over() const { return over_; }
+  bool was_shut_down() const { return shut_down_; }
+
+ private:
+  using Handler = Json (Session::*)(const Json& params);
+  static const std::map<std::string, Handler>& requests();
+  static const std::map<std::string, void (Session::*)(const Json& params)>& notifications();
+
+  // session.cpp
+  Json initialize(const Json& params);
+  Json shutdown(const Json& params);
+  void initialized(const Json& params);
+  void exit(const Json& params);
+  void did_open(const Json& params);
+  void did_change(const Json& params);
+  void did_close(const Json& params);
+  void did_save(const Json& params);
+  void did_change_watched(const Json& params);
+  void did_change_configuration(const Json& params);
+  void did_change_folders(const Json& params);
+  void ignore(const Json&) {}
+  void configure(const Json& settings);
+  void notify(const char* method, Json params) { send_({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}); }
+  void ask_client(const char* method, Json params);
+  /// The path of a document; refuses what is no file.
+  std::string path_in(const Json& params) const;
+  /// … that can be read, and the byte at its position.
+  struct Place {
+    std::string path;
+    std::shared_ptr<const Text> text;
+    std::uint32_t offset = 0;
+  };
+  Place place_in(const Json& params) const;
+  Json location(const SourceSpan& where) const;  // of the index
+
+  // findings.cpp
+  std::vector<std::string> roots_of(const std::string& path);
+  /// Up to date, also if it was not checked yet.
+  const Known& known(const std::string& root);
+  void publish();
+  std::vector<Diagnostic> findings(const Known& known, const std::string& path) const;
+  Json code_action(const Json& params);
+
+  // navigation.cpp
+  Json definition(const Json& params);
+  Json references(const Json& params);
+  Json document_highlight(const Json& params);
+  Json prepare_rename(const Json& params);
+  Json rename(const Json& params);
+  std::vector<std::size_t> symbols_at(const Place& place, std::shared_ptr<const Family>& family);
+  std::vector<SourceSpan> uses_of(const Place& place, bool declarations);
+
+  // outline.cpp
+  Json document_symbol(const Json& params);
+  Json workspace_symbol(const Json& params);
+  Json folding_range(const Json& params);
+  Json document_link(const Json& params);
+  Json semantic_tokens(const Json& params);
+
+  // hover.cpp
+  Json hover(const Json& params);
+  std::string about(const check::Symbol& symbol, const Family& family);
+
+  // completion.cpp
+  Json completion(const Json& params);
+
+  // layout.cpp
+  Json formatting(const Json& params);
+  Json range_formatting(const Json& params);
+
+  // proof_view.cpp
+  Json inlay_hint(const Json& params);
+  Json code_lens(const Json& params);
+  Json requirements(const Json& params);
+  Json picture(const Json& params);
+  Json pan_picture(const Json& params);
+  Json atc_picture(const Json& params);
+
+  Workspace workspace_;
+  Index index_;
+  Options options_;
+  Send send_;
+  bool initialized_ = false;
+  bool shut_down_ = false;
+  bool over_ = false;
+
+  // The client: what it can, and its settings.
+  bool progress_ = false, watches_ = false, refreshes_hints_ = false, refreshes_lenses_ = false, snippets_ = false;
+  std::vector<std::string> environments_;
+  double proof_seconds_ = 2;
+  bool hints_ = true, pictures_ = false;
+  std::set<std::string> commands_;
+  int asked_ = 0;
+
+  std::map<std::string, Known> known_;    // by root
+  std::set<std::string> published_;       // paths with findings that the client shows
+  std::set<std::string> to_check_;        // open files
+  std::vector<ProofJob> jobs_;
+  bool progress_shown_ = false;
+};
+
+}  // namespace pal::language_server

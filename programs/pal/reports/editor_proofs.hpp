@@ -1,0 +1,15 @@
+// Proofs as an editor shows them, with the words of all other reports.
+#pragma once
+
+#include "language_server/proofs.hpp"
+
+namespace pal::program {
+
+class EditorProver : public language_server::Prover {
+ public:
+  language_server::SkillProof prove(const pan::Network& skill, const pan::Environment& environment,
+                                    const SourceManager& sources, double seconds,
+                                    const std::function<bool()>& stop) const override;
+};
+
+}  // namespace pal::program
