@@ -152,8 +152,6 @@ try:
     call("operation.from", icon="look")
     call("operation.step")
     assert cell.until(event="ends", icon="look")["kind"] == "normal"
-    cell.until(event="state")
-    call("operation.run")
     cell.until(event="state", state="ended")
     call("operation.clear")
     call("operation.stop")
