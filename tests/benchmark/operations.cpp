@@ -183,7 +183,7 @@ class ServedCell {
  private:
   static server::ServerOptions server_options() {
     server::ServerOptions result;
-    result.token = "token";
+    result.tokens.programmer = "token";
     return result;
   }
   server::Server server_;
@@ -225,7 +225,7 @@ void sleeping_client() {
 void events() {
   constexpr int count = 50'000;
   server::ServerOptions options;
-  options.token = "token";
+  options.tokens.programmer = "token";
   server::Server server(options);
   Nothing runner;
   server::Desk desk(runner, {}, server);
