@@ -88,7 +88,13 @@ Json workspace_edit(std::vector<Edit> edits, const Analysis& analysis, const Wor
 }  // namespace
 
 std::vector<std::string> Session::roots_of(const std::string& path) {
-  return index_.roots(path);
+  auto roots = index_.roots(path);
+  for (const auto& [root, known] : known_) {  // an environment: the open skills that are checked with it
+    if (known.analysis != nullptr && known.analysis->file(path) &&
+        std::find(roots.begin(), roots.end(), root) == roots.end())
+      roots.push_back(root);
+  }
+  return roots;
 }
 
 const Known& Session::known(const std::string& root) {

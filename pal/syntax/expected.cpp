@@ -92,7 +92,8 @@ class Walker {
     } else if (transition.isEpsilon()) {
       open.emplace_back(transition.target, index);
     } else if (index == types_.size()) {
-      for (const auto& interval : transition.label().getIntervals()) {
+      const antlr4::misc::IntervalSet label = transition.label();
+      for (const auto& interval : label.getIntervals()) {
         for (auto type = interval.a; type <= interval.b; ++type) may_come(static_cast<std::size_t>(type));
       }
     } else if (transition.matches(types_[index], 1, Parser::STRAY)) {

@@ -45,11 +45,11 @@ END
 const std::string skill = R"(USES "shared.pal"
 
 SKILL feel
-  SENSOR DRIVER SD1
+  SENSOR DRIVER  SD1
   LOGICAL SENSOR LS1
-  SKILL METHOD SM1
+  SKILL METHOD   SM1
   COMPLETION 0 NORMAL "done"
-  COMPLETION 2 ERROR "any fault"
+  COMPLETION 2 ERROR  "any fault"
 
   REQUIREMENT soon : DURATION TO COMPLETION 0 AT MOST 20 ms
 END SKILL
@@ -336,7 +336,7 @@ TEST_CASE("completion knows kinds and layers") {
   const int condition = client.ask_at("textDocument/completion", "feel.pal", "\n  CASE");
   client.open("feel.pal", replaced(skill, "  look\n", "  \n"));
   const int statement = client.ask_at("textDocument/completion", "feel.pal", "\n  SPC");
-  client.open("feel.pal", replaced(skill, "SENSOR DRIVER SD1", "SENSOR DRIVER "));
+  client.open("feel.pal", replaced(skill, "SENSOR DRIVER  SD1", "SENSOR DRIVER  "));
   const int driver = client.ask_at("textDocument/completion", "feel.pal", "\n  LOGICAL");
   client.run();
   CHECK(labels(client.result(sender)).contains("LS1"));

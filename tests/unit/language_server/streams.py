@@ -38,7 +38,7 @@ def note(method, params=None):
 
 
 def main(pal, source):
-    folder = pathlib.Path(source) / "skills_pal"
+    folder = pathlib.Path(source).resolve() / "skills_pal"
     uri = (folder / "touch" / "touch.pal").as_uri()
     text = (folder / "touch" / "touch.pal").read_text()
     begin = [request(1, "initialize", {"rootUri": folder.as_uri(), "capabilities": {}}), note("initialized"),

@@ -36,7 +36,7 @@ TEST_CASE("columns are UTF-16") {
   text.replace({0, 1}, {0, 4}, "xyz\n");
   CHECK(text.content() == "axyz\nb\r\nsecond\rthird");
   text.replace({1, 1}, {0, 4}, "");  // in the wrong order
-  CHECK(text.content() == "axyzb\r\nsecond\rthird");
+  CHECK(text.content() == "axyz\r\nsecond\rthird");
 }
 
 TEST_CASE("URIs have escapes") {
