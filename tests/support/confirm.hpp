@@ -59,11 +59,12 @@ inline std::string gap_in(const std::vector<analyzer::Reason>& reasons, analyzer
   return at == to ? "" : "it ends at " + std::to_string(at) + " ns";
 }
 
-/// Why the pieces that explain a verdict do not make up the value of its witness; empty: they do, without
-/// gaps.
+/// Why the pieces that explain a verdict do not make up the value of its witness (of the first turns, if the
+/// value grows in a loop); empty: they do, without gaps.
 inline std::string unexplained(const analyzer::Verdict& verdict) {
   if (verdict.reasons.empty() || !verdict.witness) return {};
-  return gap_in(verdict.reasons, verdict.witness->measured.born, verdict.witness->measured.at);
+  const analyzer::Witness& shown = verdict.loop_growth ? verdict.loop_growth->first_turns : *verdict.witness;
+  return gap_in(verdict.reasons, shown.measured.born, shown.measured.at);
 }
 
 }  // namespace pal::test

@@ -107,8 +107,10 @@ class Finder final : public runtime::Device {
   }
   void open() override {}
   void receive(std::size_t, std::span<const double>) override {
+    host_->mark_busy(true);  // a device of a generated class does so by itself
     host_->at(host_->now() + 5ms, [this] {
       count_allocations(true);
+      host_->mark_busy(false);
       host_->deliver(1, numbers_);
     });
   }
