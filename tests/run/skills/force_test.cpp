@@ -177,11 +177,11 @@ TEST_CASE("press gives up after 30 s outside its band, completion 3") {
   // Told a stiffness of a twentieth of what is there: each try leads far over the force.
   const auto result = run({.skill = "press",
                            .scene = "plate-20",
-                           .parameters = {{"force", 5}, {"band", 0.2}, {"time", 3}, {"stiffness", 0.5}}});
+                           .parameters = {{"force", 5}, {"band", 0.2}, {"time", 6}, {"stiffness", 0.5}}});
   CHECK(end_of(result.outcome) == "press 3");
   CHECK(result.outcome.reason.find("the force does not stay in its band") != std::string::npos);
-  CHECK(result.outcome.duration > std::chrono::seconds(33));
-  CHECK(result.outcome.duration < std::chrono::seconds(40));
+  CHECK(result.outcome.duration > std::chrono::seconds(36));
+  CHECK(result.outcome.duration < std::chrono::seconds(45));
   CHECK(stands_still(result));
 }
 
