@@ -18,7 +18,7 @@ try {
     packages: "external", outExtension: { ".js": ".mjs" }, define: { "import.meta.dirname": JSON.stringify(root) }, logLevel: "warning", jsx: "automatic", loader: { ".css": "empty", ".woff2": "empty" },
   });
   const environment = { ...process.env, WORKSTATION: root, WORKSTATION_PAGE: option("--page") ?? join(root, "../build/release/share/pal/workstation"), WORKCELL: option("--workcell") ?? join(root, "../build/release/bin/workcell") };
-  const run = spawnSync(process.execPath, ["--test", ...files.map((each) => join(out, each.replace(/\.ts$/, ".mjs")))], { stdio: "inherit", env: environment });
+  const run = spawnSync(process.execPath, ["--test", "--test-concurrency=1", ...files.map((each) => join(out, each.replace(/\.ts$/, ".mjs")))], { stdio: "inherit", env: environment });
   process.exitCode = run.status ?? 1;
 } finally {
   rmSync(out, { recursive: true });

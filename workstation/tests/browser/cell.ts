@@ -2,6 +2,7 @@
 import { spawn, type ChildProcess } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, existsSync, mkdirSync } from "node:fs";
 import { createServer } from "node:net";
+import { after } from "node:test";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -15,6 +16,12 @@ export interface Cell {
   kill(): Promise<void>;
   end(): Promise<void>;
 }
+
+/** Cells that run: one that its test did not reach to end would keep the program of the tests alive. */
+const running = new Set<Cell>();
+after(async () => {
+  for (const each of running) await each.end();
+});
 
 const sleep = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
 
@@ -55,14 +62,17 @@ export async function cell(scene: string, options: readonly string[] = ["--fast"
   const gone = new Promise<void>((resolve) => child.on("exit", () => resolve()));
   const { token } = await announced(file, child, () => text);
   const address = `http://127.0.0.1:${port}`;
-  return {
+  const made: Cell = {
     address, token, folder, port, url: `${address}/#token=${token}`,
     kill: async () => (child.kill("SIGKILL"), gone),
     end: async () => {
+      running.delete(made);
       child.kill("SIGTERM");
       await Promise.race([gone, sleep(5000).then(() => child.kill("SIGKILL"))]);
       await gone;
       rmSync(folder, { recursive: true, force: true });
     },
   };
+  running.add(made);
+  return made;
 }
