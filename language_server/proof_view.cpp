@@ -5,23 +5,18 @@
 
 #include "language_server/session.hpp"
 #include "pal/pan/dot.hpp"
-#include "pal/support/xml.hpp"
 
 namespace pal::language_server {
 
 namespace {
 
-/// What a dark editor shows instead of black on white.
-constexpr const char* dark_style =
-    "<style>text{fill:#ddd!important}path,polygon,polyline,line,rect{stroke:#bbb}"
-    "polygon[fill=\"white\"],polygon[fill=\"#ffffff\"],rect.paper,.fold{fill:transparent!important}"
-    "polygon[fill=\"black\"]{fill:#ddd!important}.node polygon:not([fill=\"none\"]){fill:#2d3a45!important}"
-    ".message-name,.halo{stroke:#1e1e1e!important}.on-light,.on-dark{fill:#000!important}</style>";
-
+/// Light lines on a dark ground, in the same hues; the paper of a PAN becomes transparent.
 std::string in_dark(std::string svg) {
+  constexpr std::string_view paper = "<polygon fill=\"white\"";
+  if (const auto at = svg.find(paper); at != std::string::npos)
+    svg.replace(at, paper.size(), "<polygon fill=\"transparent\"");
   const auto open = svg.find("<svg");
-  const auto end = open == std::string::npos ? open : svg.find('>', open);
-  if (end != std::string::npos) svg.insert(end + 1, dark_style);
+  if (open != std::string::npos) svg.insert(open + 4, " style=\"filter:invert(.88) hue-rotate(180deg)\"");
   return svg;
 }
 
