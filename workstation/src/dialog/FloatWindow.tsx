@@ -56,7 +56,7 @@ export function FloatWindow({ window: own, title, wide = false, footer, children
         <h2 id={id}>{title}</h2>
         <Button className="button quiet only" aria-label={t("window.close", { title })} onPress={close}><Symbol name="cross" size={18} /></Button>
       </div>
-      <div className="window-body">{children}</div>
+      <div className="window-body" tabIndex={0}>{children}</div>
       {footer && <div className="window-foot">{footer}</div>}
     </section>
   );

@@ -18,7 +18,7 @@ export async function openPage(from: Browser, url: string, options: BrowserConte
   errors.set(page, seen);
   page.on("pageerror", (error) => seen.push(error.message));
   page.on("console", (message) => /content security policy/i.test(message.text()) && seen.push(message.text()));
-  page.setDefaultTimeout(8000);
+  page.setDefaultTimeout(30000);
   await page.goto(url);
   return page;
 }
