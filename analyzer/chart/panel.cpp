@@ -11,7 +11,6 @@ namespace {
 
 constexpr Length group_x = Margin::group_x;
 constexpr Length deadline_row = 240;
-constexpr Length dimension_row = 190;
 constexpr Length fold_edge = 40;
 constexpr Length right_margin = 130;  // of the page, beyond panel_right
 

@@ -16,6 +16,7 @@ namespace pal::analyzer::chart {
 /// Right edge of time; the left one is the margin's.
 constexpr Length panel_right = 9250;
 constexpr Length fold_width = 300;
+constexpr Length dimension_row = 190;  // height of a row of dimension lines
 
 /// `labelled`: rows with room for labels above the bars; otherwise rows are low and only what fits into a bar
 /// is written.

@@ -1,4 +1,4 @@
-// Pieces of time in which nothing of interest happens: left out, and marked.
+// Pieces of time in which threads wait, or are ready and have no processor.
 #include <algorithm>
 
 #include "analyzer/chart/chart.hpp"

@@ -1,4 +1,4 @@
-// The lanes of a chart: bars of threads, processors and devices.
+// The lanes of a chart: bars of threads, processors and devices, and waveforms.
 #include <algorithm>
 
 #include "analyzer/chart/chart.hpp"

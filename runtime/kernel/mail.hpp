@@ -1,4 +1,4 @@
-// The channels of a run: putting, taking, waiting, withdrawing (docs/reference/execution-model.md, Messages).
+// The channels of a run: putting, taking, waiting, giving up (WITHIN), withdrawing (docs/reference/execution-model.md, Messages).
 #pragma once
 
 #include <array>

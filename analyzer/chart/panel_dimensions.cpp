@@ -1,4 +1,4 @@
-// Dimension lines: an interval with its length, above or below what it measures.
+// The measured interval of a requirement, an age or a response, as a dimension line with its length.
 #include <algorithm>
 
 #include "analyzer/chart/chart.hpp"
@@ -8,7 +8,6 @@ namespace pal::analyzer::chart {
 
 namespace {
 
-constexpr Length dimension_row = 190;
 constexpr Length figure_font = 105;
 
 std::string figure(const Layer& layer, std::int64_t ns) {
