@@ -90,11 +90,11 @@ class LineSession final : public Session {
   }
   void show(const std::shared_ptr<const Telemetry>& telemetry) override {
     if (!looks()) return;
-    output_.send_sample([telemetry](std::uint64_t) {
+    output_.send_sample({[telemetry](std::uint64_t) {
       std::string text = ">";
       for (const double figure : telemetry->force) text += fmt::format("{:8.2f}", figure).substr(0, 8);
       return text + "\r\n";
-    });
+    }});
   }
   void show(Duration, const std::shared_ptr<const Profile>&) override {}
   bool admitted() const override { return client_.has_value(); }

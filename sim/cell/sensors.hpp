@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/cell/question.hpp"
@@ -17,6 +18,7 @@ struct SensorSpec {
   std::string name;
   std::string unit;  // empty: a plain number
   std::string description;
+  std::optional<std::pair<double, double>> range{};  // that it can show; nothing: not known
 };
 
 /// Of the force-torque sensor, the arm's tool, and the scene's own sensors.

@@ -101,7 +101,7 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
 operations::Sensors sensors_of(const sim::Cell& cell) {
   operations::Sensors result;
   for (const sim::SensorSpec& sensor : cell.sensors())
-    result[sensor.name] = {sensor.unit, sensor.description};
+    result[sensor.name] = {sensor.unit, sensor.description, sensor.range};
   return result;
 }
 
@@ -159,7 +159,12 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   options.trace_capacity = 1U << 14U;
   options.on_broken_promise = on_broken_promise_;
   figures_.begin();
+  if (margins_ != nullptr) {
+    margins_->begin(*skill);
+    options.live = &margins_->ring();
+  }
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
+  if (margins_ != nullptr) margins_->end();
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
   if (outcome.fault && control_.load()->stopping()) {
     result.kind = SkillResult::Kind::stopped;
