@@ -94,6 +94,12 @@ try:
     skills = {each["skill"]: each for each in call("skills")}
     assert skills["touch"]["able"] and not skills["pick-at-location"]["able"], skills["pick-at-location"]
     assert any(each["sensor"] == "force-z" for each in call("sensors"))
+    told = call("skill.check", skill="touch", parameters={"approach-speed": 10})
+    assert told["runs"] and told["findings"] == [], told
+    told = call("skill.check", skill="touch", parameters={"approach-speed": 6000, "colour": 1})
+    assert not told["runs"] and {each["field"] for each in told["findings"]} == {"parameters/approach-speed", "parameters/colour"}, told
+    told = call("skill.check", skill="pick-at-location")
+    assert not told["runs"] and "tool gripper" in told["findings"][0]["message"] + told["findings"][0]["hint"], told
     assert call("clients")[-1]["name"] == "script"
     assert "PAL1006" in call("explain", code="PAL1006")["code"]
     refused("absent", call, "explain", code="PAL9999")
@@ -187,6 +193,13 @@ try:
     frame = cell.notice("binary")
     assert frame["head"]["channel"] == "pose" and len(frame["numbers"]) == frame["head"]["spans"] * (3 + 3 * 6), frame
     call("channels.watch", channels=[])
+
+    # Pictures of skills, which are drawn meanwhile.
+    while not (drawn := {each["skill"]: each for each in call("skills")}["touch"]["pictures"]):
+        time.sleep(0.2)
+    for picture in drawn:
+        status, fields, body = server.get(picture["path"])
+        assert status == 200 and fields["Content-Type"] == "image/svg+xml" and b"<svg" in body, (picture, status)
 
     # How near it came to its requirements, beside what is proved.
     def measured():

@@ -148,6 +148,8 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   server::ServerOptions offered = server_options(command);
   offered.store = store ? &*store : nullptr;
   offered.knowledge = &knowledge;
+  const SkillPictures pictures;
+  offered.pages.push_back({"/files/", pictures.folder()});
   offered.runs = &runs;
   offered.channels = live_channels(sim::tool_of(scene));
   const auto server = open_server(offered);
@@ -201,10 +203,11 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
   clock_reader = &desk;
   desk.tell_time(runner.now());
-  const SkillScholar scholar(known, command.skill_folders, knowledge);
+  const SkillScholar scholar(known, command.skill_folders, knowledge, pictures);
   server->start(desk, true);
-  const std::string path =
-      command.announcement.empty() ? server::default_announcement() : command.announcement;
+  const std::string path = command.announcement.empty()
+                               ? server::default_announcement(scene.name, server->port())
+                               : command.announcement;
   const Announced announced(path, {command.address, server->port(), offered.tokens});
   tell_addresses(command, scene, *server, path, offered.tokens, out);
   while (!desk.ended()) {

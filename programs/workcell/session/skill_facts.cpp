@@ -75,10 +75,11 @@ void note(const pan::Network& network, const analyzer::Analysis& analysis, serve
 }  // namespace
 
 SkillScholar::SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
-                           server::Knowledge& knowledge) {
+                           server::Knowledge& knowledge, const SkillPictures& pictures) {
   for (const std::string& folder : folders) {
     if (!std::filesystem::is_directory(folder)) continue;
-    thread_ = std::thread([this, &known, folder, &knowledge] { study(known, folder, knowledge); });
+    thread_ = std::thread(
+        [this, &known, folder, &knowledge, &pictures] { study(known, folder, knowledge, pictures); });
     return;
   }
 }
@@ -89,7 +90,7 @@ SkillScholar::~SkillScholar() {
 }
 
 void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string& folder,
-                         server::Knowledge& knowledge) const {
+                         server::Knowledge& knowledge, const SkillPictures& pictures) const {
   // The cell's own threads come first; on Linux this is of the thread.
   constexpr int least_urgent = 19;
   ::setpriority(PRIO_PROCESS, 0, least_urgent);
@@ -124,9 +125,15 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string
   options.stop = [this, usual = options.stop] { return ending_.load() || (usual && usual()); };
   for (const pan::Network& network : session.specification.skills) {
     if (ending_) return;
-    const auto problem = program::problem_of(network, *cell, session);
+    auto& drawn = facts->skills[network.skill.name].pictures;
+    pictures.draw_modules(network, drawn);
+    auto problem = program::problem_of(network, *cell, session);
     if (!problem) continue;
-    note(network, analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options), *facts);
+    program::Proof proof;
+    proof.analysis = analyzer::analyze(*problem, analyzer::AnalysisChoice::thorough, options);
+    proof.problem = std::move(*problem);
+    note(network, proof.analysis, *facts);
+    if (!ending_) pictures.draw_runs(proof, drawn);
     if (!ending_) knowledge.learn(std::make_shared<server::Facts>(*facts));
   }
 }
