@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Figures of the server: from an event to its clients, from a stop to its answer under load, what an idle cell costs, what
 live channels cost the simulation, memory over time. Prints them with the machine.
 
