@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/cell/sensor_range.hpp"
+
 namespace pal::sim {
 namespace {
 
@@ -60,11 +62,16 @@ std::optional<double> nearest(const std::vector<double>& profile) {
 std::vector<SensorSpec> sensors_of(const Workcell& workcell) {
   std::vector<SensorSpec> result;
   for (const Quantity& each : quantities)
-    if (is_there(each, workcell.tool_kind()))
-      result.push_back({each.name, each.unit, each.description, std::pair(each.low, each.high)});
+    if (is_there(each, workcell.tool_kind())) result.push_back({each.name, each.unit, each.description});
   for (const auto& [name, place] : workcell.fixed_sensors())
-    result.push_back({name, "mm", "from this fixed sensor down to what it meets", {}});
+    result.push_back({name, "mm", "from this fixed sensor down to what it meets"});
   return result;
+}
+
+std::optional<std::pair<double, double>> sensor_range(const std::string& sensor) {
+  const Quantity* known = find(sensor);
+  if (known == nullptr) return std::nullopt;
+  return std::pair(known->low, known->high);
 }
 
 std::optional<Source> source_of(const std::string& sensor) {

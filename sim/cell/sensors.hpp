@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/cell/question.hpp"
@@ -18,7 +17,6 @@ struct SensorSpec {
   std::string name;
   std::string unit;  // empty: a plain number
   std::string description;
-  std::optional<std::pair<double, double>> range{};  // that it can show; nothing: not known
 };
 
 /// Of the force-torque sensor, the arm's tool, and the scene's own sensors.

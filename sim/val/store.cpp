@@ -76,18 +76,6 @@ std::vector<StoreProblem> read_store(std::string_view text, Store& store) {
   return {};
 }
 
-std::string problem_of_name(const std::string& name) {
-  try {
-    Line line(name);
-    const std::string read = line.name();
-    line.end();
-    if (read == name) return {};
-    return "'" + name + "' would be read as '" + read + "'";
-  } catch (const Error& error) {
-    return "'" + name + "' is no name of a location: " + error.shown();
-  }
-}
-
 std::string write_store(const Store& store) {
   std::string text;
   std::array<char, 160> row{};

@@ -27,10 +27,6 @@ struct StoreProblem {
 /// problem.
 std::vector<StoreProblem> read_store(std::string_view text, Store& store);
 
-/// Why VAL could not use this name of a location, as it is written; empty: it can. VAL reads all letters as
-/// capitals.
-std::string problem_of_name(const std::string& name);
-
 /// What read_store reads: the same store within rounding of 1e-4 mm and 1e-5 degrees.
 std::string write_store(const Store& store);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "programs/workcell/session/needed_tool.hpp"
+#include "sim/cell/sensor_range.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -101,7 +102,7 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
 operations::Sensors sensors_of(const sim::Cell& cell) {
   operations::Sensors result;
   for (const sim::SensorSpec& sensor : cell.sensors())
-    result[sensor.name] = {sensor.unit, sensor.description, sensor.range};
+    result[sensor.name] = {sensor.unit, sensor.description, sim::sensor_range(sensor.name)};
   return result;
 }
 

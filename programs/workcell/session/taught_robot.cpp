@@ -1,6 +1,8 @@
 #include "programs/workcell/session/taught_robot.hpp"
 
 #include "sim/controller/motion_controller.hpp"
+#include "sim/val/error.hpp"
+#include "sim/val/expression.hpp"
 #include "sim/val/transformation.hpp"
 
 namespace pal::workcell {
@@ -41,7 +43,15 @@ void CellRobot::forget(const std::string& name) {
 }
 
 std::string CellRobot::problem_of_name(const std::string& name) const {
-  return sim::val::problem_of_name(name);
+  try {
+    sim::val::Line line(name);
+    const std::string read = line.name();
+    line.end();
+    // VAL reads all letters as capitals.
+    return read == name ? "" : "'" + name + "' would be read as '" + read + "'";
+  } catch (const sim::val::Error& error) {
+    return "'" + name + "' is no name of a location: " + error.shown();
+  }
 }
 
 }  // namespace pal::workcell
