@@ -29,6 +29,18 @@ bool is_load(const pan::Requirement& requirement) {
   return std::holds_alternative<pan::Load>(requirement.measure);
 }
 
+bool is_from_below(const pan::Requirement& requirement) {
+  const auto* passes = std::get_if<pan::Passes>(&requirement.measure);
+  return passes != nullptr && passes->least && !passes->most;
+}
+
+Duration limit_of(const pan::Requirement& requirement) {
+  const auto* passes = std::get_if<pan::Passes>(&requirement.measure);
+  return passes == nullptr ? requirement.limit
+         : passes->most    ? *passes->most
+                           : passes->least.value_or(Duration{});
+}
+
 /// Seconds, or per cent of a load: nanoseconds of work in a second.
 double in_unit(const pan::Requirement& requirement, Duration value) {
   const double seconds = static_cast<double>(value.count()) / 1e9;
@@ -51,8 +63,8 @@ server::SkillFacts facts_of(const pan::Network& network, const std::string& envi
   facts.environment = environment;
   for (const pan::Requirement& requirement : network.requirements)
     facts.requirements.push_back({requirement.name, text_of(requirement, sources), Verdict::proving,
-                                  std::nullopt, in_unit(requirement, requirement.limit),
-                                  is_load(requirement) ? "%" : "s"});
+                                  std::nullopt, in_unit(requirement, limit_of(requirement)),
+                                  is_load(requirement) ? "%" : "s", is_from_below(requirement)});
   return facts;
 }
 
