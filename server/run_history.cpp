@@ -135,9 +135,8 @@ struct RunHistory::Parts {
   void prepare() {
     // What the program has committed outlives the program; after a power cut the file is whole, too.
     execute(database, "PRAGMA auto_vacuum=INCREMENTAL; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;");
-    Query version(database, "PRAGMA user_version");
-    version.next();
-    if (version.number(0) > history_format) refuse(Refusal::Why::failed, "it was written by a newer program");
+    if (pragma("PRAGMA user_version") > history_format)
+      refuse(Refusal::Why::failed, "it was written by a newer program");
     execute(database,
             "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, kind INTEGER, name TEXT, begun_ms "
             "INTEGER, ended_ms INTEGER, begin_ns INTEGER, end_ns INTEGER, by TEXT, state TEXT, code INTEGER, "

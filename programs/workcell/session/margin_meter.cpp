@@ -37,15 +37,16 @@ MarginMeter::~MarginMeter() {
   thread_.join();
 }
 
-void MarginMeter::begin(const runtime::Skill& skill) {
+runtime::TraceRing* MarginMeter::begin(const runtime::Skill& skill) {
   auto run = std::make_unique<Run>(skill.wiring());
-  if (!run->watch.any()) return;
+  if (!run->watch.any()) return nullptr;
   run->dropped_before = ring_.dropped();
   {
     const std::lock_guard lock(mutex_);
     run_ = std::move(run);
   }
   changed_.notify_all();
+  return &ring_;
 }
 
 void MarginMeter::end() {

@@ -13,7 +13,7 @@
 
 namespace pal::workcell {
 
-/// The run puts its events into ring(), and never waits. What finds no room there ends the measuring of that
+/// The run puts its events into a ring, and never waits. What finds no room there ends the measuring of that
 /// run, since a gap would show times that were not.
 class MarginMeter {
  public:
@@ -23,11 +23,11 @@ class MarginMeter {
   MarginMeter(const MarginMeter&) = delete;
   MarginMeter& operator=(const MarginMeter&) = delete;
 
-  /// The skill, which outlives the run, is about to run.
-  void begin(const runtime::Skill& skill);
+  /// The skill, which outlives the run, is about to run. Where its run puts its events; null: it has no
+  /// requirement that a run shows.
+  runtime::TraceRing* begin(const runtime::Skill& skill);
   /// Its run is over.
   void end();
-  runtime::TraceRing& ring() { return ring_; }
 
  private:
   struct Run;

@@ -130,6 +130,11 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string
         if (const auto tool = needed_tool(*each.make())) skill.tool = sim::to_string(*tool);
   }
   knowledge.learn(std::make_shared<server::Facts>(*facts));
+  for (const pan::Network& network : session.specification.skills) {
+    if (ending_) return;
+    pictures.draw_modules(network, facts->skills[network.skill.name].pictures);
+  }
+  knowledge.learn(std::make_shared<server::Facts>(*facts));
   if (cell == nullptr) return;
   program::ProofLimits limits;
   limits.threads = 1;
@@ -137,15 +142,13 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string
   options.stop = [this, usual = options.stop] { return ending_.load() || (usual && usual()); };
   for (const pan::Network& network : session.specification.skills) {
     if (ending_) return;
-    auto& drawn = facts->skills[network.skill.name].pictures;
-    pictures.draw_modules(network, drawn);
     auto problem = program::problem_of(network, *cell, session);
     if (!problem) continue;
     program::Proof proof;
     proof.analysis = analyzer::analyze(*problem, analyzer::AnalysisChoice::thorough, options);
     proof.problem = std::move(*problem);
     note(network, proof.analysis, *facts);
-    if (!ending_) pictures.draw_runs(proof, drawn);
+    if (!ending_) pictures.draw_runs(proof, facts->skills[network.skill.name].pictures);
     if (!ending_) knowledge.learn(std::make_shared<server::Facts>(*facts));
   }
 }
