@@ -145,7 +145,7 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string
     auto problem = program::problem_of(network, *cell, session);
     if (!problem) continue;
     program::Proof proof;
-    proof.analysis = analyzer::analyze(*problem, analyzer::AnalysisChoice::thorough, options);
+    proof.analysis = analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options);
     proof.problem = std::move(*problem);
     note(network, proof.analysis, *facts);
     if (!ending_) pictures.draw_runs(proof, facts->skills[network.skill.name].pictures);
