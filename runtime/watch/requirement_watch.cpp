@@ -14,7 +14,7 @@ trace::Marks marks(std::span<const int> rows, std::size_t size) {
 }  // namespace
 
 RequirementWatch::RequirementWatch(const Wiring& wiring, const trace::Trace& tables)
-    : wiring_(wiring), inheritance_(tables) {
+    : wiring_(wiring), inheritance_(tables), worst_(wiring.requirements.size()) {
   using Measure = RequirementSpec::Measure;
   for (std::size_t r = 0; r < wiring.requirements.size(); ++r) {
     const RequirementSpec& spec = wiring.requirements[r];
@@ -46,6 +46,10 @@ RequirementWatch::RequirementWatch(const Wiring& wiring, const trace::Trace& tab
 void RequirementWatch::check(const Watched& watched, const std::optional<trace::Occurrence>& seen) {
   if (!seen) return;
   const Time length(seen->length_ns());
+  std::optional<Time>& worst = worst_[watched.requirement];
+  worst = !worst                              ? length
+          : spec(watched).most == Time::max() ? std::min(*worst, length)
+                                              : std::max(*worst, length);
   if (length > spec(watched).most || length < spec(watched).least)
     exceeded_.push_back({watched.requirement, length, seen->actor, seen->statement, false});
 }

@@ -156,6 +156,7 @@ struct OperationOptions {
   std::vector<std::string> files;         // .op.json
   std::vector<std::string> skills;        // PAL files, or folders with them
   std::vector<std::string> environments;  // PAL files
+  std::string scene;                      // of the workcell, which then tells all that follows; empty: none
   std::vector<std::string> locations;     // those that are taught; empty: not known
   std::vector<std::string> sensors;       // those that the cell has; empty: not known
   std::vector<std::string> figures;       // those that its skills report; empty: not known
