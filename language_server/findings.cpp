@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "language_server/repair.hpp"
 #include "language_server/session.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/edit.hpp"
@@ -11,6 +12,9 @@
 namespace pal::language_server {
 
 namespace {
+
+/// One who asks for quick fixes waits so long for those that have to be tried.
+constexpr double seconds_of_repairs = 0.5;
 
 /// What these findings are about does nothing: editors fade it.
 bool is_unused(Code code) {
@@ -322,7 +326,15 @@ Json Session::code_action(const Json& params) {
     const Analysis& analysis = *here.analysis;
     const auto found = findings(here, path);
     for (const auto& finding : found) {
-      if (finding.fix.empty()) continue;
+      if (finding.fix.empty()) {
+        if (finding.where.end < begin || finding.where.begin > end || !wants("quickfix")) continue;
+        for (const auto& repair : repairs(workspace_, analysis, finding, seconds_of_repairs))
+          add({{"title", repair.title},
+               {"kind", "quickfix"},
+               {"diagnostics", {diagnostic(finding, analysis, workspace_, options_.documentation)}},
+               {"edit", workspace_edit(repair.edits, analysis, workspace_)}});
+        continue;
+      }
       if (analysis_of_all == nullptr || analysis_of_all == here.analysis) {
         analysis_of_all = here.analysis;
         all.insert(all.end(), finding.fix.begin(), finding.fix.end());

@@ -81,24 +81,20 @@ export class Requirements implements vscode.Disposable {
     const leaves = leavesOf(file).filter((each) => this.known.get(each.id)?.state !== "open");
     if (leaves.length === 0) return;
     const run = this.tests.createTestRun(new vscode.TestRunRequest(leaves), file.label, false);
-    for (const each of leaves) this.say(run, each);
+    for (const each of leaves) this.say(run, each, false); // the finding and the bound stand in the text already
     run.end();
   }
 
   /** Holds: passed. Fails and never: failed. Undecided: errored, as it is not known. */
-  private say(run: vscode.TestRun, test: vscode.TestItem): void {
+  private say(run: vscode.TestRun, test: vscode.TestItem, why: boolean): void {
     const known = this.known.get(test.id);
     if (known === undefined) return run.skipped(test);
     if (known.state === "holds") return run.passed(test);
     const message = new vscode.TestMessage(known.message === "" ? `${known.state}: ${known.bound} of ${known.limit}` : known.message);
     message.location = new vscode.Location(test.uri!, test.range!);
-    if (known.state === "fails" || known.state === "never") {
-      if (known.bound !== "") {
-        message.expectedOutput = `at most ${known.limit}`;
-        message.actualOutput = known.bound;
-      }
-      run.failed(test, message);
-    } else run.errored(test, known.state === "open" ? new vscode.TestMessage("not proved: the text has errors, there is no environment, or proofTimeSeconds is 0") : message);
+    const messages = why ? [message] : [];
+    if (known.state === "fails" || known.state === "never") run.failed(test, messages);
+    else run.errored(test, why && known.state === "open" ? new vscode.TestMessage("not proved: the text has errors, there is no environment, or proofTimeSeconds is 0") : messages);
   }
 
   private async run(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
@@ -120,7 +116,7 @@ export class Requirements implements vscode.Disposable {
       const wanted = asked.filter((each) => each.uri!.toString() === file.uri!.toString()).map((each) => each.id);
       const chosen = (test: vscode.TestItem) => wanted.some((each) => test.id === each || test.id.startsWith(`${each}/`));
       const excluded = (test: vscode.TestItem) => request.exclude?.some((each) => each.id === test.id) ?? false;
-      for (const test of leavesOf(file)) if (chosen(test) && !excluded(test)) this.say(run, test);
+      for (const test of leavesOf(file)) if (chosen(test) && !excluded(test)) this.say(run, test, true);
     }
     run.end();
   }
