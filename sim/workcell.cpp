@@ -15,10 +15,9 @@
 namespace pal::sim {
 namespace {
 
-// After a fault the drives let go: what the arm pressed on pushes it away. Friction of the gears holds the
-// rest of the force, so the arm then backs off, the way that it came.
-constexpr runtime::Time yield_time = std::chrono::milliseconds(100);
-constexpr runtime::Time back_off_time = std::chrono::milliseconds(200);
+// How long the arm backs off after a fault. If it cannot, its drives let go for as long: what it pressed on
+// pushes it away, as far as the friction of its gears allows.
+constexpr runtime::Time back_off_time = std::chrono::milliseconds(300);
 
 using FaultListener = std::function<void(const ArmFault&)>;
 using SampleListener = std::function<void(const Sample&)>;
@@ -101,12 +100,10 @@ struct Workcell::Parts {
     const Joints q = sensing.read(physics.joints());
     if (retreat > runtime::Time::zero()) {
       retreat -= physics_step;
-      if (retreat >= back_off_time) {
-        give_way();
-        stopped_at = q;
-      } else {
+      if (trail.leads_back(stopped_at))
         motion.hold(trail.back(stopped_at, 1 - std::chrono::duration<double>(retreat) / back_off_time));
-      }
+      else
+        give_way();
     }
     SetPoint wanted = motion.at(when);
     wanted.position = sensing.nearest(wanted.position);
@@ -194,7 +191,8 @@ struct Workcell::Parts {
 
   void stop_with(ArmFault why) {
     give_way();
-    retreat = yield_time + back_off_time;
+    retreat = back_off_time;
+    stopped_at = sensing.read(physics.joints());
     fault = std::move(why);
     std::erase_if(listeners, [](const auto& listener) { return listener.expired(); });
     const auto told = listeners;  // a listener may add others
@@ -219,7 +217,7 @@ struct Workcell::Parts {
   CollisionWatch collisions;
   std::optional<ArmFault> fault;
   Joints stopped_at = Joints::Zero();
-  runtime::Time retreat{};  // how long the arm still gives way and backs off
+  runtime::Time retreat{};  // how long the arm still backs off, or gives way
   std::vector<std::weak_ptr<FaultListener>> listeners;
   std::vector<std::weak_ptr<SampleListener>> sample_listeners;
   runtime::Time now{};

@@ -29,8 +29,11 @@ void Trail::note(const Joints& q, const Joints& wanted) {
   count_ = std::min(count_ + 1, capacity);
 }
 
+bool Trail::leads_back(const Joints& from) const {
+  return count_ > 0 && distance(from, mark(0)) < near;
+}
+
 Joints Trail::back(const Joints& from, double part) const {
-  if (count_ == 0 || distance(from, mark(0)) > near) return from;
   constexpr double to_the_last = 1.0 / 3;
   if (part < to_the_last) return from + part / to_the_last * (mark(0) - from);
   const double place = (part - to_the_last) / (1 - to_the_last) * static_cast<double>(count_ - 1);

@@ -18,15 +18,17 @@ class Trail {
   /// Where the arm is, by its encoders, and where it was told to be. Called once each millisecond.
   void note(const Joints& q, const Joints& wanted);
 
+  /// Whether a mark is near `from`.
+  bool leads_back(const Joints& from) const;
   /// On the way back from `from`: there (0), at the last mark (a third), at the first one that is kept (1).
-  /// Stays at `from` if no mark is near. Contract: 0 <= part <= 1.
+  /// Contract: leads_back(from), 0 <= part <= 1.
   Joints back(const Joints& from, double part) const;
 
   /// Forgets all marks.
   void forget() { count_ = 0; }
 
  private:
-  static constexpr std::size_t capacity = 13;  // 3 mm
+  static constexpr std::size_t capacity = 41;  // 10 mm
 
   const Joints& mark(std::size_t ago) const { return marks_[(last_ + capacity - ago) % capacity]; }
   double distance(const Joints& a, const Joints& b) const;

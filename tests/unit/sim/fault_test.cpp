@@ -42,8 +42,8 @@ TEST_CASE("faults: a bar under the forearm stops the arm, which names both") {
   const Eigen::Vector3d there = workcell.tool().translation();
   workcell.advance_to(workcell.now() + 500ms);
   const Eigen::Vector3d back = workcell.tool().translation() - there;
-  CHECK(back.z() > 2e-3);
-  CHECK(back.norm() < 4e-3);
+  CHECK(back.z() > 8e-3);
+  CHECK(back.norm() < 11e-3);
   const Eigen::Vector3d stands = workcell.tool().translation();
   workcell.advance_to(workcell.now() + 500ms);
   CHECK((workcell.tool().translation() - stands).norm() < 1e-4);
@@ -51,7 +51,7 @@ TEST_CASE("faults: a bar under the forearm stops the arm, which names both") {
 
   // Reset, it may be moved away from what it hit, and a second meeting is a fault again.
   workcell.reset_fault();
-  CHECK(move_until_refused(workcell, {0, 0, -0.56, 0, 0, 0}, CorrectionFrame::tool, 20).empty());
+  CHECK(move_until_refused(workcell, {0, 0, -0.56, 0, 0, 0}, CorrectionFrame::tool, 10).empty());
   CHECK_FALSE(workcell.fault());
   CHECK_FALSE(move_until_refused(workcell, {0, 0, 0.56, 0, 0, 0}, CorrectionFrame::tool, 60).empty());
   CHECK(told.size() == 2);
@@ -94,7 +94,7 @@ TEST_CASE("faults: an arm that has hit something from aside backs off, too") {
 
 TEST_CASE("faults: backing off ends where the way began, and after a reset the arm stands where it is") {
   // A millimetre above the plate: there is not more of a way to go back.
-  const SceneText text("tool range-finder\nstart 480 -200 1\nplate at 480 -200\n");
+  const SceneText text("tool range-finder\nstart 480 -200 -165.8\nplate at 480 -200\n");
   Workcell workcell(text.scene());
   const Eigen::Vector3d began = workcell.tool().translation();
   move_until_refused(workcell, {0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, 20);
@@ -145,11 +145,15 @@ TEST_CASE("faults: the side of a tool is not its tip") {
   CHECK(workcell.fault()->text == "the force-torque sensor hit the block");
 }
 
-TEST_CASE("faults: pressed flat, the pad's holder hits what the pad was pressed on") {
+TEST_CASE("faults: pressed flat, the pad's holder hits what the pad was pressed on, and is relieved") {
   Workcell workcell(scene("touch"));
   move_until_refused(workcell, {0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, 120);
   REQUIRE(workcell.fault());
   CHECK(workcell.fault()->text == "the tool hit the plate");
+  const double met = workcell.log().back().contact_force;
+  CHECK(met > 150);
+  workcell.advance_to(workcell.now() + 500ms);
+  CHECK(workcell.log().back().contact_force < 0.6 * met);
 }
 
 TEST_CASE("faults: a following error of more than 5 mm") {
