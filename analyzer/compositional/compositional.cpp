@@ -66,16 +66,20 @@ Table<DeviceId, bool> never_lost(const View& view) {
   return kept;
 }
 
-/// Every step whose time some requirement may ask for.
+/// Every step whose time some requirement asks for, but for those that are timed anyway.
 Table<StepId, bool> asked_for(const Problem& problem) {
-  Table<StepId, bool> at(problem.steps.size());
+  Table<StepId, bool> asked(problem.steps.size());
+  std::vector<StepId> open;
+  for (const StepId s : asked.ids()) {
+    if (!is_always_timed(problem.steps[s])) open.push_back(s);
+  }
   for (const Requirement& requirement : problem.requirements) {
-    const Table<StepId, bool> sends = sends_of_events(problem, requirement);
-    for (const StepId s : at.ids()) {
-      if (sends[s] || (requirement.at.contains(s) && requirement.at[s])) at[s] = true;
+    if (requirement.at.empty()) continue;
+    for (const StepId s : open) {
+      if (requirement.at[s]) asked[s] = true;
     }
   }
-  return at;
+  return asked;
 }
 
 }  // namespace

@@ -92,12 +92,17 @@ class BusyWindows {
   std::vector<Share> work(ProcessorId processor, Nanoseconds busy) const;
 
  private:
+  struct Worker {
+    TaskId task{};
+    double share = 0;  // of the processor that it needs; 0: of a transaction that occurs once
+  };
+
   /// Tasks of one transaction on one processor.
   struct Group {
     TransactionId transaction;
     int priority;  // the greatest of them
     std::vector<TaskId> tasks;
-    std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
+    std::vector<Worker> workers;  // those that take time
     // The first task, which mostly is alone: windows go through all groups of a processor.
     TaskId first{};
     Nanoseconds period = 0;
@@ -141,17 +146,35 @@ class BusyWindows {
   /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
   Nanoseconds of_others(const std::vector<Group>& groups, TransactionId own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
-  /// What of other transactions counts in windows of a task: found once, and asked for again and again.
+  /// What counts in windows of a task: found once, and asked for again and again.
   struct Foreign {
+    /// A task whose releases do not depend on those of others.
     struct Alone {
       Nanoseconds period = 0;
       Nanoseconds jitter = 0;
       Nanoseconds cost = 0;
     };
-    std::vector<Alone> alone;  // transactions with one task on the processor
-    std::vector<const Group*> several;
+    /// A task in the window that begins with the release of one of its transaction.
+    struct Due {
+      Nanoseconds phase = 0;
+      Nanoseconds piled = 0;  // released before the window
+      Nanoseconds cost = 0;
+    };
+    /// Tasks of one transaction: `count` after `count` in `due`, one scenario after the other.
+    struct Together {
+      Nanoseconds period = 0;
+      std::size_t count = 0;
+      std::vector<Due> due;
+    };
+    Load load;
+    const Group* own = nullptr;  // the task's own
+    std::vector<Alone> alone;
+    std::vector<Together> together;
+    std::vector<const Group*> several;  // what is too much to be found once, or has alternatives
   };
   Foreign foreign_of(TransactionId own, const Task& asker) const;
+  /// Adds the tasks of one of several.
+  void add_foreign(const Group& group, const Task& asker, Foreign& foreign) const;
   /// The same as of_others() for the asker.
   Nanoseconds of_foreign(const Foreign& foreign, const Task& asker, Nanoseconds length) const;
   /// Whether tasks can come nearer together than occurrences a period apart allow. This needs occurrences
@@ -160,13 +183,13 @@ class BusyWindows {
   bool drifts(const Group& group, const Task* asker, int priority) const;
   /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
   bool drifts_from(const Group& group, TaskId task) const;
-  Load load_of(TransactionId transaction, const Task& self) const;
+  void add_load(const Group& group, bool foreign, const Task& self, Load& load) const;
   /// Tasks of a transaction that occurs once, which may come before the end of a window of one of them.
   Nanoseconds of_siblings(TransactionId transaction, TaskId task, Nanoseconds length, Shares* shares) const;
   Critical critical(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                     Since since) const;
   Critical critical_once(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
-                         Since since, const Load& load) const;
+                         Since since, const Foreign& foreign) const;
   const Group* group_of(TransactionId transaction, ProcessorId processor) const;
 
   /// A chain of tasks, taken as one.

@@ -32,9 +32,7 @@ Table<NodeId, NodeTimes> unhindered(const AnalysisContext& context, const Table<
     mine.arrivals.assign(of.waits.size(), 0);
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       const Step& step = context.step_at(of.steps[s].step);
-      const bool asked = at[of.steps[s].step] || step.kind == Kind::send || step.kind == Kind::set ||
-                         step.kind == Kind::wait || step.kind == Kind::complete || may_match_nothing(step);
-      if (asked) mine.effects[s] = 0;
+      if (at[of.steps[s].step] || is_always_timed(step)) mine.effects[s] = 0;
     }
     mine.worked = mine.effects;
   }
@@ -236,6 +234,11 @@ class Solver : private AnalysisContext {
 };
 
 }  // namespace
+
+bool is_always_timed(const Step& step) {
+  return step.kind == Kind::send || step.kind == Kind::set || step.kind == Kind::wait ||
+         step.kind == Kind::complete || may_match_nothing(step);
+}
 
 std::size_t place_of(const Segment& segment, StepId step) {
   for (std::size_t s = 0; s < segment.steps.size(); ++s) {

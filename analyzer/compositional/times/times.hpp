@@ -64,6 +64,9 @@ struct Times {
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
                const Table<StepId, bool>& at, const std::function<bool()>& stop);
 
+/// Whether the effects of a step are timed whoever asks for them.
+bool is_always_timed(const Step& step);
+
 /// Where a segment has a step; the number of its steps: it has not.
 std::size_t place_of(const Segment& segment, StepId step);
 

@@ -64,11 +64,10 @@ std::vector<std::string> table_rows(const analyzer::Problem& problem, const anal
   for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
     const analyzer::Verdict& verdict = analysis.verdicts[i];
     const bool open = at_work && verdict.state == State::undecided;
-    rows.push_back(fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}",
-                               open ? "open" : analyzer::name(verdict.state), verdict.requirement, name_width,
-                               measure_text(problem, i), measure_width, bound_text(verdict),
-                               whole_text(verdict.measure, verdict.limit), margin_text(verdict),
-                               method_text(verdict)));
+    rows.push_back(fmt::format(
+        "  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}", open ? "open" : analyzer::name(verdict.state),
+        verdict.requirement, name_width, measure_text(problem, i), measure_width, bound_text(verdict),
+        whole_text(verdict.measure, verdict.limit), margin_text(verdict), method_text(verdict)));
   }
   return rows;
 }

@@ -1,7 +1,6 @@
 #include "programs/pal/session/measure_text.hpp"
 
 #include <cstdint>
-#include <set>
 
 #include "pal/support/duration_text.hpp"
 
@@ -9,19 +8,6 @@ namespace pal::program {
 namespace {
 
 using Measure = analyzer::Requirement::Measure;
-
-/// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
-std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
-  std::set<std::string> texts;
-  for (const analyzer::StepId step : requirement.at.ids()) {
-    if (!requirement.at[step] || !problem.steps[step].statement.valid()) continue;
-    const auto& statement = problem.statements[problem.steps[step].statement];
-    texts.insert(statement.text + " in " + statement.module);
-  }
-  std::string result;
-  for (const std::string& text : texts) result += (result.empty() ? "" : " and ") + text;
-  return result;
-}
 
 std::string known_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   if (requirement.samples.empty()) return problem.conditions[requirement.condition];
@@ -41,17 +27,14 @@ std::string processor_text(const analyzer::Problem& problem, const analyzer::Req
 std::string whole_run_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   switch (requirement.measure) {
     case Measure::age:
-      return "age of " + known_text(problem, requirement) + " at " + statements_text(problem, requirement);
+      return "age of " + known_text(problem, requirement) + " at " + requirement.at_text;
     case Measure::reaction:
-      return "reaction of " + known_text(problem, requirement) + " at " +
-             statements_text(problem, requirement);
+      return "reaction of " + known_text(problem, requirement) + " at " + requirement.at_text;
     case Measure::response:
       return "response from " + event_text(problem, requirement) + " of " +
-             analyzer::sender_name(problem, requirement.events.front()) + " to " +
-             statements_text(problem, requirement);
+             analyzer::sender_name(problem, requirement.events.front()) + " to " + requirement.at_text;
     case Measure::interval:
-      return std::string(requirement.at_least ? "least" : "greatest") + " interval of " +
-             statements_text(problem, requirement);
+      return std::string(requirement.at_least ? "least" : "greatest") + " interval of " + requirement.at_text;
     case Measure::loss:
       return "loss of " + problem.devices[requirement.device].name +
              (requirement.in == 1 ? "" : " in " + std::to_string(requirement.in));
@@ -126,7 +109,8 @@ std::string bound_text(const analyzer::Verdict& verdict) {
   if (verdict.state == State::never) return verdict.measure == Measure::load ? "ends" : "never";
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
-    if (shown && !verdict.loop_growth) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
+    if (shown && !verdict.loop_growth)
+      return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
     return verdict.state == State::undecided ? "no bound" : "unbounded";
   }
   return (verdict.exact      ? ""

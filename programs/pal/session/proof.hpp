@@ -58,8 +58,9 @@ void limit_checks(const ProofLimits& limits, Session& session);
 /// Called now and then while a proof is at work, with what is known by then.
 using ProofObserver = std::function<void(const analyzer::Problem&, const analyzer::Analysis&)>;
 
-/// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided.
-/// Reasons why a model cannot be built are added to the session's findings.
+/// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided, or
+/// has no proof if not even its model was built. A proof that does not end soon then is left alone
+/// (is_work_left). Reasons why a model cannot be built are added to the session's findings.
 std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer = {});
 
 /// Whether every verdict is `holds`.
@@ -67,10 +68,6 @@ bool all_hold(const std::vector<Proof>& proofs);
 
 /// What the verdict of a requirement that holds counts as lost, in a sentence; empty: nothing.
 std::string taken_as_lost_text(const Proof& proof, std::size_t index);
-
-/// Whether a proof was left alone after Ctrl-C, because it did not end at once. It still works, so the
-/// program must end without clearing up.
-bool is_proof_left();
 
 /// Adds the finding that time stands still in some run (PAL0821).
 void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session);
