@@ -467,6 +467,7 @@ Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoi
     return analyze_automatically(provers, problem, options, thorough);
   if (choice == AnalysisChoice::compositional) {
     Analysis bounds = provers.compositional(problem, options);
+    if (options.half_open) return bounds;  // runs are of the closed windows
     search_undecided(problem, options, bounds);
     say_what_grows(problem, options, bounds);
     return bounds;

@@ -288,8 +288,9 @@ BusyWindows::Critical BusyWindows::critical_once(TransactionId transaction, Task
   const Nanoseconds fixed = blocking + (preemptive ? part : 0);
   Nanoseconds window = least_window(fixed, foreign.load.share, foreign.load.carried);
   for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
+    const Nanoseconds length = closed(window, preemptive);
     const Nanoseconds next =
-        plus(fixed + of_siblings(transaction, task, window, nullptr), of_foreign(foreign, self, window));
+        plus(fixed + of_siblings(transaction, task, length, nullptr), of_foreign(foreign, self, length));
     if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
       return {released + window + (preemptive ? 0 : part), window, TaskId{}, 1};
@@ -380,7 +381,9 @@ BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId ta
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(begun, least_window(fixed, load.share, load.carried));
         while (++iterations < most_busy_steps) {
-          const Nanoseconds next = fixed + others(at) + of_scenario(own, scenario, but, self.priority, at);
+          const Nanoseconds length = closed(at, preemptive);
+          const Nanoseconds next =
+              fixed + others(length) + of_scenario(own, scenario, but, self.priority, length);
           if (next <= at) return at;
           if (next > longest_window) break;
           at = next;
@@ -417,11 +420,12 @@ FinishBreakdown BusyWindows::breakdown(TransactionId transaction, TaskId task, N
   const Task& self = of.tasks[task];
   const auto& groups = by_processor_[self.processor];
   const Critical worst = critical(transaction, task, part, blocking, since);
+  const Nanoseconds length = closed(worst.length, preemptive_[self.processor]);
   FinishBreakdown breakdown;
   breakdown.blocking = blocking;
-  of_others(groups, transaction, &self, self.priority, worst.length, &breakdown.others);
+  of_others(groups, transaction, &self, self.priority, length, &breakdown.others);
   if (!worst.scenario.valid()) {
-    of_siblings(transaction, task, worst.length, &breakdown.others);
+    of_siblings(transaction, task, length, &breakdown.others);
     return breakdown;
   }
   const Nanoseconds due = phase(of, of.tasks[worst.scenario], self.offset);
@@ -429,7 +433,7 @@ FinishBreakdown BusyWindows::breakdown(TransactionId transaction, TaskId task, N
   const Group& own = *group_of(transaction, self.processor);
   const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,
                     drifts_from(own, task)};
-  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &breakdown.others);
+  of_scenario(own, worst.scenario, asked, self.priority, length, &breakdown.others);
   breakdown.others.push_back({transaction, task, earlier, earlier * self.cost});
   const Nanoseconds released = due + (worst.job - 1) * of.period;
   breakdown.done_before =

@@ -32,11 +32,17 @@ struct FinishBreakdown {
                                 // or (if it counts from the release) at its earliest
 };
 
+/// Whether what is released at the very instant at which a window ends counts in it. PAL leaves the order of
+/// the two open, so it does. Textbooks leave it out: there the end comes first. Processors that are not
+/// preemptive, chains taken as one, and levels keep closed windows, which bound both.
+enum class WindowEnds { closed, half_open };
+
 class BusyWindows {
  public:
   /// `preemptive` by processor. Once `stop` says so, nothing has a bound.
-  explicit BusyWindows(std::vector<bool> preemptive, std::function<bool()> stop = {})
-      : preemptive_(std::move(preemptive)), stop_(std::move(stop)) {}
+  explicit BusyWindows(std::vector<bool> preemptive, std::function<bool()> stop = {},
+                       WindowEnds ends = WindowEnds::closed)
+      : preemptive_(std::move(preemptive)), stop_(std::move(stop)), ends_(ends) {}
 
   /// From here on nothing is asked whether to stop.
   void go_on() { stop_ = {}; }
@@ -58,7 +64,7 @@ class BusyWindows {
   /// bound.
   ///
   /// Work of the same priority counts as if it went first. What is released at the very instant at which the
-  /// work ends comes before that end: PAL leaves the order at one instant open.
+  /// work ends comes before that end, unless windows are half-open.
   Nanoseconds finish(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                      Since since = Since::occurrence) const;
 
@@ -207,10 +213,17 @@ class BusyWindows {
   Nanoseconds joint_window(const JointTasks& joint, Nanoseconds fixed, bool in_whole) const;
   Nanoseconds window(ProcessorId processor, int priority, Nanoseconds cost) const;
 
+  /// The closed window with the same releases as one of this length.
+  Nanoseconds closed(Nanoseconds length, bool preemptive) const {
+    const bool half_open = ends_ == WindowEnds::half_open && preemptive;
+    return half_open ? std::max<Nanoseconds>(length, 1) - 1 : length;
+  }
+
   bool stops() const { return stop_ && stop_(); }
 
   Table<ProcessorId, bool> preemptive_;
   std::function<bool()> stop_;
+  WindowEnds ends_;
   Table<TransactionId, Transaction> transactions_;
   Table<ProcessorId, std::vector<Group>> by_processor_;  // the greatest priority first
 };

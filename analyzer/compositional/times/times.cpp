@@ -44,11 +44,12 @@ Table<NodeId, NodeTimes> unhindered(const AnalysisContext& context, const Table<
 /// the argument that the least solution bounds every run is in docs/internals/compositional.md).
 class Solver : private AnalysisContext {
  public:
-  Solver(const AnalysisContext& context, const Table<StepId, bool>& at, const std::function<bool()>& stop)
+  Solver(const AnalysisContext& context, const Table<StepId, bool>& at, const std::function<bool()>& stop,
+         WindowEnds ends)
       : AnalysisContext(context),
         stop_(stop),
         nodes_(unhindered(context, at, stop)),
-        interference_(context, nodes_, stop),
+        interference_(context, nodes_, stop, ends),
         releases_(*this, nodes_, interference_) {}
 
   Times run() {
@@ -248,8 +249,8 @@ std::size_t place_of(const Segment& segment, StepId step) {
 }
 
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
-               const Table<StepId, bool>& at, const std::function<bool()>& stop) {
-  return Solver({problem, forest, behaviours}, at, stop).run();
+               const Table<StepId, bool>& at, const std::function<bool()>& stop, WindowEnds ends) {
+  return Solver({problem, forest, behaviours}, at, stop, ends).run();
 }
 
 Nanoseconds latest_effect(const Forest& forest, const Table<NodeId, NodeTimes>& nodes, NodeId node,

@@ -31,6 +31,10 @@ void add_check(CLI::App& app, CheckOptions& options) {
       "auto (what decides soonest), thorough (the same, continued until bounds are exact), exact, or "
       "compositional (bounds, however large the skill)")
       ->type_name("ANALYSIS");
+  auto* half_open = command->add_flag(
+      "--half-open", options.limits.half_open,
+      "with --analysis compositional: bounds as textbooks have them, for comparison; a job that is released "
+      "as another ends does not delay it");
   add_choice<Format>(
       *command, "--format", options.format,
       {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},
@@ -40,7 +44,8 @@ void add_check(CLI::App& app, CheckOptions& options) {
                     "also print an intermediate form: tree or pan")
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(half_open);
   command
       ->add_option("--measured", options.selection.measured,
                    "PAL file with measured times, to compare with the environment's; may be repeated")

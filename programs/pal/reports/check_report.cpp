@@ -34,6 +34,10 @@ std::string method_text(const analyzer::Verdict& verdict) {
   return verdict.method == analyzer::Method::exact ? "" : "  (compositional)";
 }
 
+bool any_half_open(const std::vector<Proof>& proofs) {
+  return std::any_of(proofs.begin(), proofs.end(), [](const Proof& proof) { return proof.half_open; });
+}
+
 nlohmann::ordered_json json(const Unchecked& row) {
   nlohmann::ordered_json object;
   object["name"] = row.requirement;
@@ -81,6 +85,7 @@ void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& o
       if (explain) write_arithmetic(proof.analysis.verdicts[i], out);
     }
   }
+  if (any_half_open(proofs)) out << "  " << half_open_text << "\n";
 }
 
 void write_unchecked(const std::vector<Unchecked>& not_checked, std::ostream& out) {
@@ -101,6 +106,7 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
   document["diagnostics"] =
       nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
   document["not_kept"] = session.diagnostics.not_kept().sum();
+  if (any_half_open(proofs)) document["windows"] = half_open_text;
   document["requirements"] = nlohmann::ordered_json::array();
   for (const Proof& proof : proofs) {
     for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {

@@ -141,6 +141,7 @@ analyzer::Options options_of(const ProofLimits& limits) {
   options.max_states = limits.max_states;
   options.threads = limits.threads;
   options.addends = limits.addends;
+  options.half_open = limits.half_open;
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
   const std::size_t memory = limits.max_memory > 0 ? limits.max_memory : memory_there_is() / 2;
@@ -202,13 +203,13 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
       if (Interruption::asked_for()) {
         analyzer::Analysis none = analyzer::nothing_known(*problem, "The proof had not begun.");
         proofs.push_back(
-            {std::move(*problem), std::move(none), explored, true, true, file_of(skill, session)});
+            {std::move(*problem), std::move(none), explored, true, true, file_of(skill, session), false});
         continue;
       }
       const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
       analyzer::Analysis analysis = attempt->run(observer);
       proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || is_work_left()),
-                        Interruption::asked_for(), file_of(skill, session)});
+                        Interruption::asked_for(), file_of(skill, session), limits.half_open});
     }
   }
   return proofs;

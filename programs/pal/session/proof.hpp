@@ -23,6 +23,7 @@ struct Proof {
   bool ended = false;           // by --timeout or Ctrl-C, as far as it had come
   bool ended_by_user = false;   // by Ctrl-C
   std::string file = {};        // of the skill, if another one has its name; else empty
+  bool half_open = false;       // its bounds have half-open windows
 };
 
 /// "touch in workcell", with the skill's file where its name is not enough.
@@ -37,6 +38,7 @@ struct ProofLimits {
   unsigned threads = 0;                                                    // at work; 0: one a core
   bool peak_memory = false;                                                // count it
   bool addends = false;                                                    // find what adds up to bounds
+  bool half_open = false;  // compositional bounds have half-open windows
 };
 
 /// The model of `skill` in `environment`. If the environment lacks something that the skill needs: nothing,
@@ -54,6 +56,12 @@ std::function<bool()> end_after(
 
 /// Checks before the proofs end when half of the time is over, or after Ctrl-C.
 void limit_checks(const ProofLimits& limits, Session& session);
+
+/// What is said beside bounds with half-open windows.
+constexpr const char* half_open_text =
+    "half-open windows, as in textbooks: a job released at the instant at which another ends does not delay "
+    "it; "
+    "in PAL it may";
 
 /// Called now and then while a proof is at work, with what is known by then.
 using ProofObserver = std::function<void(const analyzer::Problem&, const analyzer::Analysis&)>;
