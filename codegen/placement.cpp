@@ -9,10 +9,10 @@ namespace pal::codegen {
 
 namespace {
 
-const pan::Placement* place_of(const pan::Placements& places, const std::vector<PlannedThread>& threads,
+const pan::Placement* place_of(const pan::Environment& environment, const std::vector<PlannedThread>& threads,
                                const PlannedThread& thread) {
   for (const PlannedThread* at = &thread;; at = &threads[*at->runner]) {
-    const pan::Placement* found = places.of(at->pal_name);
+    const pan::Placement* found = pan::place_of(environment, at->pal_name);
     if (found != nullptr || !at->runner) return found;
   }
 }
@@ -21,9 +21,8 @@ const pan::Placement* place_of(const pan::Placements& places, const std::vector<
 
 void place_threads(const pan::Environment& environment, Diagnostics& diagnostics,
                    std::vector<PlannedThread>& threads) {
-  const pan::Placements places(environment);
   for (PlannedThread& thread : threads) {
-    const pan::Placement* place = place_of(places, threads, thread);
+    const pan::Placement* place = place_of(environment, threads, thread);
     if (place == nullptr) {
       diagnostics.report(
           Code::PAL0721, environment.where,

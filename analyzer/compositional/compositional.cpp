@@ -89,7 +89,7 @@ Table<StepId, bool> asked_for(const Problem& problem) {
 
 }  // namespace
 
-Analysis analyze(const Problem& skill, const Options& options) {
+Analysis analyze(const Problem& skill, const Options& options, bool half_open) {
   const double begun = options.clock ? options.clock() : 0;
   const Problem problem = clone_shared_blocks(skill);
   Analysis analysis;
@@ -107,7 +107,7 @@ Analysis analyze(const Problem& skill, const Options& options) {
   if (refusal.empty()) {
     const ThreadBehaviours behaviours = thread_behaviours_of(problem, forest, options.stop);
     const Times times = times_of(problem, forest, behaviours, asked_for(problem), options.stop,
-                                 options.half_open ? WindowEnds::half_open : WindowEnds::closed);
+                                 half_open ? WindowEnds::half_open : WindowEnds::closed);
     if (times.interrupted) {
       refusal = "it was interrupted";
     } else {
@@ -119,7 +119,7 @@ Analysis analyze(const Problem& skill, const Options& options) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);
         const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
-        judge(known, requirement, options.half_open, analysis.verdicts[r]);
+        judge(known, requirement, half_open, analysis.verdicts[r]);
         if (options.addends && analysis.verdicts[r].bound && requirement.measure != Measure::loss)
           analysis.verdicts[r].addends = breakdown_of(view, known.sum);
       }
@@ -130,7 +130,7 @@ Analysis analyze(const Problem& skill, const Options& options) {
     const Sum whole(1'000'000'000, {Term::Kind::said, {}, {}, {}, refusal});
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Measure::load;
-      judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], options.half_open,
+      judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], half_open,
             analysis.verdicts[r]);
     }
   }

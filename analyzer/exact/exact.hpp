@@ -20,9 +20,6 @@ struct Options {
   unsigned threads = 0;
   /// Whether to find what adds up to compositional bounds (Verdict::addends).
   bool addends = true;
-  /// Compositional bounds leave out what is released at the very instant at which work ends, as textbooks do
-  /// and PAL does not. For bounds alone: no run must be compared with them.
-  bool half_open = false;
   /// Called now and then, by one thread at a time. Once it returns true, what is not decided stays undecided.
   std::function<bool()> stop;
   /// Seconds since some instant. For the statistics, which say 0 without it, and for sharing the time that is

@@ -144,8 +144,18 @@ Range ProblemBuilder::activity(const Activity& activity) {
   return {};
 }
 
+const Placement* ProblemBuilder::placement_of(std::string thread) const {
+  for (;;) {
+    const auto found = placements_.find(thread);
+    if (found != placements_.end()) return found->second;
+    const auto slash = thread.find('/');
+    if (slash == std::string::npos) return nullptr;
+    thread.erase(0, slash + 1);
+  }
+}
+
 void ProblemBuilder::place(Thread& thread, ThreadId runner) {
-  const Placement* placement = placements_.of(thread.name);
+  const Placement* placement = placement_of(thread.name);
   if (placement == nullptr && runner.valid()) {
     const Thread& where = problem_.threads[runner];
     thread.processor = where.processor;

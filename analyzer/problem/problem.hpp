@@ -152,7 +152,6 @@ struct Requirement {
   std::vector<ChannelId> events;   // response: channels, of one message from one party
   DeviceId device{};               // loss, and of samples: the device; response: the device, if one sends
   Table<StepId, bool> at;          // age, response, reaction, interval
-  std::string at_text;             // "TXM( motion to MC1 ) in SM1", each statement of `at` once
   Phase phase;
   std::vector<ProcessorId> processors;  // load, busy
   int in = 1;                           // loss: at most `limit` of this many in a row

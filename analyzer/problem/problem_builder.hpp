@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "analyzer/problem/compile.hpp"
-#include "pal/pan/threads.hpp"
 
 namespace pal::analyzer {
 
@@ -21,15 +20,13 @@ class ProblemBuilder final : public TimesAndPlaces {
  public:
   ProblemBuilder(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics,
                  const SourceManager* sources)
-      : network_(network),
-        environment_(environment),
-        diagnostics_(diagnostics),
-        sources_(sources),
-        placements_(environment) {
+      : network_(network), environment_(environment), diagnostics_(diagnostics), sources_(sources) {
     for (const pan::ActivityTime& time : environment_.activities) {
       if (time.module.empty()) times_[{time.activity, time.module}] = &time;
       times_.emplace(std::pair(time.activity, time.module), &time);
     }
+    for (const pan::Placement& placement : environment_.placements)
+      placements_.emplace(placement.thread, &placement);
     for (const pan::DeviceTiming& timing : environment_.devices) timings_[timing.device] = &timing;
   }
 
@@ -41,6 +38,8 @@ class ProblemBuilder final : public TimesAndPlaces {
 
  private:
   // Names, places and times (problem.cpp).
+  /// Of a thread, or of the thread in whose place it runs; null: neither has one.
+  const pan::Placement* placement_of(std::string thread) const;
   void processors();
   void known_names();
   void loops();
@@ -73,8 +72,7 @@ class ProblemBuilder final : public TimesAndPlaces {
                      Device& made);
 
   // What is required (problem_requirements.cpp).
-  Table<StepId, bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement,
-                               std::string* text = nullptr);
+  Table<StepId, bool> steps_at(const std::vector<pan::StatementRef>& at, const pan::Requirement& requirement);
   Table<StepId, bool> steps_in(const std::vector<pan::StatementRef>& loops) const;
   void requirements();
   void require(Requirement made);
@@ -99,8 +97,8 @@ class ProblemBuilder final : public TimesAndPlaces {
   std::set<std::string> executed_;
   std::map<std::pair<std::string, std::string>, const pan::ActivityTime*> times_;  // by activity and module
   std::map<std::pair<pan::ModuleId, pan::NodeId>, std::vector<StepId>>
-      steps_of_;  // by statement, if asked for
-  const pan::Placements placements_;
+      steps_of_;                                             // by statement, if asked for
+  std::map<std::string, const pan::Placement*> placements_;  // by thread; of two the first
   std::map<std::string, const pan::DeviceTiming*> timings_;  // by device; of two the last
   Table<DeviceId, std::vector<ChannelId>> sent_;
   std::set<std::string> untimed_;

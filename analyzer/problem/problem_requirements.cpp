@@ -8,22 +8,8 @@ namespace pal::analyzer {
 
 using namespace pan;
 
-namespace {
-
-std::string text_of(const Statement& statement) {
-  return statement.text + " in " + statement.module;
-}
-
-std::string all_of(const std::set<std::string>& texts) {
-  std::string result;
-  for (const std::string& text : texts) result += (result.empty() ? "" : " and ") + text;
-  return result;
-}
-
-}  // namespace
-
 Table<StepId, bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at,
-                                             const pan::Requirement& requirement, std::string* text) {
+                                             const pan::Requirement& requirement) {
   Table<StepId, bool> steps(problem_.steps.size());
   if (steps_of_.empty()) {
     for (const StepId s : problem_.steps.ids()) {
@@ -33,15 +19,13 @@ Table<StepId, bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at
       steps_of_[{known.source_module, known.source_node}].push_back(s);
     }
   }
-  std::set<std::string> texts;
+  bool any = false;
   for (const StatementRef& ref : at) {
     const auto found = steps_of_.find({ref.module, ref.node});
     if (found == steps_of_.end()) continue;
-    for (const StepId s : found->second) steps[s] = true;
-    texts.insert(text_of(problem_.statements[problem_.steps[found->second.front()].statement]));
+    for (const StepId s : found->second) steps[s] = any = true;
   }
-  if (text != nullptr) *text = all_of(texts);
-  if (texts.empty()) {
+  if (!any) {
     diagnostics_.report(
         Code::PAL0811, requirement.where,
         "requirement " + requirement.name + " is about a statement that no thread ever reaches",
@@ -94,7 +78,7 @@ void ProblemBuilder::measure(const Response& response, const pan::Requirement& r
     made.events.push_back(channel);
     made.device = problem_.channels[channel].sender_device;
   }
-  made.at = steps_at(response.at, requirement, &made.at_text);
+  made.at = steps_at(response.at, requirement);
   require(std::move(made));
 }
 
@@ -112,7 +96,7 @@ void ProblemBuilder::known(const Known& known, Requirement& made) {
 void ProblemBuilder::measure(const Age& age, const pan::Requirement& requirement, Requirement made) {
   made.measure = Requirement::Measure::age;
   known(age.of, made);
-  made.at = steps_at(age.at, requirement, &made.at_text);
+  made.at = steps_at(age.at, requirement);
   require(std::move(made));
 }
 
@@ -120,14 +104,14 @@ void ProblemBuilder::measure(const Reaction& reaction, const pan::Requirement& r
                              Requirement made) {
   made.measure = Requirement::Measure::reaction;
   known(reaction.of, made);
-  made.at = steps_at(reaction.at, requirement, &made.at_text);
+  made.at = steps_at(reaction.at, requirement);
   require(std::move(made));
 }
 
 /// A requirement with two limits is two: each has its own bound and its own run.
 void ProblemBuilder::measure(const Passes& passes, const pan::Requirement& requirement, Requirement made) {
   made.measure = Requirement::Measure::interval;
-  made.at = steps_at(passes.at, requirement, &made.at_text);
+  made.at = steps_at(passes.at, requirement);
   const bool both = passes.least && passes.most;
   if (passes.least) {
     Requirement least = made;
@@ -204,17 +188,14 @@ void ProblemBuilder::demanded_answer(DeviceId d) {
   made.device = d;
   made.where = where;
   made.at.assign(problem_.steps.size(), false);
-  std::set<std::string> texts;
+  bool any = false;
   for (const StepId s : problem_.steps.ids()) {
     const Step& step = problem_.steps[s];
     if (step.kind != Step::Kind::send) continue;
     const Channel& channel = problem_.channels[step.channels.front()];
-    if (channel.receiver_device != d || channel.message != event->answer) continue;
-    made.at[s] = true;
-    if (step.statement.valid()) texts.insert(text_of(problem_.statements[step.statement]));
+    if (channel.receiver_device == d && channel.message == event->answer) made.at[s] = any = true;
   }
-  made.at_text = all_of(texts);
-  if (texts.empty()) {
+  if (!any) {
     diagnostics_.report(
         Code::PAL0727, where,
         "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name,

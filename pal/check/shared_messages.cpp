@@ -33,16 +33,24 @@ struct MessageUse {
   SourceSpan where;
 };
 
+/// Only blocks are at work at the same time: of a CONCURRENT of its own, or of a module that it executes.
+bool may_have_blocks(const pan::Module& module) {
+  return std::any_of(module.body.nodes.begin(), module.body.nodes.end(), [](const pan::Node& node) {
+    return std::holds_alternative<pan::Fork>(node.content) ||
+           std::holds_alternative<pan::Execute>(node.content);
+  });
+}
+
 class Finder {
  public:
   Finder(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics)
-      : network_(network), environment_(environment), places_(environment), diagnostics_(diagnostics) {}
+      : network_(network), environment_(environment), diagnostics_(diagnostics) {}
 
   void find() {
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       const pan::Module& module = network_.modules[m];
-      if (module.body.empty() || module.executed_by.valid()) continue;
-      const Runner runner{module.name, false, places_.of(module.name)};
+      if (!may_have_blocks(module) || module.executed_by.valid()) continue;
+      const Runner runner{module.name, false, pan::place_of(environment_, module.name)};
       std::set<pan::ModuleId> entered;
       const std::vector<MessageUse> all =
           uses_of(pan::ModuleId(m), 0, module.body.nodes.size(), runner, runner, entered);
@@ -89,7 +97,7 @@ class Finder {
       block.name = pan::block_name(runner.name, runner.is_block,
                                    network_.modules[id.index()].threads[fork.threads[i]]);
       block.is_block = true;
-      const pan::Placement* own = places_.of(block.name);
+      const pan::Placement* own = pan::place_of(environment_, block.name);
       block.place = own != nullptr ? own : runner.place;
       const std::size_t end = i + 1 < here.out.size() ? here.out[i + 1].index() : here.mate.index();
       std::set<pan::ModuleId> entered;
@@ -174,7 +182,6 @@ class Finder {
 
   const pan::Network& network_;
   const pan::Environment& environment_;
-  const pan::Placements places_;
   Diagnostics& diagnostics_;
   std::size_t blocks_ = 0;
   std::vector<std::pair<MessageUse, MessageUse>> found_;  // a write, and another use at the same time

@@ -59,7 +59,6 @@ class UnitBuilder {
     syntax::Guard result;
     result.kind = static_cast<syntax::Guard::Kind>(it.kind);
     result.value = it.value;
-    result.bare = it.bare;
     if (it.kind == pan::Guard::Kind::equals) result.condition = condition(it.condition);
     for (const pan::Guard& term : it.terms) result.terms.push_back(guard(term));
     return result;

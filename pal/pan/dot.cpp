@@ -59,7 +59,7 @@ class DotWriter {
   std::string arm_name(std::size_t node, std::size_t arm) const {
     const auto& guards = as<Choose>(node)->guards;
     return dot_quoted(std::to_string(node) + "." + std::to_string(arm) + " " +
-                      guard_as_written(network_, guards[arm]));
+                      guard_text(network_, guards[arm]));
   }
 
   std::string column(std::size_t i) const {
@@ -93,8 +93,7 @@ class DotWriter {
     line("  " + name(i) + " " + dot_list(attributes));
     const auto* choose = as<Choose>(i);
     for (std::size_t arm = 0; choose != nullptr && arm < choose->guards.size(); ++arm) {
-      DotAttributes guard = {{"pal_kind", "guard"},
-                             {"pal_guard", guard_as_written(network_, choose->guards[arm])}};
+      DotAttributes guard = {{"pal_kind", "guard"}, {"pal_guard", guard_text(network_, choose->guards[arm])}};
       add(look_.arm(choose->guards[arm], reached), guard);
       guard.emplace_back("group", arm_column(i, arm));
       line("  " + arm_name(i, arm) + " " + dot_list(guard));

@@ -147,7 +147,7 @@ struct Describe {
   DotAttributes operator()(const Loop&) const { return {{"pal_kind", "repeat"}}; }
   DotAttributes operator()(const Until& until) const {
     DotAttributes result = {{"pal_kind", "until"}};
-    if (until.guard) result.emplace_back("pal_guard", guard_as_written(network, *until.guard));
+    if (until.guard) result.emplace_back("pal_guard", guard_text(network, *until.guard));
     return result;
   }
   DotAttributes operator()(const Fork&) const { return {{"pal_kind", "concurrent"}}; }

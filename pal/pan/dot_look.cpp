@@ -134,7 +134,7 @@ DotAttributes DotLook::pale_edge() {
 }
 
 std::string DotLook::guard(const Guard& it) const {
-  return options_.letters ? letters_.guard(it) : wrapped(guard_as_written(network_, it));
+  return options_.letters ? letters_.guard(it) : wrapped(guard_text(network_, it));
 }
 
 DotAttributes DotLook::box(std::size_t i, const char* fill, const char* ink) const {

@@ -15,8 +15,6 @@ std::string statement_text(const Network& network, ModuleId module, NodeId node)
 
 /// A guard in its canonical spelling: "pc-force = TRUE", "pc-force OR pc-reach".
 std::string guard_text(const Network& network, const Guard& guard);
-/// The same as the program has it: a condition that is written as its name alone stays so.
-std::string guard_as_written(const Network& network, const Guard& guard);
 
 /// "skill module", …
 std::string kind_text(ModuleKind kind);

@@ -23,11 +23,8 @@ struct Guard {
   ConditionId condition{};   // equals
   bool value = true;         // equals
   std::vector<Guard> terms;  // all_of, any_of: two or more; negation: one
-  bool bare = false;         // equals: written as the name alone, which means the same
 
-  friend bool operator==(const Guard& a, const Guard& b) {
-    return a.kind == b.kind && a.condition == b.condition && a.value == b.value && a.terms == b.terms;
-  }
+  friend bool operator==(const Guard&, const Guard&) = default;
 };
 
 // Node contents. `out` below lists the successors that each has.

@@ -13,40 +13,16 @@ bool is_bare(const Guard& guard) {
   return guard.kind == Guard::Kind::equals && guard.value;
 }
 
-struct GuardSpeller {
-  const Network& network;
-  bool as_written;
-
-  std::string operator()(const Guard& guard) const {
-    switch (guard.kind) {
-      case Guard::Kind::equals:
-        return name(guard) + (as_written && guard.bare ? "" : guard.value ? " = TRUE" : " = FALSE");
-      case Guard::Kind::all_of:
-        return joined(guard, " AND ");
-      case Guard::Kind::any_of:
-        return joined(guard, " OR ");
-      case Guard::Kind::negation:
-        return is_bare(guard.terms.front()) ? "NOT " + name(guard.terms.front())
-                                            : "NOT ( " + (*this)(guard.terms.front()) + " )";
-    }
-    return {};
+std::string joined(const Network& network, const Guard& guard, const char* word) {
+  std::string result;
+  for (const auto& term : guard.terms) {
+    if (!result.empty()) result += word;
+    // Terms of another precedence stand in parentheses.
+    const bool simple = term.kind == Guard::Kind::equals || term.kind == Guard::Kind::negation;
+    result += simple ? guard_text(network, term) : "( " + guard_text(network, term) + " )";
   }
-
-  const std::string& name(const Guard& guard) const {
-    return network.conditions[guard.condition.index()].name;
-  }
-
-  std::string joined(const Guard& guard, const char* word) const {
-    std::string result;
-    for (const auto& term : guard.terms) {
-      if (!result.empty()) result += word;
-      // Terms of another precedence stand in parentheses.
-      const bool simple = term.kind == Guard::Kind::equals || term.kind == Guard::Kind::negation;
-      result += simple ? (*this)(term) : "( " + (*this)(term) + " )";
-    }
-    return result;
-  }
-};
+  return result;
+}
 
 struct Speller {
   const Network& network;
@@ -105,11 +81,19 @@ struct Speller {
 }  // namespace
 
 std::string guard_text(const Network& network, const Guard& guard) {
-  return GuardSpeller{network, false}(guard);
-}
-
-std::string guard_as_written(const Network& network, const Guard& guard) {
-  return GuardSpeller{network, true}(guard);
+  switch (guard.kind) {
+    case Guard::Kind::equals:
+      return network.conditions[guard.condition.index()].name + (guard.value ? " = TRUE" : " = FALSE");
+    case Guard::Kind::all_of:
+      return joined(network, guard, " AND ");
+    case Guard::Kind::any_of:
+      return joined(network, guard, " OR ");
+    case Guard::Kind::negation:
+      return is_bare(guard.terms.front())
+                 ? "NOT " + network.conditions[guard.terms.front().condition.index()].name
+                 : "NOT ( " + guard_text(network, guard.terms.front()) + " )";
+  }
+  return {};
 }
 
 std::string kind_text(ModuleKind kind) {

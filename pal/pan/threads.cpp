@@ -73,6 +73,12 @@ class Finder {
   std::deque<Body> open_;
 };
 
+const Placement* placement_of(const Environment& environment, const std::string& thread) {
+  const auto found = std::find_if(environment.placements.begin(), environment.placements.end(),
+                                  [&](const Placement& each) { return each.thread == thread; });
+  return found == environment.placements.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::string block_name(const std::string& runner, bool runner_is_block, const std::string& text) {
@@ -89,16 +95,13 @@ std::string module_of_thread(const std::string& name) {
   return last.substr(0, last.find('.'));
 }
 
-Placements::Placements(const Environment& environment) {
-  for (const Placement& each : environment.placements) by_thread_.emplace(each.thread, &each);
-}
-
-const Placement* Placements::of(std::string thread) const {
+const Placement* place_of(const Environment& environment, const std::string& thread) {
+  std::string name = thread;
   for (;;) {
-    if (const auto found = by_thread_.find(thread); found != by_thread_.end()) return found->second;
-    const auto slash = thread.find('/');
+    if (const Placement* found = placement_of(environment, name)) return found;
+    const auto slash = name.find('/');
     if (slash == std::string::npos) return nullptr;
-    thread.erase(0, slash + 1);
+    name.erase(0, slash + 1);
   }
 }
 

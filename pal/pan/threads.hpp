@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "pal/pan/environment.hpp"
@@ -33,18 +32,9 @@ std::vector<SkillThread> threads_of(const Network& network, std::size_t most);
 /// The module of the last block or module in a thread's name: "CM1" of "SM1.1/CM1.2".
 std::string module_of_thread(const std::string& name);
 
-/// Where an environment, which must live longer, places threads.
-class Placements {
- public:
-  explicit Placements(const Environment& environment);
-
-  /// The place of a thread by name. A block of an executed module may have a place of its own. Or it has the
-  /// place that is given for that block wherever it runs: "PLACE CM1.2 …" also places SM1.1/CM1.2. The
-  /// longest name counts. nullptr: no place is given.
-  const Placement* of(std::string thread) const;
-
- private:
-  std::unordered_map<std::string, const Placement*> by_thread_;  // of two the first
-};
+/// Where the environment places a thread by name. A block of an executed module may have a place of its own.
+/// Or it has the place that is given for that block wherever it runs: "PLACE CM1.2 …" also places
+/// SM1.1/CM1.2. The longest name counts. nullptr: no place is given.
+const Placement* place_of(const Environment& environment, const std::string& thread);
 
 }  // namespace pal::pan

@@ -157,7 +157,7 @@ Guard Builder::guard(Parser::GuardContext* context) {
   if (context == nullptr) return {};
   const auto parts = context->conjunction();
   if (parts.size() == 1) return conjunction(parts.front());
-  Guard result{Guard::Kind::any_of, {}, true, {}, false};
+  Guard result{Guard::Kind::any_of, {}, true, {}};
   for (auto* part : parts) result.terms.push_back(conjunction(part));
   return result;
 }
@@ -165,7 +165,7 @@ Guard Builder::guard(Parser::GuardContext* context) {
 Guard Builder::conjunction(Parser::ConjunctionContext* context) {
   const auto parts = context->factor();
   if (parts.size() == 1) return factor(parts.front());
-  Guard result{Guard::Kind::all_of, {}, true, {}, false};
+  Guard result{Guard::Kind::all_of, {}, true, {}};
   for (auto* part : parts) result.terms.push_back(factor(part));
   return result;
 }
@@ -176,11 +176,10 @@ Guard Builder::factor(Parser::FactorContext* context) {
     result = guard(context->guard());
   } else {
     result.condition = name(context->name());
-    result.bare = context->truth() == nullptr;
-    result.value = result.bare || context->truth()->TRUE() != nullptr;
+    result.value = context->truth() == nullptr || context->truth()->TRUE() != nullptr;
   }
   if (context->NOT().size() % 2 == 1) {
-    Guard negated{Guard::Kind::negation, {}, true, {}, false};
+    Guard negated{Guard::Kind::negation, {}, true, {}};
     negated.terms.push_back(std::move(result));
     return negated;
   }

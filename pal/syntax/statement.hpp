@@ -37,7 +37,6 @@ struct Guard {
   Name condition;
   bool value = true;
   std::vector<Guard> terms;
-  bool bare = false;  // the condition's name alone
 };
 
 struct Statement;

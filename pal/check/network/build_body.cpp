@@ -155,7 +155,6 @@ class BodyBuilder {
   std::optional<pan::Guard> guard(const syntax::Guard& written) {
     pan::Guard result;
     result.value = written.value;
-    result.bare = written.bare;
     bool known = true;
     switch (written.kind) {
       case syntax::Guard::Kind::equals: {

@@ -104,13 +104,6 @@ std::optional<std::string> write_witnesses(const std::string& path, const std::v
 
 ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.emit == Stage::tree) return emit_tree(options.selection, console);
-  if (options.limits.half_open && options.limits.analysis != analyzer::AnalysisChoice::compositional) {
-    console.err << "pal: --half-open is for bounds alone: add --analysis compositional\n"
-                   "hint: an exploration and its runs are those of PAL, in which a job that is released as "
-                   "another ends "
-                   "may delay it\n";
-    return ExitStatus::usage;
-  }
   const Interruption interruption;  // till all is written
   const Input input = read_in_patience(options, console);
   if (!input.chosen) return ExitStatus::usage;
@@ -146,8 +139,9 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.format == Format::json) {
     console.out << json(proofs, not_checked, session, options.statistics);
   } else if (options.format == Format::sarif) {
-    console.out << sarif(session, not_checked, options.require_verdicts, any_verdict, status,
-                         options.limits.half_open ? half_open_text : "");
+    console.out << sarif(
+        session, not_checked, options.require_verdicts, any_verdict, status,
+        options.limits.analysis == analyzer::AnalysisChoice::half_open ? half_open_text : "");
   } else if (options.format == Format::junit) {
     console.out << junit(proofs, not_checked, options.require_verdicts, session);
   } else {

@@ -26,15 +26,13 @@ void add_check(CLI::App& app, CheckOptions& options) {
       *command, "--analysis", options.limits.analysis,
       {{"exact", Choice::exact},
        {"compositional", Choice::compositional},
+       {"half-open", Choice::half_open},
        {"thorough", Choice::thorough},
        {"auto", Choice::automatic}},
-      "auto (what decides soonest), thorough (the same, continued until bounds are exact), exact, or "
-      "compositional (bounds, however large the skill)")
+      "auto (what decides soonest), thorough (the same, continued until bounds are exact), exact, "
+      "compositional (bounds, however large the skill), or half-open (such bounds as textbooks have them: a "
+      "job that is released as another ends does not delay it)")
       ->type_name("ANALYSIS");
-  auto* half_open = command->add_flag(
-      "--half-open", options.limits.half_open,
-      "with --analysis compositional: bounds as textbooks have them, for comparison; a job that is released "
-      "as another ends does not delay it");
   add_choice<Format>(
       *command, "--format", options.format,
       {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}, {"junit", Format::junit}},
@@ -44,8 +42,7 @@ void add_check(CLI::App& app, CheckOptions& options) {
                     "also print an intermediate form: tree or pan")
       ->type_name("STAGE");
   command->add_option("--witness", options.witness, "write the run that shows each bound, for pal replay")
-      ->type_name("FILE")
-      ->excludes(half_open);
+      ->type_name("FILE");
   command
       ->add_option("--measured", options.selection.measured,
                    "PAL file with measured times, to compare with the environment's; may be repeated")

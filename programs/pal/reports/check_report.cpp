@@ -60,9 +60,11 @@ nlohmann::ordered_json json(const Unchecked& row) {
 std::vector<std::string> table_rows(const analyzer::Problem& problem, const analyzer::Analysis& analysis,
                                     bool at_work) {
   std::size_t name_width = 0, measure_width = 0;
+  std::vector<std::string> measures;
   for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
     name_width = std::max(name_width, analysis.verdicts[i].requirement.size());
-    measure_width = std::max(measure_width, measure_text(problem, i).size());
+    measures.push_back(measure_text(problem, i));
+    measure_width = std::max(measure_width, measures.back().size());
   }
   std::vector<std::string> rows;
   for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
@@ -70,7 +72,7 @@ std::vector<std::string> table_rows(const analyzer::Problem& problem, const anal
     const bool open = at_work && verdict.state == State::undecided;
     rows.push_back(fmt::format(
         "  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}", open ? "open" : analyzer::name(verdict.state),
-        verdict.requirement, name_width, measure_text(problem, i), measure_width, bound_text(verdict),
+        verdict.requirement, name_width, measures[i], measure_width, bound_text(verdict),
         whole_text(verdict.measure, verdict.limit), margin_text(verdict), method_text(verdict)));
   }
   return rows;

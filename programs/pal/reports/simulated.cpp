@@ -92,8 +92,7 @@ std::string text(const Simulated& simulated) {
       [](const analyzer::Requirement& requirement) { return requirement.measure == Measure::load; });
   if (loads)
     made +=
-        "  A load here is that of one whole run, from its start to its end. The load that pal check proves "
-        "is "
+        "  A load here is that of one whole run, from its start to its end. The load that pal check proves is "
         "that of the long run: the start counts for nothing there.\n";
   for (const std::string& refused : simulated.refused) made += "  refused   " + refused + "\n";
   return made;

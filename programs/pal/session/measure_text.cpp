@@ -1,6 +1,8 @@
 #include "programs/pal/session/measure_text.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <set>
 
 #include "pal/support/duration_text.hpp"
 
@@ -8,6 +10,22 @@ namespace pal::program {
 namespace {
 
 using Measure = analyzer::Requirement::Measure;
+
+/// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
+std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
+  std::set<std::string> texts;
+  // Mostly few of very many steps.
+  const auto begin = requirement.at.begin(), end = requirement.at.end();
+  for (auto at = std::find(begin, end, true); at != end; at = std::find(at + 1, end, true)) {
+    const analyzer::StepId step(static_cast<std::size_t>(at - begin));
+    if (!problem.steps[step].statement.valid()) continue;
+    const auto& statement = problem.statements[problem.steps[step].statement];
+    texts.insert(statement.text + " in " + statement.module);
+  }
+  std::string result;
+  for (const std::string& text : texts) result += (result.empty() ? "" : " and ") + text;
+  return result;
+}
 
 std::string known_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   if (requirement.samples.empty()) return problem.conditions[requirement.condition];
@@ -27,14 +45,17 @@ std::string processor_text(const analyzer::Problem& problem, const analyzer::Req
 std::string whole_run_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   switch (requirement.measure) {
     case Measure::age:
-      return "age of " + known_text(problem, requirement) + " at " + requirement.at_text;
+      return "age of " + known_text(problem, requirement) + " at " + statements_text(problem, requirement);
     case Measure::reaction:
-      return "reaction of " + known_text(problem, requirement) + " at " + requirement.at_text;
+      return "reaction of " + known_text(problem, requirement) + " at " +
+             statements_text(problem, requirement);
     case Measure::response:
       return "response from " + event_text(problem, requirement) + " of " +
-             analyzer::sender_name(problem, requirement.events.front()) + " to " + requirement.at_text;
+             analyzer::sender_name(problem, requirement.events.front()) + " to " +
+             statements_text(problem, requirement);
     case Measure::interval:
-      return std::string(requirement.at_least ? "least" : "greatest") + " interval of " + requirement.at_text;
+      return std::string(requirement.at_least ? "least" : "greatest") + " interval of " +
+             statements_text(problem, requirement);
     case Measure::loss:
       return "loss of " + problem.devices[requirement.device].name +
              (requirement.in == 1 ? "" : " in " + std::to_string(requirement.in));

@@ -141,7 +141,6 @@ analyzer::Options options_of(const ProofLimits& limits) {
   options.max_states = limits.max_states;
   options.threads = limits.threads;
   options.addends = limits.addends;
-  options.half_open = limits.half_open;
   options.clock = [begin] { return seconds_since(begin); };
   if (limits.peak_memory) options.peak_memory = peak_memory;
   const std::size_t memory = limits.max_memory > 0 ? limits.max_memory : memory_there_is() / 2;
@@ -198,8 +197,9 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
       if (is_work_left()) return proofs;
       auto problem = problem_in_patience(skill, environment, session);
       if (!problem) continue;
-      const bool explored =
-          limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
+      const bool explored = limits.analysis != analyzer::AnalysisChoice::compositional &&
+                            limits.analysis != analyzer::AnalysisChoice::half_open &&
+                            analyzer::fits_exploration(*problem);
       if (Interruption::asked_for()) {
         analyzer::Analysis none = analyzer::nothing_known(*problem, "The proof had not begun.");
         proofs.push_back(
@@ -209,7 +209,8 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
       const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
       analyzer::Analysis analysis = attempt->run(observer);
       proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || is_work_left()),
-                        Interruption::asked_for(), file_of(skill, session), limits.half_open});
+                        Interruption::asked_for(), file_of(skill, session),
+                        limits.analysis == analyzer::AnalysisChoice::half_open});
     }
   }
   return proofs;

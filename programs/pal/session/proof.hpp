@@ -38,7 +38,6 @@ struct ProofLimits {
   unsigned threads = 0;                                                    // at work; 0: one a core
   bool peak_memory = false;                                                // count it
   bool addends = false;                                                    // find what adds up to bounds
-  bool half_open = false;  // compositional bounds have half-open windows
 };
 
 /// The model of `skill` in `environment`. If the environment lacks something that the skill needs: nothing,

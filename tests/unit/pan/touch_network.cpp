@@ -120,7 +120,7 @@ Network touch_network() {
   body.add(Set{pc_reach, {}});
   body.leave();
   body.merge(choose);
-  body.until(loop, Guard{Guard::Kind::any_of, {}, true, {equals(0, true), equals(1, true)}, false});
+  body.until(loop, Guard{Guard::Kind::any_of, {}, true, {equals(0, true), equals(1, true)}});
   body.end_block();
   body.join(fork);
   network.modules[sm1].body.nodes[fork.index()].out.resize(2);
