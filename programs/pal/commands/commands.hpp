@@ -92,6 +92,7 @@ struct AtcOptions {
   std::string trace;        // where to write the trace of the worst run
   bool chrome = false;      // … in the form of trace viewers
   bool no_list = false;     // the list of what the time is spent on is left out
+  bool narrow = false;      // the picture fits a column of a page with two
 };
 ExitStatus draw_atc(const AtcOptions& options, const Console& console);
 
