@@ -1,4 +1,5 @@
-// The robot, its controller and what it touches, in physics that advances in fixed steps of 1 ms.
+// The robot, its controller and what it touches, in physics that advances in fixed steps of 1 ms: the pose of
+// the tool, the force and torque that its sensor meets, distances, contacts.
 #pragma once
 
 #include <functional>
