@@ -19,6 +19,9 @@ interface Told {
   detail: string;
 }
 
+/** An icon within others: "rub-in-square › side-1". */
+const nested = (path: string): string => path.replaceAll("/", " › ");
+
 function useTold(): Told {
   const link = useCell((cell) => cell.link);
   const snapshot = useCell((cell) => cell.present?.snapshot);
@@ -30,16 +33,16 @@ function useTold(): Told {
   if (snapshot.activity === "skill") return { look: "acting", symbol: "run", headline: t("state.skill"), detail: snapshot.running?.skill ?? "" };
   if (snapshot.operation === "" || snapshot.operation !== name) {
     const other = snapshot.operation !== "" && (snapshot.state === "running" || snapshot.state === "paused" || snapshot.state === "stopped");
-    if (!other) return { look: "idle", symbol: "minus", headline: t("state.idle"), detail: snapshot.cell };
+    if (!other) return { look: "idle", symbol: "minus", headline: t("state.idle"), detail: t("state.cell", { name: snapshot.cell }) };
   }
   const other = snapshot.operation === name ? "" : `${snapshot.operation}: `;
   switch (snapshot.state) {
-    case "running": return { look: "acting", symbol: "run", headline: t(snapshot.pausing ? "state.pausing" : "state.running"), detail: other + (snapshot.here?.icon ?? snapshot.token) };
-    case "paused": return { look: "halted", symbol: "pause", headline: t("state.paused"), detail: other + t("state.before", { icon: snapshot.token }) };
-    case "stopped": return { look: "stopped", symbol: "stop", headline: t("state.stopped"), detail: other + snapshot.token };
+    case "running": return { look: "acting", symbol: "run", headline: t(snapshot.pausing ? "state.pausing" : "state.running"), detail: other + nested(snapshot.here?.icon ?? snapshot.token) };
+    case "paused": return { look: "halted", symbol: "pause", headline: t("state.paused"), detail: other + t("state.before", { icon: nested(snapshot.token) }) };
+    case "stopped": return { look: "stopped", symbol: "stop", headline: t("state.stopped"), detail: other + nested(snapshot.token) };
     case "failed": return { look: "failed", symbol: "error", headline: t("state.failed"), detail: snapshot.reason || snapshot.token };
     case "ended": return { look: "ended", symbol: "tick", headline: t("state.ended"), detail: t("state.code", { code: snapshot.last_code }) };
-    default: return { look: "idle", symbol: "minus", headline: t("state.ready"), detail: snapshot.cell };
+    default: return { look: "idle", symbol: "minus", headline: t("state.ready"), detail: t("state.cell", { name: snapshot.cell }) };
   }
 }
 
