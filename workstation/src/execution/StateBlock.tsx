@@ -81,7 +81,8 @@ function Bounds() {
   if (!result) return null;
   if (result.errors > 0)
     return <Button className="button quiet small state-findings" data-error onPress={() => openWindow("findings", "/")}><Symbol name="error" size={16} />{t("state.errors", { count: result.errors })}</Button>;
-  if (result.shortest_s === null || result.ways.length === 0) return null;
+  // Nothing is proved yet: a time would say nothing.
+  if (result.shortest_s === null || result.ways.length === 0 || (result.shortest_s < 0.005 && result.longest_s === null)) return null;
   return (
     <Button className="button quiet small state-bounds" onPress={() => openWindow("ways")}>
       {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}
