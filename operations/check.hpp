@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "operations/model.hpp"
 #include "pal/pan/network.hpp"
@@ -22,6 +23,7 @@ using Skills = std::map<std::string, pan::Template>;
 struct Sensor {
   std::string unit;  // empty: a plain number
   std::string description;
+  std::optional<std::pair<double, double>> range{};  // that it can show; nothing: not known
 };
 /// By name: the sensors that a cell has, or the figures that it knows of a skill that has ended.
 using Sensors = std::map<std::string, Sensor>;

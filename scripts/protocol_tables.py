@@ -30,15 +30,10 @@ def kind(schema):
 
 def tables(schema):
     lines = [BEGIN, "", "| method | params | result | least role |", "| --- | --- | --- | --- |"]
-    planned = []
     for method in schema["methods"]:
-        if "x-planned" in method:
-            planned.append(f"`{method['name']}`")
-            continue
         params = ", ".join(f"`{each['name']}`" + ("" if each["required"] else "?") for each in method["params"])
         lines.append(f"| `{method['name']}` | {params} | {kind(method['result']['schema'])} | {method['x-role']} |")
-    lines += ["", f"The schema has these besides, which are not answered yet: {', '.join(planned)}.", "",
-              "| code | `why` | meaning |", "| --- | --- | --- |"]
+    lines += ["", "| code | `why` | meaning |", "| --- | --- | --- |"]
     lines += [f"| {each['code']} | `{each['data']['why']}` | {each['message']} |"
               for each in schema["components"]["errors"].values()]
     lines += ["", END]

@@ -5,10 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -16,6 +18,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 namespace pal::server {
@@ -56,12 +59,6 @@ class Descriptor {
 
 }  // namespace
 
-std::string default_announcement() {
-  if (const char* folder = std::getenv("XDG_RUNTIME_DIR"); folder != nullptr && *folder != '\0')
-    return std::string(folder) + "/workcell.json";
-  return fmt::format("/tmp/workcell-{}/workcell.json", ::geteuid());
-}
-
 namespace {
 
 /// Whether a server listens where the file says. One that was killed has left its file and does not.
@@ -80,6 +77,14 @@ bool still_listens(const Announcement& announced) {
   return connected;
 }
 
+constexpr std::string_view announcement_begin = "workcell-", announcement_end = ".json";
+
+std::string usual_folder() {
+  if (const char* folder = std::getenv("XDG_RUNTIME_DIR"); folder != nullptr && *folder != '\0')
+    return folder;
+  return fmt::format("/tmp/workcell-{}", ::geteuid());
+}
+
 std::optional<Announcement> announced_at(const std::string& path) {
   try {
     return read_announcement(path);
@@ -89,6 +94,27 @@ std::optional<Announcement> announced_at(const std::string& path) {
 }
 
 }  // namespace
+
+std::string default_announcement(const std::string& cell, std::uint16_t port) {
+  std::string name = cell;
+  for (char& each : name)
+    if (std::isalnum(static_cast<unsigned char>(each)) == 0 && each != '-') each = '_';
+  return fmt::format("{}/{}{}-{}{}", usual_folder(), announcement_begin, name, port, announcement_end);
+}
+
+std::vector<std::string> announced_servers() {
+  std::vector<std::string> result;
+  std::error_code problem;
+  for (std::filesystem::directory_iterator each(usual_folder(), problem), end; !problem && each != end;
+       each.increment(problem)) {
+    const std::string name = each->path().filename().string();
+    if (!name.starts_with(announcement_begin) || !name.ends_with(announcement_end)) continue;
+    const auto announced = announced_at(each->path().string());
+    if (announced && still_listens(*announced)) result.push_back(each->path().string());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
 void withdraw(const std::string& path, const Announcement& announcement) {
   const auto there = announced_at(path);

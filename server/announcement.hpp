@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "server/session.hpp"
 
@@ -14,8 +15,10 @@ struct Announcement {
   Tokens tokens;
 };
 
-/// $XDG_RUNTIME_DIR/workcell.json, or /tmp/workcell-UID/workcell.json.
-std::string default_announcement();
+/// $XDG_RUNTIME_DIR/workcell-CELL-PORT.json, or in /tmp/workcell-UID: no two servers of a machine share it.
+std::string default_announcement(const std::string& cell, std::uint16_t port);
+/// Those of the usual places whose servers listen, sorted. Files of servers that were killed are passed over.
+std::vector<std::string> announced_servers();
 
 /// Makes the file, and its folder if that is not there, so that others cannot read it. What was there before
 /// is replaced, unless the server that it announces still listens. Throws std::runtime_error: it cannot be

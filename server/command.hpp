@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -16,6 +17,7 @@
 namespace pal::server {
 
 using ClientId = std::uint64_t;
+struct Location;
 
 /// With `force` a programmer takes them from another client, while nothing runs.
 struct TakeControls {
@@ -76,6 +78,23 @@ struct RemoveBreakpoint {
   std::size_t number = 0;
 };
 struct ClearBreakpoints {};
+/// Where the robot is, under this name. `based_on`: the version that the client knows; 0: it must be new.
+struct TeachLocation {
+  std::string location;
+  std::optional<std::uint64_t> based_on{};
+};
+struct RenameLocation {
+  std::string location, to;
+  std::optional<std::uint64_t> based_on{};
+};
+struct DeleteLocation {
+  std::string location;
+  std::optional<std::uint64_t> based_on{};
+};
+/// While nothing runs.
+struct ReadSensor {
+  std::string sensor;
+};
 /// The place of the answer, from 0, or its text.
 struct AnswerQuestion {
   std::string icon;
@@ -84,7 +103,8 @@ struct AnswerQuestion {
 
 using Command = std::variant<TakeControls, AskForControls, GiveControls, ReleaseControls, SetHold,
                              ReleaseHold, RunSkill, LoadOperation, RunOperation, Pause, Stop, PutToken,
-                             SetParameter, SetBreakpoint, RemoveBreakpoint, ClearBreakpoints, AnswerQuestion>;
+                             SetParameter, SetBreakpoint, RemoveBreakpoint, ClearBreakpoints, AnswerQuestion,
+                             TeachLocation, RenameLocation, DeleteLocation, ReadSensor>;
 
 /// How a command ended that was obeyed.
 struct Done {
@@ -93,6 +113,8 @@ struct Done {
   std::string operation{};                             // of LoadOperation: its name
   std::optional<operations::Value> before{};           // of SetParameter; nothing: it was not set
   std::optional<operations::Breakpoint> breakpoint{};  // of SetBreakpoint
+  std::shared_ptr<const Location> location{};          // of TeachLocation and RenameLocation
+  std::optional<double> reading{};                     // of ReadSensor, at `end`
 };
 
 /// Where in the texts of an operation something is wrong; what is not known is empty.

@@ -36,7 +36,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Session* session() { return session_.get(); }
   /// So many samples that it wanted were left out before they came here.
   void lose(std::uint64_t samples) {
-    if (session_ && session_->looks()) outbox_.lose(samples);
+    if (session_ && (session_->looks() || session_->watches_channels())) outbox_.lose(samples);
   }
   /// The server ends: the client is told, after all that waits for it.
   void end() {
@@ -58,15 +58,15 @@ class Connection : public std::enable_shared_from_this<Connection> {
  protected:
   /// Cuts the connection at once.
   virtual void cut() = 0;
-  /// Starts the write of a text; written() when it is done.
-  virtual void write(const std::string& text) = 0;
+  /// Starts the write of a message; written() when it is done.
+  virtual void write(const OutgoingMessage& message) = 0;
   /// All has been said that was to be said before hanging up.
   virtual void close() = 0;
 
   SessionOutput output() {
     return {[this](std::string text) { say(std::move(text)); },
-            [this](Outbox::Sample sample) {
-              outbox_.put_sample(std::move(sample));
+            [this](LiveMessage message) {
+              outbox_.put_sample(std::move(message));
               pump();
             },
             [this](std::string reason) {
@@ -113,9 +113,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   }
   void pump() {
     if (writing_ || gone_) return;
-    if (auto text = outbox_.take()) {
+    if (auto message = outbox_.take()) {
       writing_ = true;
-      current_ = std::move(*text);
+      current_ = std::move(*message);
       write(current_);
     } else if (closing_) {
       close();
@@ -124,7 +124,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   Outbox outbox_;
   boost::asio::steady_timer admission_;
-  std::string current_, reason_;
+  OutgoingMessage current_;
+  std::string reason_;
   bool writing_ = false, closing_ = false, gone_ = false, ends_ = false;
 };
 

@@ -13,7 +13,7 @@
 namespace pal::server {
 
 const char* name(Activity activity) {
-  static constexpr std::array names{"idle", "skill", "operation"};
+  static constexpr std::array names{"idle", "skill", "operation", "service"};
   return names[static_cast<std::size_t>(activity)];
 }
 
@@ -176,6 +176,15 @@ const operations::Sensors& Desk::sensors() const {
   return parts_->options.sensors;
 }
 
+const Locations* Desk::locations() const {
+  return parts_->options.book;
+}
+
+std::map<std::string, LastReading> Desk::readings() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->readings;
+}
+
 std::shared_ptr<const operations::Cell> Desk::cell() const {
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->cell_copy) parts_->cell_copy = std::make_shared<operations::Cell>(parts_->cell);
@@ -203,20 +212,24 @@ void Desk::end() {
 bool Desk::work() {
   std::optional<Parts::SkillJob> skill;
   std::optional<Parts::OperationJob> operation;
+  std::optional<Parts::ServiceJob> service;
   {
     const std::lock_guard lock(parts_->mutex);
     skill = std::exchange(parts_->skill_job, std::nullopt);
     operation = std::exchange(parts_->operation_job, std::nullopt);
+    service = std::exchange(parts_->service_job, std::nullopt);
   }
   if (skill) parts_->work_on(*skill);
   if (operation) parts_->work_on(*operation);
-  return skill || operation;
+  if (service) parts_->work_on(*service);
+  return skill || operation || service;
 }
 
 void Desk::wait(std::chrono::milliseconds longest) {
   std::unique_lock lock(parts_->mutex);
-  parts_->changed.wait_for(lock, longest,
-                           [this] { return parts_->ending || parts_->skill_job || parts_->operation_job; });
+  parts_->changed.wait_for(lock, longest, [this] {
+    return parts_->ending || parts_->skill_job || parts_->operation_job || parts_->service_job;
+  });
 }
 
 bool Desk::ended() const {

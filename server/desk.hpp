@@ -15,8 +15,10 @@
 #include "operations/executor.hpp"
 #include "server/command.hpp"
 #include "server/event.hpp"
+#include "server/locations.hpp"
 #include "server/outlook.hpp"
 #include "server/role.hpp"
+#include "server/run_history.hpp"
 #include "server/status.hpp"
 
 namespace pal::server {
@@ -30,8 +32,12 @@ struct DeskOptions {
   operations::Sensors sensors{};  // what tests and waits can read
   /// Those that are taught; nothing: not known.
   std::optional<std::set<std::string>> locations{};
+  /// Where they are, and the robot that is taught; null: this cell cannot be taught. Both outlive the desk.
+  Locations* book = nullptr;
+  TaughtRobot* robot = nullptr;
   std::optional<operations::Sensors> figures{};  // that skills report; nothing: not known
   std::map<std::string, std::string> unable{};   // skills that the cell cannot run, and why
+  RunHistory* runs = nullptr;  // gets each execution; null: nobody does. It outlives the desk
   /// How long the cell waits on the wall before it looks for an answer again. A cell in virtual time needs
   /// this: its own time would rush past.
   std::chrono::milliseconds answer_wait{0};
@@ -67,6 +73,10 @@ class Desk final {
   std::variant<IconValues, Refusal> values(const std::string& icon) const;
   const operations::Skills& skills() const;
   const operations::Sensors& sensors() const;
+  /// Null: this cell cannot be taught.
+  const Locations* locations() const;
+  /// What sensors showed when they were last read.
+  std::map<std::string, LastReading> readings() const;
   /// What operations are checked against now.
   std::shared_ptr<const operations::Cell> cell() const;
   /// New at each start: numbers of events and clients count within it.

@@ -14,7 +14,11 @@ struct LeastRole {
   Role operator()(const Pause&) const { return Role::viewer; }
   Role operator()(const Stop&) const { return Role::viewer; }
   Role operator()(const ReleaseControls&) const { return Role::viewer; }
+  Role operator()(const ReadSensor&) const { return Role::viewer; }
   Role operator()(const RunSkill&) const { return Role::programmer; }
+  Role operator()(const TeachLocation&) const { return Role::programmer; }
+  Role operator()(const RenameLocation&) const { return Role::programmer; }
+  Role operator()(const DeleteLocation&) const { return Role::programmer; }
   template <class Other>
   Role operator()(const Other&) const {
     return Role::operating;
@@ -58,6 +62,8 @@ Desk::Parts::Result Desk::Parts::need_controls(ClientId client) const {
 
 Desk::Parts::Result Desk::Parts::need_rest() const {
   if (status.activity == Activity::idle) return std::nullopt;
+  if (status.activity == Activity::service)
+    return Refusal{Refusal::Why::busy, "a sensor is read or a location changed", "ask again"};
   return Refusal{Refusal::Why::busy,
                  fmt::format("{} runs; pause or stop it first",
                              status.activity == Activity::skill ? "a skill" : "an operation")};

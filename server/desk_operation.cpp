@@ -56,6 +56,9 @@ void Desk::Parts::stop(const std::string& by) {
     if (!executor || executor->state() != ExecutionState::paused) return;
     executor->end_pause();
     look_at_executor();
+    if (options.runs != nullptr && operation_run != 0)
+      options.runs->change(operation_run, operations::name(status.state), time_now(), std::nullopt,
+                           status.reason);
     publish_state();
     return;
   }
@@ -71,7 +74,7 @@ void Desk::Parts::stop(const std::string& by) {
 Desk::Parts::Result Desk::Parts::obey(Asked& asked, Pause&) {
   if (status.activity == Activity::skill)
     return Refusal{Refusal::Why::nothing, "a skill that runs alone cannot pause; stop ends it"};
-  if (status.activity == Activity::idle) return Refusal{Refusal::Why::nothing, "nothing runs"};
+  if (status.activity != Activity::operation) return Refusal{Refusal::Why::nothing, "nothing runs"};
   pause(name_of(asked.client));
   return std::nullopt;
 }
@@ -88,6 +91,7 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, RunSkill& command) {
   if (auto refusal = mistake_in(command, cell)) return refusal;
   give_controls(asked.client);
   begin(Activity::skill);
+  note_begin(RunRecord::Kind::skill, command.skill, asked.client);
   stops_without.reset();
   if (!command.goes_on) stops_without = asked.client;
   skill_job = SkillJob{std::move(command), asked.client, std::exchange(asked.answer, nullptr)};
@@ -134,6 +138,7 @@ void Desk::Parts::forget_icons() {
   here.reset();
   step_before.clear();
   cut_off = false;
+  operation_run = 0;
 }
 
 Desk::Parts::Result Desk::Parts::obey(Asked& asked, RunOperation& command) {
@@ -150,6 +155,13 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, RunOperation& command) {
   if (state == ExecutionState::ended || state == ExecutionState::failed) start_again();
   give_controls(asked.client);
   begin(Activity::operation);
+  if (operation_run == 0) {
+    note_begin(RunRecord::Kind::operation, status.operation, asked.client);
+    operation_run = status.run;
+  } else if (options.runs != nullptr) {
+    status.run = operation_run;
+    options.runs->change(operation_run, "running", std::nullopt, std::nullopt, "");
+  }
   operation_job = OperationJob{command.how == RunOperation::How::step ? std::size_t{1} : 0};
   status.state = ExecutionState::running;
   status.reason.clear();

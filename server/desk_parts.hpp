@@ -26,7 +26,7 @@ class AskingRunner final : public operations::SkillRunner {
     return runner_.run(skill, parameters, limit);
   }
   bool delay(Duration time) override { return runner_.delay(time); }
-  operations::Reading sense(const std::string& sensor) override { return runner_.sense(sensor); }
+  operations::Reading sense(const std::string& sensor) override;
   std::optional<std::string> zero(const std::string& sensor) override { return runner_.zero(sensor); }
   void ask(const operations::Question& question) override;
   operations::Reply answer() override;
@@ -48,6 +48,16 @@ struct Desk::Parts final : operations::StepObserver {
   };
   struct OperationJob {
     std::size_t steps = 0;  // 0: until something halts it
+  };
+  /// Work with the robot that is neither a skill nor an operation. The cell's thread does it, without the
+  /// lock.
+  struct Served {
+    Reply reply;
+    std::optional<decltype(Event::what)> event{};
+  };
+  struct ServiceJob {
+    std::function<Served()> work;
+    Answerer answer;
   };
   /// A command that is being obeyed. Whoever takes the answerer answers later.
   struct Asked {
@@ -98,6 +108,12 @@ struct Desk::Parts final : operations::StepObserver {
   Result obey(Asked& asked, RemoveBreakpoint& command);
   Result obey(Asked& asked, ClearBreakpoints& command);
   Result obey(Asked& asked, AnswerQuestion& command);
+  Result obey(Asked& asked, TeachLocation& command);
+  Result obey(Asked& asked, RenameLocation& command);
+  Result obey(Asked& asked, DeleteLocation& command);
+  Result obey(Asked& asked, ReadSensor& command);
+  Result begin_service(Asked& asked, std::function<Served()> work);
+  Result need_locations() const;
 
   void pause(const std::string& by);
   void stop(const std::string& by);
@@ -107,6 +123,10 @@ struct Desk::Parts final : operations::StepObserver {
   /// Breakpoints of what runs are changed when the token next comes to an icon.
   Result change_breakpoints(Asked& asked, std::function<Reply()> change);
   void change_between();
+  /// Notes what happens in the history, if there is one.
+  void note_begin(RunRecord::Kind kind, const std::string& name, ClientId client);
+  void note_step(const operations::Step& step);
+  void note_end(const std::string& state, std::optional<int> code, const std::string& reason);
   void tell_breakpoints(const std::string& by);
   void forget_icons();
 
@@ -119,6 +139,7 @@ struct Desk::Parts final : operations::StepObserver {
   void done(const operations::Step& step) override;
   void work_on(const OperationJob& job);
   void work_on(SkillJob& job);
+  void work_on(ServiceJob& job);
 
   operations::SkillRunner& runner;
   AskingRunner asking_runner;
@@ -143,6 +164,9 @@ struct Desk::Parts final : operations::StepObserver {
   std::optional<SkillJob> skill_job;
   std::optional<ClientId> stops_without;  // a skill alone is stopped when this client goes
   std::optional<OperationJob> operation_job;
+  std::optional<ServiceJob> service_job;
+
+  std::map<std::string, LastReading> readings;  // by sensor
 
   // Of the operation.
   std::shared_ptr<const LoadedFiles> loaded;
@@ -152,6 +176,7 @@ struct Desk::Parts final : operations::StepObserver {
   std::optional<Here> here;
   std::string step_before;            // icon of the last step that was not cut off
   bool cut_off = false;               // the last step was
+  std::uint64_t operation_run = 0;    // of the history; 0: what runs next is a new one
   std::optional<std::size_t> answer;  // to the question that waits
   std::string answered_by;
 

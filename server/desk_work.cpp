@@ -1,9 +1,18 @@
 // The cell's thread at work: skills alone, operations, and the questions that they ask.
 #include <algorithm>
 
+#include "operations/missing_value.hpp"
 #include "server/desk_parts.hpp"
 
 namespace pal::server {
+
+operations::Reading AskingRunner::sense(const std::string& sensor) {
+  operations::Reading reading = runner_.sense(sensor);
+  if (!reading.value) return reading;
+  const std::lock_guard lock(desk_.mutex);
+  desk_.readings[sensor] = {*reading.value, runner_.now()};
+  return reading;
+}
 
 void AskingRunner::ask(const operations::Question& question) {
   const std::lock_guard lock(desk_.mutex);
@@ -44,6 +53,37 @@ void Desk::Parts::begin(Activity activity) {
   changed.notify_all();
 }
 
+void Desk::Parts::note_begin(RunRecord::Kind kind, const std::string& name, ClientId client) {
+  if (options.runs == nullptr) return;
+  RunRecord record;
+  record.kind = kind;
+  record.name = name;
+  record.begun = std::chrono::system_clock::now();
+  record.begin = time_now();
+  record.by = name_of(client);
+  std::optional<std::string> text;
+  if (kind == RunRecord::Kind::operation && loaded) {
+    const auto main = loaded->files.find(loaded->main);
+    if (main != loaded->files.end()) text = main->second;
+  }
+  status.run = options.runs->begin(std::move(record), std::move(text));
+}
+
+void Desk::Parts::note_step(const operations::Step& step) {
+  if (options.runs == nullptr) return;
+  std::vector<operations::Parameter> all = step.parameters;
+  const auto skill = cell.skills->find(step.skill);
+  if (skill != cell.skills->end())
+    for (const pan::Parameter& each : skill->second.parameters)
+      if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return one.name == each.name; }))
+        all.push_back({each.name, operations::default_of(each), {}, {}});
+  options.runs->step(status.run, step, std::move(all));
+}
+
+void Desk::Parts::note_end(const std::string& state, std::optional<int> code, const std::string& reason) {
+  if (options.runs != nullptr) options.runs->change(status.run, state, time_now(), code, reason);
+}
+
 void Desk::Parts::change_between() {
   for (auto& [change, reply_to] : std::exchange(between, {})) {
     Reply reply;
@@ -58,6 +98,7 @@ void Desk::Parts::change_between() {
 
 void Desk::Parts::arrives(const std::string& icon) {
   sink.make_room();
+  if (options.runs != nullptr) options.runs->make_room();
   const std::lock_guard lock(mutex);
   change_between();
   status.token = icon;
@@ -89,6 +130,7 @@ void Desk::Parts::done(const operations::Step& step) {
   if (step.has_code()) state.code = step.result.code;
   if (step.result.kind == operations::SkillResult::Kind::normal) ++state.ends;
   if (step.has_code()) status.last_code = step.result.code;
+  note_step(step);
   publish(StepEnds{step});
 }
 
@@ -112,6 +154,9 @@ void Desk::Parts::work_on(const OperationJob& job) {
   status.running.reset();
   set_time(runner.now());
   look_at_executor();
+  note_end(operations::name(status.state),
+           status.state == operations::ExecutionState::ended ? std::optional(status.last_code) : std::nullopt,
+           status.reason);
   publish_state();
 }
 
@@ -135,6 +180,12 @@ void Desk::Parts::work_on(SkillJob& job) {
     status.running.reset();
     stops_without.reset();
     set_time(step.end);
+    note_step(step);
+    using Kind = operations::SkillResult::Kind;
+    note_end(step.result.kind == Kind::stopped ? "stopped"
+             : step.result.kind == Kind::error ? "failed"
+                                               : "ended",
+             step.result.code, step.result.reason);
     publish(StepEnds{step});
   }
   Done result;

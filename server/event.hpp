@@ -17,6 +17,11 @@ namespace pal::server {
 
 using WallTime = std::chrono::system_clock::time_point;
 
+/// Since 1970, as files keep it.
+inline std::int64_t milliseconds(WallTime time) {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
+}
+
 /// A client that is here.
 struct Present {
   ClientId client = 0;

@@ -6,13 +6,6 @@
 
 namespace pal::server {
 
-void Call::later(std::function<void(const Call&)> use) const {
-  context().in_turn([call = *this, alive = home_->alive(), use = std::move(use)] {
-    const auto still = alive.lock();
-    if (still && *still) use(call);
-  });
-}
-
 void Call::ask(Command command, std::function<Json(const Done&)> describe) const {
   context().desk.ask(client(), std::move(command),
                      [call = *this, describe = std::move(describe), alive = home_->alive(),
@@ -35,23 +28,35 @@ void Call::ask(Command command) const {
 
 namespace {
 
-/// What came of the work: a result, or why there is none.
-using Outcome = std::variant<Json, Problem>;
+/// What came of the work: a result as JSON, or why there is none. It is not copied from thread to thread.
+using Outcome = std::shared_ptr<const std::variant<std::string, Problem>>;
+
+Outcome outcome(std::variant<std::string, Problem> result) {
+  return std::make_shared<const std::variant<std::string, Problem>>(std::move(result));
+}
 
 Outcome outcome_of(const std::function<Json(const Workshop::Stop&)>& work, const Workshop::Stop& stop) {
   try {
-    if (stop()) return problem_of(Refusal{Refusal::Why::cancelled, "it was cancelled"});
-    return work(stop);
+    if (stop()) return outcome(problem_of(Refusal{Refusal::Why::cancelled, "it was cancelled"}));
+    return outcome(dump(work(stop)));
   } catch (const Problem& problem) {
-    return problem;
+    return outcome(problem);
   } catch (const std::exception& problem) {
-    return problem_of(Refusal{Refusal::Why::failed, problem.what()});
+    return outcome(problem_of(Refusal{Refusal::Why::failed, problem.what()}));
   }
 }
 
 constexpr const char* too_many = "too many requests of this client wait";
 
 }  // namespace
+
+void Call::answer_with(const std::variant<std::string, Problem>& outcome) const {
+  if (const auto* problem = std::get_if<Problem>(&outcome)) {
+    refuse(*problem);
+  } else {
+    text_result(std::get<std::string>(outcome));
+  }
+}
 
 void Call::beside(Workshop& workshop, std::function<Json(const Workshop::Stop&)> work) const {
   const auto ticket =
@@ -61,11 +66,7 @@ void Call::beside(Workshop& workshop, std::function<Json(const Workshop::Stop&)>
           const auto still = alive.lock();
           if (!still || !*still) return;
           call.home_->note_ticket(call.id_, nullptr);
-          if (const auto* problem = std::get_if<Problem>(&outcome)) {
-            call.refuse(*problem);
-          } else {
-            call.result(std::get<Json>(outcome));
-          }
+          call.answer_with(*outcome);
         });
       });
   if (!ticket) fail(Refusal::Why::too_much, too_many, "wait for their answers, or cancel some");
@@ -83,24 +84,21 @@ void Call::load(LoadOperation command, std::function<void(LoadOperation&)> find)
             const auto still = alive.lock();
             if (!still || !*still) return;
             call.home_->note_ticket(call.id_, nullptr);
-            if (const auto* problem = std::get_if<Problem>(&outcome)) {
-              call.refuse(*problem);
-            } else {
-              call.result(std::get<Json>(outcome));
-            }
+            call.answer_with(*outcome);
             call.home_->hold_commands(false);
           });
         };
         try {
           find(command);
         } catch (const Problem& problem) {
-          return answer(problem);
+          return answer(outcome(problem));
         }
         desk.ask(
             client, std::move(command),
             [answer](const Reply& reply) {
-              if (const auto* refusal = std::get_if<Refusal>(&reply)) return answer(problem_of(*refusal));
-              answer(Json{{"operation", std::get<Done>(reply).operation}});
+              if (const auto* refusal = std::get_if<Refusal>(&reply))
+                return answer(outcome(problem_of(*refusal)));
+              answer(outcome(dump(Json{{"operation", std::get<Done>(reply).operation}})));
             },
             stop);
       });
@@ -112,8 +110,9 @@ void Call::load(LoadOperation command, std::function<void(LoadOperation&)> find)
 }
 
 const Method* find_method(std::string_view name) {
-  for (const auto& group : {methods_of_the_cell(), methods_of_controls(), methods_of_operations(),
-                            methods_of_texts(), methods_of_the_store()})
+  for (const auto& group :
+       {methods_of_the_cell(), methods_of_controls(), methods_of_operations(), methods_of_texts(),
+        methods_of_the_store(), methods_of_the_robot(), methods_of_the_history()})
     for (const Method& method : group)
       if (method.name == name) return &method;
   return nullptr;

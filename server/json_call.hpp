@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "server/json_requests.hpp"
 #include "server/session.hpp"
@@ -21,6 +22,8 @@ class CallHome {
   virtual ClientId client() const = 0;
   virtual Role role() const = 0;
   virtual void send_result(const Json& id, const Json& result) = 0;
+  /// The result is JSON already.
+  virtual void send_text(const Json& id, const std::string& result) = 0;
   virtual void send_problem(const Json& id, const Problem& problem) = 0;
   /// So that `cancel` finds it, until it is answered.
   virtual void note_ticket(const Json& id, const Workshop::Ticket& ticket) = 0;
@@ -45,6 +48,9 @@ class Call {
   void result(const Json& result) const {
     if (answered_) home_->send_result(id_, result);
   }
+  void text_result(const std::string& result) const {
+    if (answered_) home_->send_text(id_, result);
+  }
   void refuse(const Problem& problem) const {
     if (answered_) home_->send_problem(id_, problem);
   }
@@ -57,8 +63,7 @@ class Call {
   void load(LoadOperation command, std::function<void(LoadOperation&)> find) const;
 
  private:
-  /// Runs the function in the thread of the sessions, if the session is still there.
-  void later(std::function<void(const Call&)> use) const;
+  void answer_with(const std::variant<std::string, Problem>& outcome) const;
 
   CallHome* home_;
   Members members_;
@@ -80,6 +85,8 @@ std::span<const Method> methods_of_controls();
 std::span<const Method> methods_of_operations();
 std::span<const Method> methods_of_texts();
 std::span<const Method> methods_of_the_store();
+std::span<const Method> methods_of_the_robot();
+std::span<const Method> methods_of_the_history();
 
 /// The whole present state, as hello and snapshot give it.
 Json snapshot_json(const SessionContext& context, ClientId client);

@@ -3,6 +3,7 @@
 
 #include "pal/explain/embedded.hpp"
 #include "server/json_call.hpp"
+#include "server/json_live.hpp"
 
 namespace pal::server {
 namespace {
@@ -15,11 +16,51 @@ void explain(const Call& call) {
   fail(Refusal::Why::absent, "there is no finding of this code");
 }
 
+void list_channels(const Call& call) {
+  Json json = Json::array();
+  if (call.context().channels != nullptr)
+    for (const Channel& each : *call.context().channels) json.push_back(describe(each));
+  call.result(json);
+}
+
+void requirements(const Call& call) {
+  const std::string skill = call.members().text("skill", "");
+  const auto facts = call.context().facts();
+  if (!skill.empty() && !call.context().desk.skills().contains(skill))
+    fail(Refusal::Why::absent, "the cell has no skill '" + skill.substr(0, 60) + "'");
+  const auto measured =
+      call.context().knowledge != nullptr ? call.context().knowledge->measured() : MeasuredRequirements();
+  Json json = Json::array();
+  for (const auto& [name, known] : facts->skills) {
+    if (!skill.empty() && name != skill) continue;
+    Json each{{"skill", name}, {"requirements", Json::array()}};
+    for (const KnownRequirement& requirement : known.requirements) {
+      Json one = describe(requirement);
+      const auto found = measured.find({name, requirement.name});
+      if (found != measured.end()) {
+        one["measured"] = found->second;
+        if (requirement.limit)
+          one["margin"] =
+              requirement.at_least ? found->second - *requirement.limit : *requirement.limit - found->second;
+      }
+      each["requirements"].push_back(std::move(one));
+    }
+    json.push_back(std::move(each));
+  }
+  call.result(json);
+}
+
 constexpr std::array cell_methods{
     Method{"state", Role::viewer, false,
            [](const Call& call) { call.result(describe(call.context().desk.status(call.client()))); }},
     Method{"snapshot", Role::viewer, false,
-           [](const Call& call) { call.result(snapshot_json(call.context(), call.client())); }},
+           // It may have all the texts of the operation.
+           [](const Call& call) {
+             call.beside(call.context().reading,
+                         [&context = call.context(), client = call.client()](const Workshop::Stop&) {
+                           return snapshot_json(context, client);
+                         });
+           }},
     Method{"clients", Role::viewer, false,
            [](const Call& call) { call.result(describe(call.context().desk.clients())); }},
     Method{"skills", Role::viewer, false,
@@ -28,7 +69,12 @@ constexpr std::array cell_methods{
              call.result(describe(desk.skills(), *call.context().facts(), desk.cell()->unable));
            }},
     Method{"sensors", Role::viewer, false,
-           [](const Call& call) { call.result(describe(call.context().desk.sensors())); }},
+           [](const Call& call) {
+             const Desk& desk = call.context().desk;
+             call.result(describe(desk.sensors(), desk.readings()));
+           }},
+    Method{"channels.list", Role::viewer, false, list_channels},
+    Method{"requirements", Role::viewer, false, requirements},
     Method{"explain", Role::viewer, false, explain},
 };
 
@@ -40,6 +86,9 @@ Json snapshot_json(const SessionContext& context, ClientId client) {
   json["offers"] = Json::array();
   if (context.store != nullptr) json["offers"].push_back("store");
   if (context.knowledge != nullptr) json["offers"].push_back("requirements");
+  if (context.runs != nullptr) json["offers"].push_back("history");
+  if (context.desk.locations() != nullptr) json["offers"].push_back("locations");
+  if (context.channels != nullptr && !context.channels->empty()) json["offers"].push_back("channels");
   return json;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "server/json_call.hpp"
+#include "server/program_check.hpp"
 #include "server/services.hpp"
 #include "server/text_check.hpp"
 
@@ -22,6 +23,42 @@ void check(const Call& call) {
     if (stop()) fail(Refusal::Why::cancelled, "it was cancelled");
     return json;
   });
+}
+
+/// The skill as the only icon of an operation, so that the same rules hold for it.
+std::string operation_of(const std::string& skill, const Json& parameters) {
+  const Json start{{"id", "start"}, {"kind", "start"}, {"next", "skill"}};
+  const Json icon{{"id", "skill"}, {"kind", "skill"}, {"skill", skill}, {"parameters", parameters},
+                  {"next", "end"}, {"error", "end"}};
+  const Json end{{"id", "end"}, {"kind", "exit"}};
+  return dump({{"operation-format", 1}, {"name", skill}, {"icons", {start, icon, end}}});
+}
+
+void check_skill(const Call& call) {
+  const std::string skill = call.members().text("skill");
+  const Json* given = call.members().find("parameters");
+  if (given != nullptr && !given->is_object()) fail(bad_parameters, "'parameters' must be an object");
+  call.beside(call.context().checks,
+              [text = operation_of(skill, given != nullptr ? *given : Json::object()),
+               &context = call.context()](const Workshop::Stop& stop) -> Json {
+                const std::string main = "skill.op.json";
+                const std::map<std::string, std::string> files{{main, text}};
+                Json told = checked(SentFiles(files), main, *context.desk.cell(), *context.facts(), 0, stop);
+                Json result{{"findings", Json::array()}, {"runs", told["runs"]}, {"times", nullptr}};
+                // Places in the text that was made here mean nothing to the client.
+                for (Json& finding : told["findings"]) {
+                  for (const char* place : {"file", "operation", "icon", "begin", "end", "notes", "edits"})
+                    finding.erase(place);
+                  result["findings"].push_back(std::move(finding));
+                }
+                for (Json& icon : told["icons"])
+                  if (icon["icon"] == "skill") {
+                    icon.erase("operation");
+                    icon.erase("icon");
+                    result["times"] = std::move(icon);
+                  }
+                return result;
+              });
 }
 
 void format(const Call& call) {
@@ -68,6 +105,7 @@ void compare(const Call& call) {
 
 constexpr std::array text_methods{
     Method{"operation.check", Role::viewer, false, check},
+    Method{"skill.check", Role::viewer, false, check_skill},
     Method{"operation.format", Role::viewer, false, format},
     Method{"operation.tidy", Role::viewer, false, tidy},
     Method{"operation.difference", Role::viewer, false, compare},

@@ -79,27 +79,49 @@ Json parse(std::string_view text) {
   return json;
 }
 
-Members::Members(const Json& request) {
+Members::Members(Json& request) {
   const auto found = request.find("params");
   if (found == request.end()) return;
   if (!found->is_object()) fail(bad_parameters, "params must be an object, with names");
-  json_ = *found;
+  json_ = std::make_shared<const Json>(std::move(*found));
+}
+
+ParsedRequest read_request(std::string_view text) {
+  ParsedRequest result;
+  try {
+    Json request = parse(text);
+    if (request.is_discarded()) fail(no_json, "this is no JSON");
+    if (request.is_array()) fail(no_request, "send one request a message: there are no batches");
+    if (!request.is_object()) fail(no_request, "a request is an object");
+    const auto given = request.find("id");
+    if (given != request.end() && (given->is_string() || given->is_number())) result.id = *given;
+    const auto method = request.find("method");
+    if (request.value("jsonrpc", Json()) != "2.0" || method == request.end() || !method->is_string() ||
+        (given != request.end() && result.id.is_null() && !given->is_null()))
+      fail(no_request, "a request has \"jsonrpc\": \"2.0\", a method, and an id that is a number or a text");
+    result.answered = given != request.end();
+    result.method = method->get<std::string>();
+    result.members = Members(request);
+  } catch (const Problem& problem) {
+    result.problem = problem;
+  }
+  return result;
 }
 
 std::string Members::text(const char* name) const {
-  const auto found = json_.find(name);
-  if (found == json_.end() || !found->is_string())
+  const auto found = json_->find(name);
+  if (found == json_->end() || !found->is_string())
     fail(bad_parameters, fmt::format("'{}' must be a text", name));
   return found->get<std::string>();
 }
 
 std::string Members::text(const char* name, const char* otherwise) const {
-  return json_.contains(name) ? text(name) : otherwise;
+  return json_->contains(name) ? text(name) : otherwise;
 }
 
 const Json* Members::find(const char* name) const {
-  const auto found = json_.find(name);
-  return found == json_.end() ? nullptr : &*found;
+  const auto found = json_->find(name);
+  return found == json_->end() ? nullptr : &*found;
 }
 
 std::optional<std::int64_t> Members::may_be_whole(const char* name, std::int64_t low,

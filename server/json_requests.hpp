@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,10 +34,12 @@ Problem problem_of(int code, std::string message, std::string hint = {});
 /// far as to code that calls itself.
 Json parse(std::string_view text);
 
-/// The members of "params": an object, or nothing. Throws Problem for anything else.
+/// The members of "params": an object, or nothing. Throws Problem for anything else. Copies share them.
 class Members {
  public:
-  explicit Members(const Json& request);
+  Members() = default;
+  /// Takes them out of the request.
+  explicit Members(Json& request);
   /// Throws Problem unless it is there and is a text.
   std::string text(const char* name) const;
   /// `otherwise` if it is not there.
@@ -54,8 +57,19 @@ class Members {
   std::string short_text(const char* name, std::size_t most) const;
 
  private:
-  Json json_ = Json::object();
+  std::shared_ptr<const Json> json_ = std::make_shared<Json>(Json::object());
 };
+
+/// A message as a request of JSON-RPC, or why it is none.
+struct ParsedRequest {
+  Json id;  // null: it is not known
+  bool answered = true;
+  std::string method;
+  Members members;
+  std::optional<Problem> problem;
+};
+
+ParsedRequest read_request(std::string_view text);
 
 /// A number, true, false or a text. Throws Problem for anything else, which it calls `name`.
 operations::Value value_of(const std::string& name, const Json& json);

@@ -8,15 +8,23 @@
 
 #include "server/access.hpp"
 #include "server/json_call.hpp"
+#include "server/json_live.hpp"
 #include "server/session.hpp"
 
 namespace pal::server {
 namespace {
 
+constexpr std::size_t longest_read_at_once = std::size_t{16} << 10;
+constexpr const char* too_many_wait = "too many requests of this client wait";
+constexpr const char* wait_for_answers = "wait for their answers";
+
 class JsonSession final : public Session, private CallHome {
  public:
   JsonSession(SessionContext& context, SessionOutput output)
-      : context_(context), output_(std::move(output)), alive_(std::make_shared<bool>(true)) {}
+      : context_(context),
+        output_(std::move(output)),
+        alive_(std::make_shared<bool>(true)),
+        live_(output_, context.channels) {}
   ~JsonSession() override {
     *alive_ = false;
     for (const auto& [id, ticket] : tickets_) *ticket = true;
@@ -24,65 +32,44 @@ class JsonSession final : public Session, private CallHome {
   }
 
   void take(std::string_view text) override {
-    Json id;  // null: it is not known
-    bool answered = true;
-    try {
-      const Json request = parse(text);
-      if (request.is_discarded()) fail(no_json, "this is no JSON");
-      if (request.is_array()) fail(no_request, "send one request a message: there are no batches");
-      if (!request.is_object()) fail(no_request, "a request is an object");
-      const auto given = request.find("id");
-      if (given != request.end() && (given->is_string() || given->is_number())) id = *given;
-      const auto method = request.find("method");
-      if (request.value("jsonrpc", Json()) != "2.0" || method == request.end() || !method->is_string() ||
-          (given != request.end() && id.is_null() && !given->is_null()))
-        fail(no_request,
-             "a request has \"jsonrpc\": \"2.0\", a method, and an id that is a number or a text");
-      answered = given != request.end();
-      obey(method->get<std::string>(), Call(*this, Members(request), id, answered));
-    } catch (const Problem& problem) {
-      if (answered) send_problem(id, problem);
-    }
+    // The thread of the sockets is for short messages: what is long keeps no stop waiting.
+    if (!client_ || text.size() <= longest_read_at_once) return obey(read_request(text));
+    const auto place = std::make_shared<Held>();
+    held_.push_back(place);
+    const auto ticket = context_.reading.submit(
+        *client_, [this, place, text = std::string(text), alive = std::weak_ptr(alive_),
+                   turn = context_.in_turn](const Workshop::Stop&) {
+          turn([this, place, alive, request = std::make_shared<ParsedRequest>(read_request(text))] {
+            const auto still = alive.lock();
+            if (still && *still) obey_long(place, *request);
+          });
+        });
+    if (ticket) return;
+    std::erase(held_, place);
+    send_problem(nullptr, problem_of(Refusal{Refusal::Why::too_much, too_many_wait, wait_for_answers}));
   }
 
   void happened(const Event& event) override {
     if (watching_ && event.number > said_) notify(event);
   }
-  void show(const std::shared_ptr<const Telemetry>& telemetry) override {
-    if (!looks() || telemetry->time < due_) return;
-    due_ = telemetry->time + period_;
-    output_.send_sample([telemetry](std::uint64_t dropped) {
-      Json params;
-      params["time_s"] = seconds(telemetry->time);
-      params["force"] = telemetry->force;
-      params["pose"] = telemetry->pose;
-      params["joints"] = telemetry->joints;
-      params["dropped"] = dropped;
-      return dump({{"jsonrpc", "2.0"}, {"method", "telemetry"}, {"params", std::move(params)}});
-    });
-  }
+  void show(const std::shared_ptr<const Telemetry>& telemetry) override { live_.show(telemetry); }
   void show(Duration time, const std::shared_ptr<const Profile>& profile) override {
-    if (!looks()) return;
-    output_.send_sample([time, profile](std::uint64_t dropped) {
-      Json params;
-      params["time_s"] = seconds(time);
-      params["y_mm"] = profile->y;
-      params["z_mm"] = profile->z;
-      params["dropped"] = dropped;
-      return dump({{"jsonrpc", "2.0"}, {"method", "profile"}, {"params", std::move(params)}});
-    });
+    live_.show(time, profile);
   }
+  void show(const ShownBlock& block) override { live_.show(block); }
   bool admitted() const override { return client_.has_value(); }
   bool extra() const override { return extra_; }
-  bool looks() const override { return period_ > Duration::zero(); }
+  bool looks() const override { return live_.looks(); }
+  bool watches_channels() const override { return live_.watches_channels(); }
 
  private:
   // For calls.
   SessionContext& context() override { return context_; }
   ClientId client() const override { return client_.value_or(0); }
   Role role() const override { return role_; }
-  void send_result(const Json& id, const Json& result) override {
-    output_.send(dump({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}));
+  void send_result(const Json& id, const Json& result) override { send_text(id, dump(result)); }
+  void send_text(const Json& id, const std::string& result) override {
+    output_.send(fmt::format(R"({{"jsonrpc":"2.0","id":{},"result":{}}})", dump(id), result));
   }
   void send_problem(const Json& id, const Problem& problem) override {
     output_.send(
@@ -100,8 +87,35 @@ class JsonSession final : public Session, private CallHome {
   }
   void hold_commands(bool hold) override {
     holding_ = hold;
-    while (!holding_ && !held_.empty()) {
-      const auto [method, call] = std::move(held_.front());
+    advance();
+  }
+  std::weak_ptr<bool> alive() const override { return alive_; }
+
+  /// A command that waits for what came before it.
+  struct Held {
+    std::optional<std::pair<const Method*, Call>> request;  // nothing: it is still being read
+  };
+
+  void obey(const ParsedRequest& request) {
+    answer(request, [&](const Method& method, const Call& call) {
+      if (!method.commands || (!holding_ && held_.empty())) return method.answer(call);
+      if (held_.size() >= Workshop::most_waiting)
+        fail(Refusal::Why::too_much, too_many_wait, wait_for_answers);
+      held_.push_back(std::make_shared<Held>(Held{std::pair(&method, call)}));
+    });
+  }
+  /// Its place among the commands was kept.
+  void obey_long(const std::shared_ptr<Held>& place, const ParsedRequest& request) {
+    answer(request, [&](const Method& method, const Call& call) {
+      if (!method.commands) return method.answer(call);
+      place->request.emplace(&method, call);
+    });
+    if (!place->request) std::erase(held_, place);
+    advance();
+  }
+  void advance() {
+    while (!holding_ && !held_.empty() && held_.front()->request) {
+      const auto [method, call] = *held_.front()->request;
       held_.pop_front();
       try {
         method->answer(call);
@@ -110,16 +124,29 @@ class JsonSession final : public Session, private CallHome {
       }
     }
   }
-  std::weak_ptr<bool> alive() const override { return alive_; }
 
-  void obey(const std::string& name, const Call& call) {
+  /// Refuses what is no request, and what this client may not ask; gives the rest to `use`.
+  template <class Use>
+  void answer(const ParsedRequest& request, const Use& use) {
+    const Call call(*this, request.members, request.id, request.answered);
+    if (request.problem) return call.refuse(*request.problem);
+    try {
+      if (const Method* method = method_for(request.method, call)) use(*method, call);
+    } catch (const Problem& problem) {
+      call.refuse(problem);
+    }
+  }
+  /// Null: the session itself has answered.
+  const Method* method_for(const std::string& name, const Call& call) {
     if (name == "hello") return hello(call);
     if (!client_) {
       call.refuse(problem_of(not_admitted, "say hello with the token first"));
-      return output_.close("no token was shown");
+      output_.close("no token was shown");
+      return nullptr;
     }
     if (name == "watch") return watch(call);
     if (name == "cancel") return cancel(call);
+    if (name == "channels.watch") return watch_channels(call);
     const Method* method = find_method(name);
     if (method == nullptr) fail(no_method, fmt::format("there is no method '{}'", name.substr(0, 60)));
     if (role_ < method->least)
@@ -129,20 +156,17 @@ class JsonSession final : public Session, private CallHome {
            extra_ ? "the places for clients are taken: look, pause and stop"
                   : fmt::format("show the token of a{} {}", method->least == Role::operating ? "n" : "",
                                 pal::server::name(method->least)));
-    // A text of a client may wait for its check as long as others of its own.
-    if (!holding_ || !method->commands) return method->answer(call);
-    if (held_.size() >= Workshop::most_waiting)
-      fail(Refusal::Why::too_much, "too many requests of this client wait", "wait for their answers");
-    held_.emplace_back(method, call);
+    return method;
   }
 
-  void hello(const Call& call) {
+  std::nullptr_t hello(const Call& call) {
     if (client_) fail(bad_parameters, "hello has been said");
     const Members& members = call.members();
     const auto given = context_.tokens.role_of(members.text("token"));
     if (!given) {
       call.refuse(problem_of(not_admitted, "this is not the token", "the server's announcement has it"));
-      return output_.close("a wrong token");
+      output_.close("a wrong token");
+      return nullptr;
     }
     const std::string wanted = members.text("role", "");
     const auto role = wanted.empty() ? given : role_named(wanted);
@@ -154,9 +178,10 @@ class JsonSession final : public Session, private CallHome {
     role_ = extra_ ? Role::viewer : *role;
     client_ = context_.desk.enter(members.text("name", "a client").substr(0, 60), role_);
     call.result(snapshot_json(context_, *client_));
+    return nullptr;
   }
 
-  void watch(const Call& call) {
+  std::nullptr_t watch(const Call& call) {
     const Members& members = call.members();
     const Json* telemetry = members.find("telemetry");
     if (telemetry != nullptr &&
@@ -166,10 +191,8 @@ class JsonSession final : public Session, private CallHome {
     if (since != nullptr && !since->is_number_unsigned())
       fail(bad_parameters, "'since' is the number of an event");
     const std::string epoch = members.text("epoch", context_.desk.epoch().c_str());
-    if (telemetry != nullptr) {
-      period_ = Duration(static_cast<std::int64_t>(telemetry->get<double>() * 1e9));
-      due_ = {};
-    }
+    if (telemetry != nullptr)
+      live_.watch_telemetry(Duration(static_cast<std::int64_t>(telemetry->get<double>() * 1e9)));
     const std::uint64_t last = context_.desk.status(*client_).last_event;
     std::uint64_t number = last;
     if (since != nullptr) {
@@ -195,15 +218,23 @@ class JsonSession final : public Session, private CallHome {
     watching_ = true;
     said_ = number;
     context_.history.since(number, [this](const Event& event) { notify(event); });
+    return nullptr;
   }
 
-  void cancel(const Call& call) {
+  std::nullptr_t cancel(const Call& call) {
     const Json* request = call.members().find("request");
     if (request == nullptr || !(request->is_string() || request->is_number()))
       fail(bad_parameters, "'request' is the id of a request");
     const auto found = tickets_.find(dump(*request));
     if (found != tickets_.end()) *found->second = true;
     call.result({{"found", found != tickets_.end()}});
+    return nullptr;
+  }
+
+  std::nullptr_t watch_channels(const Call& call) {
+    live_.watch_channels(call.members());
+    call.result(Json::object());
+    return nullptr;
   }
 
   void notify(const Event& event) {
@@ -219,10 +250,10 @@ class JsonSession final : public Session, private CallHome {
   bool extra_ = false;
   bool watching_ = false;
   std::uint64_t said_ = 0;  // the last event that was sent
-  Duration period_{}, due_{};
+  LiveView live_;
   std::map<std::string, Workshop::Ticket> tickets_;  // by the ids of requests that are not answered
   bool holding_ = false;
-  std::deque<std::pair<const Method*, Call>> held_;
+  std::deque<std::shared_ptr<Held>> held_;
 };
 
 }  // namespace

@@ -27,6 +27,12 @@ std::string dump(const Json& json);
 Json describe(const operations::Value& value);
 Json value_or_null(const std::optional<operations::Value>& value);
 Json describe(const std::vector<operations::Parameter>& parameters);
+Json describe(const std::optional<Hold>& hold);
+Json describe(const OpenQuestion& question);
+Json describe(const ControlsAsked& asking);
+Json describe(const operations::Source& source);
+/// Of a step that goes on nothing is told that is not known yet.
+Json describe_step(const operations::Step& step, bool ended);
 Json describe(const Event& event);
 Json describe(const Status& status);
 Json describe(const Snapshot& snapshot);
@@ -39,8 +45,9 @@ Json describe(const IconValues& values);
 Json describe(const operations::Skills& skills, const Facts& facts,
               const std::map<std::string, std::string>& unable);
 Json describe(const KnownRequirement& requirement);
-Json describe(const operations::Sensors& sensors);
+Json describe(const operations::Sensors& sensors, const std::map<std::string, LastReading>& readings);
 Json describe(const StoredEntry& entry);
+Json describe(const Location& location);
 /// Of a `skill` its result and times; of another command nothing: an empty object.
 Json describe(const Done& done, bool skill);
 

@@ -2,11 +2,13 @@
 // of them, their pictures. It may come while the server serves, for proofs take their time.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "operations/ways.hpp"
@@ -20,6 +22,7 @@ struct KnownRequirement {
   Verdict verdict = Verdict::not_proved;
   std::optional<double> bound, limit;  // in `unit`
   std::string unit;                    // "s", or "%" of a load
+  bool at_least = false;               // the limit is one from below
 };
 
 struct SkillFacts {
@@ -38,6 +41,9 @@ struct Facts {
   operations::SkillTimes times;
 };
 
+/// The worst of each requirement, by skill and name, in seconds.
+using MeasuredRequirements = std::map<std::pair<std::string, std::string>, double>;
+
 /// For all threads.
 class Knowledge {
  public:
@@ -49,9 +55,22 @@ class Knowledge {
     const std::lock_guard lock(mutex_);
     facts_ = std::move(facts);
   }
+  /// Since the server began, of what a run can show.
+  MeasuredRequirements measured() const {
+    const std::lock_guard lock(mutex_);
+    return measured_;
+  }
+  /// The longest that was seen, or the shortest of a limit from below.
+  void measure(const std::string& skill, const std::string& requirement, double seconds, bool at_least) {
+    const std::lock_guard lock(mutex_);
+    const auto [found, fresh] = measured_.try_emplace({skill, requirement}, seconds);
+    if (!fresh)
+      found->second = at_least ? std::min(found->second, seconds) : std::max(found->second, seconds);
+  }
 
  private:
   mutable std::mutex mutex_;
+  MeasuredRequirements measured_;
   std::shared_ptr<const Facts> facts_ = std::make_shared<Facts>();
 };
 

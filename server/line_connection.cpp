@@ -60,8 +60,8 @@ class LineConnection final : public Connection {
       if (!problem && !self->gone()) self->read();
     });
   }
-  void write(const std::string& text) override {
-    asio::async_write(stream_, asio::buffer(text), [self = here()](error_code problem, std::size_t) {
+  void write(const OutgoingMessage& message) override {
+    asio::async_write(stream_, asio::buffer(message.text), [self = here()](error_code problem, std::size_t) {
       // What is not read at a terminal is lost.
       self->written(!problem || (stays && problem != asio::error::operation_aborted));
     });

@@ -1,14 +1,13 @@
 // The dialogue with a client by lines (thesis, appendix A).
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <deque>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "pal/support/text_width.hpp"
+#include "server/line_commands.hpp"
+#include "server/line_events.hpp"
 #include "server/session.hpp"
 
 namespace pal::server {
@@ -20,40 +19,6 @@ constexpr std::size_t largest_operation = std::size_t{1} << 20;
 constexpr std::size_t message_size = 50;
 // Lines that may wait for the check of an operation.
 constexpr std::size_t most_held = 10'000;
-
-using Words = std::vector<std::string>;
-
-Words words_of(const std::string& line) {
-  std::istringstream in(line);
-  Words words;
-  for (std::string word; in >> word;) words.push_back(std::move(word));
-  return words;
-}
-
-std::optional<double> number(const std::string& text) {
-  double value = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// As the parameter's type has it. Nothing: it is no such value.
-std::optional<operations::Value> value_of(const std::string& text, pan::ScalarType type) {
-  if (type == pan::ScalarType::text) return text;
-  if (type == pan::ScalarType::boolean) {
-    if (text == "1" || text == "true") return true;
-    if (text == "0" || text == "false") return false;
-    return std::nullopt;
-  }
-  if (const auto value = number(text)) return *value;
-  return std::nullopt;
-}
-
-/// The skill or the sensor; of a delay "-".
-std::string subject(const operations::Step& step) {
-  const std::string& what = step.skill.empty() ? step.sensor : step.skill;
-  return what.empty() ? "-" : what;
-}
 
 class LineSession final : public Session {
  public:
@@ -78,7 +43,7 @@ class LineSession final : public Session {
   }
 
   void happened(const Event& event) override {
-    if (watching_) report(event);
+    if (watching_) say(event_line(event));
     const auto* state = std::get_if<StateChanged>(&event.what);
     if (!waiting_ || state == nullptr || state->state == operations::ExecutionState::running) return;
     waiting_ = false;
@@ -90,11 +55,11 @@ class LineSession final : public Session {
   }
   void show(const std::shared_ptr<const Telemetry>& telemetry) override {
     if (!looks()) return;
-    output_.send_sample([telemetry](std::uint64_t) {
+    output_.send_sample({[telemetry](std::uint64_t) {
       std::string text = ">";
       for (const double figure : telemetry->force) text += fmt::format("{:8.2f}", figure).substr(0, 8);
       return text + "\r\n";
-    });
+    }});
   }
   void show(Duration, const std::shared_ptr<const Profile>&) override {}
   bool admitted() const override { return client_.has_value(); }
@@ -163,10 +128,10 @@ class LineSession final : public Session {
       upload_name_ = words[1];
       return;
     }
-    if (verb == "answer" && words.size() >= 3) return answer(words);
+    if (verb == "answer" && words.size() >= 3) return ask(answer_of(words));
     if (verb == "from" && words.size() == 2) return ask(PutToken{words[1]});
-    if (verb == "break" && (words.size() == 2 || words.size() == 3)) return set_breakpoint(words);
-    if (verb == "set" && words.size() == 4) return set_parameter(words);
+    if (verb == "break" && (words.size() == 2 || words.size() == 3)) return ask_as(set_breakpoint_of(words));
+    if (verb == "set" && words.size() == 4) return ask(set_parameter_of(words));
     const auto skill = context_.desk.skills().find(verb);
     if (skill == context_.desk.skills().end()) return complain(fmt::format("no skill or command '{}'", verb));
     run_skill(skill->second, words);
@@ -185,57 +150,15 @@ class LineSession final : public Session {
     acknowledge(0);
   }
 
-  void run_skill(const pan::Template& skill, const Words& words) {
-    RunSkill command{words.front(), {}};
-    std::size_t end = words.size();
+  void run_skill(const pan::Template& skill, Words words) {
     const bool show = words.back() == "show";
-    if (show) --end;
-    for (std::size_t i = 1; i < end; ++i) {
-      // name=value, or a value at the place of its parameter.
-      const std::size_t equals = words[i].find('=');
-      const std::string name = equals == std::string::npos ? "" : words[i].substr(0, equals);
-      const auto parameter =
-          equals == std::string::npos
-              ? skill.parameters.begin() +
-                    static_cast<std::ptrdiff_t>(std::min(i - 1, skill.parameters.size()))
-              : std::find_if(skill.parameters.begin(), skill.parameters.end(),
-                             [&](const pan::Parameter& each) { return each.name == name; });
-      if (parameter == skill.parameters.end())
-        return complain(name.empty()
-                            ? fmt::format("{} has {} parameters", skill.name, skill.parameters.size())
-                            : fmt::format("{} has no parameter '{}'", skill.name, name));
-      const auto value =
-          value_of(equals == std::string::npos ? words[i] : words[i].substr(equals + 1), parameter->type);
-      if (!value) return complain(fmt::format("'{}' is no value of {}", words[i], parameter->name));
-      command.parameters.push_back({parameter->name, *value, {}, {}});
-    }
-    ask(std::move(command), show);
+    if (show) words.pop_back();
+    ask_as(run_skill_of(skill, words), show);
   }
-
-  void set_parameter(const Words& words) {
-    if (words[3] == "true" || words[3] == "false")
-      return ask(SetParameter{words[1], words[2], words[3] == "true"});
-    if (const auto value = number(words[3])) return ask(SetParameter{words[1], words[2], *value});
-    ask(SetParameter{words[1], words[2], words[3]});
-  }
-  void set_breakpoint(const Words& words) {
-    operations::Breakpoint breakpoint{words[1], {}};
-    if (words.size() == 3) {
-      const auto code = number(words[2]);
-      if (!code || !(std::abs(*code) <= 1e6)) return complain("a completion code is a whole number");
-      breakpoint.code = static_cast<int>(*code);
-    }
-    ask(SetBreakpoint{std::move(breakpoint)});
-  }
-
-  /// The place of the answer, or its text.
-  void answer(const Words& words) {
-    const auto place = number(words[2]);
-    if (words.size() == 3 && place && *place >= 0 && *place <= 1000)
-      return ask(AnswerQuestion{words[1], static_cast<std::size_t>(*place)});
-    std::string text;
-    for (std::size_t i = 2; i < words.size(); ++i) text += (i == 2 ? "" : " ") + words[i];
-    ask(AnswerQuestion{words[1], text});
+  template <class What>
+  void ask_as(FromWords<What> command, bool show = false) {
+    if (const auto* wrong = std::get_if<std::string>(&command)) return complain(*wrong);
+    ask(std::get<What>(std::move(command)), show);
   }
 
   void upload(const std::string& line) {
@@ -335,58 +258,6 @@ class LineSession final : public Session {
       tell(sensor.unit.empty() ? name : name + " " + sensor.unit);
     acknowledge(0);
   }
-  void report(const Event& event) {
-    struct Visitor {
-      std::string operator()(const ControlsChanged& what) const {
-        return "controls " + (what.holder.empty() ? "-" : what.holder);
-      }
-      std::string operator()(const ControlsAsked& what) const { return "asked " + what.name; }
-      std::string operator()(const ClientsChanged& what) const {
-        return fmt::format("clients {}", what.clients.size());
-      }
-      std::string operator()(const HoldChanged& what) const {
-        return "hold " + (what.hold ? what.hold->by + " " + what.hold->reason : "-");
-      }
-      std::string operator()(const OperationLoaded& what) const { return "loaded " + what.name; }
-      std::string operator()(const StateChanged& what) const {
-        return fmt::format("state {} {} {}", operations::name(what.state), what.token, what.reason);
-      }
-      std::string operator()(const HaltAsked& what) const {
-        return fmt::format("{} {}", what.stopping ? "stopping" : "pausing", what.by);
-      }
-      std::string operator()(const IconReached& what) const { return "icon " + what.icon; }
-      std::string operator()(const StepBegins& what) const {
-        return fmt::format("begins {} {} {}", what.step.number, what.step.icon.empty() ? "-" : what.step.icon,
-                           subject(what.step));
-      }
-      std::string operator()(const StepEnds& what) const {
-        return fmt::format("ends {} {} {} {}", what.step.number,
-                           what.step.icon.empty() ? "-" : what.step.icon, subject(what.step),
-                           what.step.result.code);
-      }
-      std::string operator()(const ParameterSet& what) const {
-        return fmt::format("set {} {} {}", what.icon, what.parameter, operations::to_text(what.value));
-      }
-      std::string operator()(const BreakpointsChanged& what) const {
-        return fmt::format("breakpoints {}", what.breakpoints.size());
-      }
-      std::string operator()(const QuestionAsked& what) const {
-        std::string text = "question " + what.question.question.icon + " " + what.question.question.text;
-        for (const std::string& answer : what.question.question.answers) text += " | " + answer;
-        return text;
-      }
-      std::string operator()(const QuestionClosed& what) const {
-        return fmt::format("answered {} {}", what.icon, what.answer.value_or("-"));
-      }
-      std::string operator()(const StoreChanged& what) const {
-        return fmt::format("stored {} {}", what.name, what.version);
-      }
-      std::string operator()(const LocationChanged& what) const { return "location " + what.location; }
-      std::string operator()(const ServerEnds& what) const { return "ending " + what.reason; }
-    };
-    say(fmt::format("*{} {}", event.number, std::visit(Visitor{}, event.what)));
-  }
-
   void acknowledge(int code) { say(fmt::format("#{}", code)); }
   void complain(const std::string& message) {
     why_ = message;

@@ -11,25 +11,25 @@ bool Outbox::put(std::string text) {
   return true;
 }
 
-void Outbox::put_sample(Sample sample) {
+void Outbox::put_sample(LiveMessage message) {
   if (samples_.size() >= limits_.most_samples) {
+    dropped_ += samples_.front().samples;
     samples_.pop_front();
-    ++dropped_;
   }
-  samples_.push_back(std::move(sample));
+  samples_.push_back(std::move(message));
 }
 
-std::optional<std::string> Outbox::take() {
+std::optional<OutgoingMessage> Outbox::take() {
   if (!texts_.empty()) {
     std::string text = std::move(texts_.front());
     texts_.pop_front();
     bytes_ -= text.size();
-    return text;
+    return OutgoingMessage{std::move(text)};
   }
   if (samples_.empty()) return std::nullopt;
-  const Sample sample = std::move(samples_.front());
+  const LiveMessage message = std::move(samples_.front());
   samples_.pop_front();
-  return sample(dropped_);
+  return OutgoingMessage{message.make(dropped_), message.binary};
 }
 
 }  // namespace pal::server

@@ -29,6 +29,9 @@ using boost::system::error_code;
 // passes fill it.
 constexpr std::size_t most_waiting = 10'000;
 constexpr std::size_t most_samples = 64;
+constexpr std::size_t most_blocks = 64;
+// So that requests come in between.
+constexpr std::size_t blocks_at_once = 4;
 
 tcp::acceptor listen_at(asio::io_context& io, const std::string& address, std::uint16_t port) {
   error_code problem;
@@ -49,7 +52,8 @@ struct Waiting {
   std::vector<Event> events;
   std::deque<std::shared_ptr<const Telemetry>> telemetry;
   std::deque<std::pair<Duration, std::shared_ptr<const Profile>>> profiles;
-  std::uint64_t lost = 0;  // samples of either
+  std::deque<std::shared_ptr<const SampleBlock>> blocks;
+  std::uint64_t lost = 0;  // samples of all these
 };
 
 }  // namespace
@@ -77,12 +81,16 @@ struct Server::Parts {
     desk = &the_desk;
     checks.emplace(true);
     disk.emplace(true);
-    context.emplace(SessionContext{
-        the_desk, history, options.tokens,
-        [this](std::function<void()> action) { asio::post(io, std::move(action)); }, *checks, *disk});
+    reading.emplace(true);
+    context.emplace(
+        SessionContext{the_desk, history, options.tokens,
+                       [this](std::function<void()> action) { asio::post(io, std::move(action)); }, *checks,
+                       *disk, *reading});
     context->store = options.store;
     context->knowledge = options.knowledge;
     context->version = options.version;
+    context->channels = &options.channels;
+    context->runs = options.runs;
     context->full = [this] {
       return count_of([](Session& each) { return !each.extra(); }) >= options.most_clients;
     };
@@ -120,6 +128,7 @@ struct Server::Parts {
     // What these do for a client that is not served any more is not wanted.
     checks.reset();
     disk.reset();
+    reading.reset();
     clients.clear();
   }
   void wait_for_farewells() {
@@ -215,16 +224,40 @@ struct Server::Parts {
       history.add(event);
       for_each([&](Session& session) { session.happened(event); });
     }
+    show_blocks(taken.blocks);
     for (const ConnectionPointer& client : clients) client->lose(taken.lost);
     for (const auto& telemetry : taken.telemetry)
       for_each([&](Session& session) { session.show(telemetry); });
     for (const auto& [time, profile] : taken.profiles)
       for_each([&, when = time, what = profile](Session& session) { session.show(when, what); });
   }
+  /// The first ones; the others come behind what else waits for this thread.
+  void show_blocks(std::deque<std::shared_ptr<const SampleBlock>>& blocks) {
+    for (std::size_t i = 0; i < blocks_at_once && !blocks.empty(); ++i) {
+      const ShownBlock shown(options.channels, std::move(blocks.front()));
+      blocks.pop_front();
+      for_each([&](Session& session) { session.show(shown); });
+    }
+    if (blocks.empty()) return;
+    leave([&] {
+      std::uint64_t lost = 0;
+      blocks.insert(blocks.end(), waiting.blocks.begin(), waiting.blocks.end());
+      while (blocks.size() > most_blocks) {
+        lost += blocks.front()->size();
+        blocks.pop_front();
+      }
+      waiting.blocks = std::move(blocks);
+      waiting.lost += lost;
+    });
+  }
   void see_who_looks() {
-    bool looks = false;
-    for_each([&](const Session& session) { looks = looks || session.looks(); });
+    bool looks = false, watches = false;
+    for_each([&](const Session& session) {
+      looks = looks || session.looks();
+      watches = watches || session.watches_channels();
+    });
     looked_at = looks;
+    watched = watches;
     glance.expires_after(std::chrono::milliseconds(50));
     glance.async_wait([this](const error_code& problem) {
       if (!problem) see_who_looks();
@@ -248,7 +281,7 @@ struct Server::Parts {
   PageFiles page_files;
   Desk* desk = nullptr;
   History history;
-  std::optional<Workshop> checks, disk;
+  std::optional<Workshop> checks, disk, reading;
   std::optional<SessionContext> context;
   std::optional<ConnectionContext> connection_context;
   std::vector<ConnectionPointer> clients;
@@ -258,7 +291,7 @@ struct Server::Parts {
   std::condition_variable room;
   Waiting waiting;
   bool called = false;  // take_what_waits() will run
-  std::atomic<bool> looked_at = false;
+  std::atomic<bool> looked_at = false, watched = false;
 };
 
 Server::Server(ServerOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {}
@@ -320,6 +353,20 @@ void Server::show(Duration time, const Profile& profile) {
     if (samples.size() <= most_samples) return;
     samples.pop_front();
     ++parts_->waiting.lost;
+  });
+}
+
+bool Server::watched() const noexcept {
+  return parts_->watched.load(std::memory_order_relaxed);
+}
+
+void Server::show(std::shared_ptr<const SampleBlock> block) {
+  parts_->leave([&] {
+    auto& blocks = parts_->waiting.blocks;
+    blocks.push_back(std::move(block));
+    if (blocks.size() <= most_blocks) return;
+    parts_->waiting.lost += blocks.front()->size();
+    blocks.pop_front();
   });
 }
 

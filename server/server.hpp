@@ -35,10 +35,12 @@ struct ServerOptions {
   std::chrono::milliseconds idle =
       std::chrono::seconds(30);  // a WebSocket that does not answer a ping is closed
   OutboxLimits outbox;
-  std::vector<PageFolder> pages;         // for browsers
-  Store* store = nullptr;                // operations on the disk; null: none
-  const Knowledge* knowledge = nullptr;  // of skills; null: none
-  std::string version;                   // of the program
+  std::vector<PageFolder> pages;     // for browsers
+  Store* store = nullptr;            // operations on the disk; null: none
+  Knowledge* knowledge = nullptr;    // of skills; null: none
+  const RunHistory* runs = nullptr;  // null: no history is kept
+  Channels channels;                 // of live data
+  std::string version;               // of the program
 };
 
 /// Keeps slow clients from the cell: it is only ever given a copy, and the rest is done in the server's
@@ -70,6 +72,8 @@ class Server final : public EventSink, public TelemetrySink {
   bool wanted() const noexcept override;
   void show(const Telemetry& telemetry) override;
   void show(Duration time, const Profile& profile) override;
+  bool watched() const noexcept override;
+  void show(std::shared_ptr<const SampleBlock> block) override;
 
   struct Parts;
 

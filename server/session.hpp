@@ -8,9 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include "server/channels.hpp"
 #include "server/desk.hpp"
 #include "server/history.hpp"
 #include "server/knowledge.hpp"
+#include "server/outbox.hpp"
 #include "server/store.hpp"
 #include "server/telemetry.hpp"
 #include "server/workshop.hpp"
@@ -35,9 +37,12 @@ struct SessionContext {
   std::function<void(std::function<void()>)> in_turn;
   Workshop& checks;  // of texts
   Workshop& disk;
-  Store* store = nullptr;                // null: this server has none
-  const Knowledge* knowledge = nullptr;  // null: nothing is known of skills but what running needs
-  std::string version{};                 // of the program
+  Workshop& reading;                   // of long messages
+  Store* store = nullptr;              // null: this server has none
+  Knowledge* knowledge = nullptr;      // null: nothing is known of skills but what running needs
+  std::string version{};               // of the program
+  const RunHistory* runs = nullptr;    // null: no history is kept
+  const Channels* channels = nullptr;  // null: this cell has none
   /// Whether the places for clients that may do anything are taken. The next one may look, pause and stop.
   std::function<bool()> full{};
 
@@ -50,8 +55,8 @@ struct SessionContext {
 struct SessionOutput {
   /// Answers and events: never left out.
   std::function<void(std::string)> send;
-  /// Telemetry; the text is made when it is sent.
-  std::function<void(std::function<std::string(std::uint64_t dropped)>)> send_sample;
+  /// Live data; the message is made when it is sent.
+  std::function<void(LiveMessage)> send_sample;
   /// No more is read from this client; what was sent before still reaches it. The reason is a few words.
   std::function<void(std::string reason)> close;
 };
@@ -66,12 +71,15 @@ class Session {
   virtual void happened(const Event& event) = 0;
   virtual void show(const std::shared_ptr<const Telemetry>& telemetry) = 0;
   virtual void show(Duration time, const std::shared_ptr<const Profile>& profile) = 0;
+  virtual void show(const ShownBlock&) {}
   /// It has shown the token.
   virtual bool admitted() const = 0;
   /// It came when the places were taken, and may look, pause and stop.
   virtual bool extra() const = 0;
   /// It wants telemetry.
   virtual bool looks() const = 0;
+  /// It wants samples of channels.
+  virtual bool watches_channels() const { return false; }
 };
 
 /// JSON-RPC 2.0 (docs/reference/protocols.md). The context and what the output calls outlive it.

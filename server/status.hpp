@@ -14,7 +14,8 @@
 
 namespace pal::server {
 
-enum class Activity { idle, skill, operation };
+/// service: a sensor is read, or a location is taught.
+enum class Activity { idle, skill, operation, service };
 const char* name(Activity activity);
 
 /// The step that goes on.
@@ -42,6 +43,7 @@ struct Status {
   std::optional<Running> running{};
   std::optional<Hold> hold{};
   std::optional<OpenQuestion> question{};
+  std::uint64_t run = 0;  // of the history: what runs, or ran last; 0: nothing yet
 };
 
 /// What an icon has been through since the operation began.
@@ -63,6 +65,11 @@ struct LoadedFiles {
   std::map<std::string, std::string> files;
   std::string main;
   std::optional<StoredVersion> stored;
+};
+
+struct LastReading {
+  double value = 0;
+  Duration time{};
 };
 
 struct Here {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -17,6 +16,7 @@
 #include "operations/parse.hpp"
 #include "pal/support/text_width.hpp"
 #include "pal/support/utf8.hpp"
+#include "server/disk_file.hpp"
 
 namespace pal::server {
 namespace {
@@ -26,15 +26,6 @@ using StoreJson = nlohmann::ordered_json;
 using Why = Refusal::Why;
 
 constexpr std::size_t longest_name = 100;
-
-[[noreturn]] void refuse(Why why, std::string message, std::string hint = {}) {
-  throw StoreProblem{Refusal{why, std::move(message), std::move(hint)}};
-}
-
-[[noreturn]] void fail_on_disk(const std::string& path) {
-  refuse(Why::failed, fmt::format("{}: {}", path, std::generic_category().message(errno)),
-         "look at the disk of the cell's computer");
-}
 
 void check_name(const std::string& name) {
   const bool well = !name.empty() && name.size() <= longest_name && name.front() != '.' &&
@@ -47,58 +38,6 @@ void check_name(const std::string& name) {
                "a name has 1 to {} bytes, no / \\ : * ? \" < > |, does not begin with a dot and does not "
                "end with .op.json",
                longest_name));
-}
-
-class StoreFile {
- public:
-  StoreFile(const std::string& path, int flags)
-      : number_(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600)) {
-    if (number_ < 0) fail_on_disk(path);
-  }
-  ~StoreFile() { ::close(number_); }
-  StoreFile(const StoreFile&) = delete;
-  StoreFile& operator=(const StoreFile&) = delete;
-  void write(const std::string& path, const std::string& text) const {
-    for (std::size_t done = 0; done < text.size();) {
-      const ssize_t count = ::write(number_, text.data() + done, text.size() - done);
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) fail_on_disk(path);
-      done += static_cast<std::size_t>(count);
-    }
-  }
-  void sync(const std::string& path) const {
-    if (::fsync(number_) != 0) fail_on_disk(path);
-  }
-  std::string read(const std::string& path) const {
-    std::string text;
-    std::string piece(65536, '\0');
-    for (;;) {
-      const ssize_t count = ::read(number_, piece.data(), piece.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) fail_on_disk(path);
-      if (count == 0) return text;
-      text.append(piece.data(), static_cast<std::size_t>(count));
-      if (text.size() > Store::largest_text) refuse(Why::failed, path + ": it is too large");
-    }
-  }
-
- private:
-  int number_;
-};
-
-void sync_folder(const std::string& folder) {
-  StoreFile(folder, O_RDONLY | O_DIRECTORY).sync(folder);
-}
-
-/// Whole on the disk under a name that nothing looks at.
-std::string write_aside(const std::string& folder, const std::string& text) {
-  static std::atomic<unsigned> count = 0;
-  const std::string path = fmt::format("{}/.new-{}-{}", folder, ::getpid(), ++count);
-  ::unlink(path.c_str());
-  const StoreFile file(path, O_WRONLY | O_CREAT | O_EXCL);
-  file.write(path, text);
-  file.sync(path);
-  return path;
 }
 
 std::string text_path(const std::string& folder, std::uint64_t version) {
@@ -115,10 +54,6 @@ std::optional<std::string> operation_name(const std::string& text) {
   const auto document = operations::parse(sources, sources.add("text", text), ignored);
   if (!document || document->operations.empty()) return std::nullopt;
   return document->operations.front().name;
-}
-
-std::int64_t milliseconds(WallTime time) {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
 }
 
 }  // namespace
@@ -179,7 +114,7 @@ StoredEntry Store::entry(const std::string& name, std::uint64_t version) const {
   StoreJson notes;
   try {
     const std::string at = notes_path(folder, version);
-    notes = StoreJson::parse(StoreFile(at, O_RDONLY).read(at), nullptr, false);
+    notes = StoreJson::parse(DiskFile(at, O_RDONLY).read(at, largest_text), nullptr, false);
   } catch (const StoreProblem&) {
     // Somebody put the text here by hand.
   }
@@ -192,7 +127,7 @@ StoredEntry Store::entry(const std::string& name, std::uint64_t version) const {
   if (notes.is_object() && notes.contains("operation")) {
     result.operation = text_of("operation");
   } else {
-    result.operation = operation_name(StoreFile(path, O_RDONLY).read(path)).value_or("");
+    result.operation = operation_name(DiskFile(path, O_RDONLY).read(path, largest_text)).value_or("");
   }
   if (notes.is_object() && notes.contains("saved_ms") && notes["saved_ms"].is_number_integer())
     result.saved = WallTime(std::chrono::milliseconds(notes["saved_ms"].get<std::int64_t>()));
@@ -224,7 +159,7 @@ StoredText Store::read(const std::string& name, std::optional<std::uint64_t> ver
   result.newest = newest_of(name);
   result.entry = entry(name, version.value_or(result.newest));
   const std::string path = text_path(folder_of(name), result.entry.version);
-  result.text = StoreFile(path, O_RDONLY).read(path);
+  result.text = DiskFile(path, O_RDONLY).read(path, largest_text);
   return result;
 }
 

@@ -7,15 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "server/command.hpp"
+#include "server/disk_file.hpp"
 #include "server/event.hpp"
 
 namespace pal::server {
-
-/// Why the store does not do something.
-struct StoreProblem {
-  Refusal refusal;
-};
 
 struct StoredEntry {
   std::string name;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "pal/support/time.hpp"
+#include "server/channels.hpp"
 
 namespace pal::server {
 
@@ -29,6 +31,9 @@ class TelemetrySink {
   virtual bool wanted() const noexcept = 0;
   virtual void show(const Telemetry& telemetry) = 0;
   virtual void show(Duration time, const Profile& profile) = 0;
+  /// Whether a client watches channels; otherwise no records need be written.
+  virtual bool watched() const noexcept { return false; }
+  virtual void show(std::shared_ptr<const SampleBlock>) {}
 };
 
 }  // namespace pal::server

@@ -117,8 +117,9 @@ class WebSocketConnection final : public Connection {
       self->read();
     });
   }
-  void write(const std::string& text) override {
-    stream_.async_write(asio::buffer(text),
+  void write(const OutgoingMessage& message) override {
+    stream_.binary(message.binary);
+    stream_.async_write(asio::buffer(message.text),
                         [self = here()](beast::error_code problem, std::size_t) { self->written(!problem); });
   }
   void close() override {

@@ -14,7 +14,7 @@ trace::Marks marks(std::span<const int> rows, std::size_t size) {
 }  // namespace
 
 RequirementWatch::RequirementWatch(const Wiring& wiring, const trace::Trace& tables)
-    : wiring_(wiring), inheritance_(tables) {
+    : wiring_(wiring), inheritance_(tables), worst_(wiring.requirements.size()) {
   using Measure = RequirementSpec::Measure;
   for (std::size_t r = 0; r < wiring.requirements.size(); ++r) {
     const RequirementSpec& spec = wiring.requirements[r];
@@ -46,6 +46,10 @@ RequirementWatch::RequirementWatch(const Wiring& wiring, const trace::Trace& tab
 void RequirementWatch::check(const Watched& watched, const std::optional<trace::Occurrence>& seen) {
   if (!seen) return;
   const Time length(seen->length_ns());
+  std::optional<Time>& worst = worst_[watched.requirement];
+  worst = !worst                              ? length
+          : spec(watched).most == Time::max() ? std::min(*worst, length)
+                                              : std::max(*worst, length);
   if (length > spec(watched).most || length < spec(watched).least)
     exceeded_.push_back({watched.requirement, length, seen->actor, seen->statement, false});
 }
@@ -74,7 +78,8 @@ const std::vector<Exceeded>& RequirementWatch::see(const trace::Event& event) {
       check(watched, sample->see(event, parent));
     } else if (auto* interval = std::get_if<trace::IntervalMeter>(&watched.meter)) {
       check(watched, interval->see(event));
-    } else if (event.kind == trace::Kind::complete && event.value == spec(watched).code) {
+    } else if (std::holds_alternative<Duration>(watched.meter) && event.kind == trace::Kind::complete &&
+               event.value == spec(watched).code) {
       check(watched, trace::Occurrence{0, event.time_ns, event.actor, event.statement});
     }
   }

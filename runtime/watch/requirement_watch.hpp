@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -31,6 +32,10 @@ class RequirementWatch {
   /// The requirements that the event shows to have failed, valid until the next call.
   const std::vector<Exceeded>& see(const trace::Event& event);
 
+  /// The longest time that was seen of this requirement; the shortest, of one that has a limit only from
+  /// below. Nothing: none was seen, or the measure is none that a run shows.
+  const std::optional<Time>& worst(std::size_t requirement) const { return worst_[requirement]; }
+
   /// The earliest instant at which something that still awaits its response is late; Time::max(): none.
   Time due() const;
   /// The requirements that are late at `now` and were not reported as late.
@@ -57,6 +62,7 @@ class RequirementWatch {
   trace::Inheritance inheritance_;
   std::vector<Watched> watched_;
   std::vector<Exceeded> exceeded_;
+  std::vector<std::optional<Time>> worst_;  // by requirement
 };
 
 }  // namespace pal::runtime

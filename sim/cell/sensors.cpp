@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/cell/sensor_range.hpp"
+
 namespace pal::sim {
 namespace {
 
@@ -13,22 +15,25 @@ struct Quantity {
   const char* device;
   const char* message;
   std::size_t field;
+  double low, high;  // that the device can show
 };
 
 constexpr double fixed_sensor_noise = 0.1;  // mm
 
 constexpr std::array quantities{
-    Quantity{"force-x", "N", "on the force-torque sensor, along its x", "force-torque", "wrench", 0},
-    Quantity{"force-y", "N", "likewise along y", "force-torque", "wrench", 1},
-    Quantity{"force-z", "N", "likewise along z; pressing is negative", "force-torque", "wrench", 2},
-    Quantity{"torque-x", "N*m", "on the force-torque sensor, about its x", "force-torque", "wrench", 3},
-    Quantity{"torque-y", "N*m", "likewise about y", "force-torque", "wrench", 4},
-    Quantity{"torque-z", "N*m", "likewise about z", "force-torque", "wrench", 5},
-    Quantity{"gripper-width", "mm", "between the fingers", "gripper", "state", 0},
-    Quantity{"gripper-force", "N", "with which each finger presses", "gripper", "state", 1},
-    Quantity{"gripper-holding", "", "1: both fingers press on a part; 0: they do not", "gripper", "state", 2},
+    Quantity{"force-x", "N", "on the force-torque sensor, along its x", "force-torque", "wrench", 0, -65, 65},
+    Quantity{"force-y", "N", "likewise along y", "force-torque", "wrench", 1, -65, 65},
+    Quantity{"force-z", "N", "likewise along z; pressing is negative", "force-torque", "wrench", 2, -65, 65},
+    Quantity{"torque-x", "N*m", "on the force-torque sensor, about its x", "force-torque", "wrench", 3, -5,
+             5},
+    Quantity{"torque-y", "N*m", "likewise about y", "force-torque", "wrench", 4, -5, 5},
+    Quantity{"torque-z", "N*m", "likewise about z", "force-torque", "wrench", 5, -5, 5},
+    Quantity{"gripper-width", "mm", "between the fingers", "gripper", "state", 0, 0, 80},
+    Quantity{"gripper-force", "N", "with which each finger presses", "gripper", "state", 1, 0, 100},
+    Quantity{"gripper-holding", "", "1: both fingers press on a part; 0: they do not", "gripper", "state", 2,
+             0, 1},
     Quantity{"range-nearest", "mm", "from the range finder to the nearest point of a profile", "range-finder",
-             "profile", 0},
+             "profile", 0, 100, 1000},
 };
 
 const Quantity* find(const std::string& sensor) {
@@ -61,6 +66,12 @@ std::vector<SensorSpec> sensors_of(const Workcell& workcell) {
   for (const auto& [name, place] : workcell.fixed_sensors())
     result.push_back({name, "mm", "from this fixed sensor down to what it meets"});
   return result;
+}
+
+std::optional<std::pair<double, double>> sensor_range(const std::string& sensor) {
+  const Quantity* known = find(sensor);
+  if (known == nullptr) return std::nullopt;
+  return std::pair(known->low, known->high);
 }
 
 std::optional<Source> source_of(const std::string& sensor) {

@@ -45,7 +45,7 @@ class FuzzedSession final : public server::EventSink {
   using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
 
   explicit FuzzedSession(Make make)
-      : session(make(context, {[](const std::string&) {}, [](const auto& sample) { sample(0); },
+      : session(make(context, {[](const std::string&) {}, [](const server::LiveMessage& message) { message.make(0); },
                                [this](const std::string&) { hung_up = true; }})) {
     runner.desk = &desk;
   }
@@ -94,6 +94,7 @@ class FuzzedSession final : public server::EventSink {
                                  history,
                                  {"0123456789abcdef0123456789abcdef", "", ""},
                                  [](const std::function<void()>& action) { action(); },
+                                 at_once,
                                  at_once,
                                  at_once};
   bool hung_up = false, was_admitted = false;

@@ -19,6 +19,14 @@ class Refused(Exception):
         self.code, self.data = error["code"], error.get("data")
 
 
+def frame_of(data):
+    """A binary message of live data: its head, and the numbers behind it."""
+    length = struct.unpack_from("<I", data)[0]
+    assert (4 + length) % 8 == 0 and (len(data) - 4 - length) % 8 == 0, len(data)
+    return {"method": "binary", "head": json.loads(data[4:4 + length]),
+            "numbers": struct.unpack_from(f"<{(len(data) - 4 - length) // 8}d", data, 4 + length)}
+
+
 class Client:
     """One connection. `seen` is called with each message, and with the method that it answers, if there is one."""
 
@@ -56,8 +64,8 @@ class Client:
         self.socket.sendall(head + mask + masked)
 
     def receive(self):
-        """The next message, as text."""
-        text = b""
+        """The next message: text, or bytes."""
+        text, binary = b"", False
         while True:
             first, second = self.take(2)
             size = second & 0x7f
@@ -71,10 +79,10 @@ class Client:
                 raise ConnectionError(f"closed: {data[2:].decode()}")
             if kind == 9:
                 self.frame(10, data)
-            elif kind in (0, 1):
-                text += data
+            elif kind in (0, 1, 2):
+                text, binary = text + data, binary or kind == 2
                 if first & 0x80:
-                    return text.decode()
+                    return text if binary else text.decode()
 
     def send(self, method, **params):
         self.last += 1
@@ -84,7 +92,8 @@ class Client:
 
     def step(self):
         """Takes one message; events are kept."""
-        message = json.loads(self.receive())
+        received = self.receive()
+        message = frame_of(received) if isinstance(received, bytes) else json.loads(received)
         if "id" not in message:
             self.seen(None, message)
             self.events.append(message)
@@ -111,6 +120,14 @@ class Client:
                 if message["method"] == "event" and all(message["params"].get(k) == v for k, v in fields.items()):
                     del self.events[:i + 1]
                     return message["params"]
+            self.step()
+
+    def notice(self, method, fits=lambda message: True):
+        """The first notification of this method that fits, of those that are kept or come; it alone is taken."""
+        while True:
+            for i, message in enumerate(self.events):
+                if message["method"] == method and fits(message):
+                    return self.events.pop(i)
             self.step()
 
     def close(self):

@@ -1,10 +1,11 @@
 """Makes, saves, checks, runs, pauses, changes and resumes an operation by the protocol alone, in the program
-`workcell serve`. Every message is checked against the schema, and each method of the schema is asked for.
+`workcell serve`, and reads what it felt. Every message is checked against the schema, and each method of the schema is asked for.
 
 Usage: dialogue.py WORKCELL SCHEMA PAGE_FOLDER
 """
 import json
 import sys
+import time
 
 import jsonschema
 
@@ -21,6 +22,7 @@ def validator(part):
 
 
 results = {name: validator(method["result"]["schema"]) for name, method in methods.items()}
+heads = [validator(each["schema"]) for each in schema["x-binary"]["heads"]]
 notices = {each["name"]: validator(each["params"][0]["schema"]) for each in schema["x-notifications"]}
 error_data = validator({"$ref": "#/components/schemas/ErrorData"})
 codes = {each["data"]["why"]: each["code"] for each in schema["components"]["errors"].values()}
@@ -32,7 +34,10 @@ def seen(method, message):
     def compare(what, value):
         for error in what.iter_errors(value):
             problems.append(f"{method or message.get('method')}: {error.json_path}: {error.message[:200]}")
-    if method is None:
+    if message.get("method") == "binary":
+        if not any(each.is_valid(message["head"]) for each in heads):
+            problems.append(f"the head of a binary message: {message['head']}")
+    elif method is None:
         compare(notices[message["method"]], message["params"])
     elif "result" in message:
         asked.add(method)
@@ -43,7 +48,7 @@ def seen(method, message):
         why = error["data"]["why"]
         if codes[why] != error["code"]:
             problems.append(f"{method}: {why} has code {error['code']}")
-        declared = {each["$ref"].rsplit("/", 1)[1] for each in methods[method]["errors"]}
+        declared = {each["$ref"].rsplit("/", 1)[1] for each in methods.get(method, {"errors": []})["errors"]}
         if error["code"] > 0 and why not in declared:
             problems.append(f"{method}: the schema does not declare {why}")
 
@@ -89,6 +94,12 @@ try:
     skills = {each["skill"]: each for each in call("skills")}
     assert skills["touch"]["able"] and not skills["pick-at-location"]["able"], skills["pick-at-location"]
     assert any(each["sensor"] == "force-z" for each in call("sensors"))
+    told = call("skill.check", skill="touch", parameters={"approach-speed": 10})
+    assert told["runs"] and told["findings"] == [], told
+    told = call("skill.check", skill="touch", parameters={"approach-speed": 6000, "colour": 1})
+    assert not told["runs"] and {each["field"] for each in told["findings"]} == {"parameters/approach-speed", "parameters/colour"}, told
+    told = call("skill.check", skill="pick-at-location")
+    assert not told["runs"] and "tool gripper" in told["findings"][0]["message"] + told["findings"][0]["hint"], told
     assert call("clients")[-1]["name"] == "script"
     assert "PAL1006" in call("explain", code="PAL1006")["code"]
     refused("absent", call, "explain", code="PAL9999")
@@ -160,8 +171,78 @@ try:
     call("watch", telemetry=0.02)
     run = call("skill.run", skill="relative-move", parameters={"dz": -20})
     assert run["kind"] == "normal", run
-    while not any(each["method"] == "telemetry" for each in cell.events):
-        cell.step()
+    cell.notice("telemetry")
+    call("watch", telemetry=0)
+
+    # Live data: what it feels while it touches, with each peak, as text and as bytes.
+    channels = {each["channel"]: each for each in call("channels.list")}
+    assert {"force", "pose", "set-point", "joints", "speed", "contacts"} <= channels.keys(), channels.keys()
+    refused("absent", call, "channels.watch", channels=[{"channel": "colour"}])
+    call("channels.watch", channels=[{"channel": "force", "period_s": 0.02}, {"channel": "speed", "period_s": 0.5},
+                                     {"channel": "pose", "period_s": 0.1, "binary": True}])
+    time.sleep(0.2)  # so that the cell sees that somebody watches
+    cell.events.clear()
+    felt = call("skill.run", skill="touch", parameters={"approach-speed": 10})
+    assert felt["kind"] == "normal", felt
+    spans = []
+    while not spans or spans[-1]["end_s"] < felt["end_s"] - 0.05:
+        spans += cell.notice("samples", lambda each: each["params"]["channel"] == "force")["params"]["spans"]
+    assert all(span["count"] == 20 for span in spans[1:-1]), [span["count"] for span in spans]
+    assert min(span["low"][2] for span in spans) < -5, "it pressed with its threshold"
+    assert cell.notice("samples", lambda each: each["params"]["channel"] == "speed")["params"]["spans"][0]["high"][0] > 0
+    frame = cell.notice("binary")
+    assert frame["head"]["channel"] == "pose" and len(frame["numbers"]) == frame["head"]["spans"] * (3 + 3 * 6), frame
+    call("channels.watch", channels=[])
+
+    # Pictures of skills, which are drawn meanwhile.
+    while not (drawn := {each["skill"]: each for each in call("skills")}["touch"]["pictures"]):
+        time.sleep(0.2)
+    for picture in drawn:
+        status, fields, body = server.get(picture["path"])
+        assert status == 200 and fields["Content-Type"] == "image/svg+xml" and b"<svg" in body, (picture, status)
+
+    # How near it came to its requirements. Bounds come while the server proves.
+    fresh = {each["name"]: each for each in call("requirements", skill="touch")[0]["requirements"]}["fresh-force"]
+    assert 0 < fresh["measured"] <= fresh["limit"] == 0.01 and abs(fresh["margin"] - (0.01 - fresh["measured"])) < 1e-12, fresh
+    while not (proved := [one for each in call("requirements") for one in each["requirements"] if one["verdict"] != "proving"]):
+        time.sleep(0.2)
+    assert all(each["verdict"] == "holds" and each["bound"] <= each["limit"] for each in proved), proved
+    refused("absent", call, "requirements", skill="juggle")
+
+    # Sensors.
+    read = call("sensor.read", sensor="force-z")
+    assert read["unit"] == "N" and read["value"] < 0, read
+    known = {each["sensor"]: each for each in call("sensors")}["force-z"]
+    assert known["value"] == read["value"] and known["high"] == 65, known
+    refused("absent", call, "sensor.read", sensor="colour")
+
+    # Locations.
+    call("skill.run", skill="relative-move", parameters={"dz": -20})
+    taught = call("locations.teach", location="TOUCHED", based_on=0)
+    assert taught["version"] == 1 and taught["by"] == "script" and len(taught["joints"]) == 6, taught
+    assert cell.until(event="location")["location"] == "TOUCHED"
+    assert refused("newer", call, "locations.teach", location="TOUCHED", based_on=0)["newest"] == 1
+    refused("wrong", call, "locations.teach", location="no name")
+    refused("wrong", call, "skill.run", skill="move-to-location", parameters={"location": "SIDE"})
+    assert call("locations.rename", location="TOUCHED", to="SIDE", based_on=1)["location"] == "SIDE"
+    call("skill.run", skill="relative-move", parameters={"dz": -10})
+    assert call("skill.run", skill="move-to-location", parameters={"location": "SIDE"})["kind"] == "normal"
+    there = call("locations.teach", location="AGAIN")
+    assert all(abs(a - b) < 0.5 for a, b in zip(there["pose"][:3], taught["pose"][:3])), (there, taught)
+    call("locations.delete", location="AGAIN", based_on=1)
+    assert "AGAIN" not in [each["location"] for each in call("locations.list")]
+
+    # What was run, and what was felt.
+    runs = call("history.list", limit=5)
+    assert runs["more"] and runs["runs"][0]["name"] == "move-to-location" and runs["runs"][0]["by"] == "script", runs
+    past = call("history.list", name="feel")["runs"]
+    assert past[0]["state"] == "ended" and past[0]["kind"] == "operation", past
+    read = call("history.read", run=past[-1]["run"])
+    touches = [each for each in read["steps"] if each["step"].get("skill") == "touch"]
+    assert len(touches) == 2 and touches[0]["step"]["figures"]["greatest-force"] > 5, touches
+    assert touches[1]["parameters"]["approach-speed"] == 6 and touches[1]["parameters"]["threshold"] == 5, touches
+    assert read["text"] == slower
+    refused("absent", call, "history.read", run=10**6)
 
     # Controls.
     operator = server.client(seen, "operator", "operator")
@@ -174,11 +255,9 @@ try:
     call("controls.take", force=True)
     call("controls.release")
 
-    missing = {name for name, each in methods.items() if "x-planned" not in each} - asked
+    missing = methods.keys() - asked
     assert not missing, f"not asked for: {sorted(missing)}"
-    for name, each in methods.items():
-        if "x-planned" in each:
-            refused("no-method", call, name)
+    refused("no-method", call, "operation.fly")
     late.close()
 finally:
     out = server.end()

@@ -92,6 +92,7 @@ struct AtcOptions {
   std::string trace;        // where to write the trace of the worst run
   bool chrome = false;      // … in the form of trace viewers
   bool no_list = false;     // the list of what the time is spent on is left out
+  bool narrow = false;      // the picture fits a column of a page with two
 };
 ExitStatus draw_atc(const AtcOptions& options, const Console& console);
 
@@ -156,6 +157,7 @@ struct OperationOptions {
   std::vector<std::string> files;         // .op.json
   std::vector<std::string> skills;        // PAL files, or folders with them
   std::vector<std::string> environments;  // PAL files
+  std::string scene;                      // of the workcell, which then tells all that follows; empty: none
   std::vector<std::string> locations;     // those that are taught; empty: not known
   std::vector<std::string> sensors;       // those that the cell has; empty: not known
   std::vector<std::string> figures;       // those that its skills report; empty: not known

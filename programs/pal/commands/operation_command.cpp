@@ -15,6 +15,7 @@
 #include "programs/pal/reports/check_report.hpp"
 #include "programs/pal/reports/sarif.hpp"
 #include "programs/pal/session/interruption.hpp"
+#include "programs/pal/session/scene_cell.hpp"
 #include "programs/pal/session/unchecked.hpp"
 
 namespace pal::program {
@@ -124,7 +125,21 @@ void name_icons(const std::vector<Program>& programs, const Session& session,
 
 }  // namespace
 
-ExitStatus check_operation(const OperationOptions& options, const Console& console) {
+ExitStatus check_operation(const OperationOptions& given, const Console& console) {
+  OperationOptions options = given;
+  operations::Cell cell = cell_of(options);
+  if (!options.scene.empty()) {
+    std::string problem;
+    auto known = cell_of_scene(options.scene, problem);
+    if (!known) {
+      console.err << fmt::format("pal: --scene {}: {}\n", options.scene, problem);
+      return ExitStatus::usage;
+    }
+    cell = std::move(known->cell);
+    // The same skills in another folder are those that are meant.
+    if (options.skills.empty()) options.skills = {known->skills};
+    if (options.environments.empty()) options.environments = {known->environment};
+  }
   Session session;
   session.max_errors = options.max_errors;
   const Interruption interruption;  // till all is written
@@ -135,7 +150,6 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   std::vector<Proof> proofs;
   std::vector<Ways> ways;
   const bool well_formed = !session.diagnostics.has_errors();
-  operations::Cell cell = cell_of(options);
   if (well_formed && !options.skills.empty()) {
     std::set<std::string> used;
     for (const Program& program : programs) used.merge(operations::skills_of(program));
@@ -155,7 +169,8 @@ ExitStatus check_operation(const OperationOptions& options, const Console& conso
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, options.format != Format::text, session);
   const std::vector<Unchecked> not_checked =
-      options.skills.empty() ? std::vector<Unchecked>() : unchecked(session, proofs, wrong, false);
+      options.skills.empty() ? std::vector<Unchecked>()
+                             : unchecked(session, proofs, wrong ? Unproved::wrong : Unproved::nowhere);
   const ExitStatus status = wrong                       ? found
                             : whole && all_hold(proofs) ? ExitStatus::all_hold
                                                         : ExitStatus::not_met;

@@ -28,6 +28,10 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command->add_option("-e,--environment", check.environments, "PAL file with the cell; may be repeated")
       ->type_name("FILE")
       ->take_all();
+  auto* scene = command
+                    ->add_option("--scene", check.scene,
+                                 "a scene of the workcell: with its skills, sensors and locations")
+                    ->type_name("SCENE");
   command->add_option("--location", check.locations, "a location that is taught; may be repeated")
       ->type_name("NAME")
       ->take_all();
@@ -37,6 +41,8 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command->add_option("--figure", check.figures, "a figure that skills of the cell report; may be repeated")
       ->type_name("NAME")
       ->take_all();
+  for (const char* known : {"--location", "--sensor", "--figure"})
+    scene->excludes(command->get_option(known));
   add_limits(*command, check.limits);
   add_choice<Format>(*command, "--format", check.format,
                      {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}},

@@ -1,9 +1,12 @@
 // workcell list: skills with their parameters, scenes.
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "programs/workcell/options/command_line.hpp"
+#include "programs/workcell/session/cell_runner.hpp"
 #include "sim/scene.hpp"
 
 namespace pal::workcell {
@@ -36,9 +39,40 @@ void list_skill(const runtime::Skill& skill, std::ostream& out) {
                        completion.description);
 }
 
+/// All that an operation can be checked against, for programs.
+void list_cell(const ListCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
+  using Json = nlohmann::ordered_json;
+  const sim::Scene scene =
+      sim::find_scene(command.cell, {command.scene_folders.begin(), command.scene_folders.end()});
+  sim::Cell cell(scene);
+  const operations::Cell known = cell_of(cell, skills, scene, command.scene_folders);
+  const auto sensors = [](const operations::Sensors& all) {
+    Json json = Json::object();
+    for (const auto& [name, each] : all)
+      json[name] = {{"unit", each.unit}, {"description", each.description}};
+    return json;
+  };
+  std::string folder;
+  for (const std::string& each : command.skill_folders)
+    if (folder.empty() && std::filesystem::is_directory(each)) folder = each;
+  const Json json{{"workcell-cell", 1},
+                  {"scene", scene.name},
+                  {"skills", folder},
+                  {"environment", folder + "/workcell.pal"},
+                  {"locations", *known.locations},
+                  {"sensors", sensors(*known.sensors)},
+                  {"figures", sensors(*known.figures)},
+                  {"unable", known.unable.empty() ? Json::object() : Json(known.unable)}};
+  out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
 }  // namespace
 
 ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out) {
+  if (!command.cell.empty()) {
+    list_cell(command, skills, out);
+    return ExitStatus::done;
+  }
   out << "skills\n";
   for (const KnownSkill& known : skills) list_skill(*known.make(), out);
   out << "scenes\n";

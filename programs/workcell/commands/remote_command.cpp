@@ -1,5 +1,6 @@
 // workcell operation at a server: run, step, pause, stop, resume, state, watch.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include "operations/load.hpp"
 #include "operations/step_log.hpp"
 #include "pal/runtime/run_control.hpp"
+#include "pal/support/text_width.hpp"
 #include "programs/workcell/commands/refused_operation.hpp"
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/interrupt.hpp"
@@ -40,12 +42,22 @@ std::string halt_of(const Json& state) {
                           state.value("steps", std::size_t{0}), state.value("reason", ""));
 }
 
+/// The announcement of the one server that there is.
+std::string the_server() {
+  const std::vector<std::string> found = server::announced_servers();
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+    throw Failure(ExitStatus::usage, "server", "no server is there",
+                  "start one with 'workcell serve', or name its file: --at FILE");
+  throw Failure(ExitStatus::usage, "server", fmt::format("{} servers are there", found.size()),
+                fmt::format("name one: --at {}", fmt::join(found, " or --at ")));
+}
+
 /// One connection: what the person asked for, and what is told of it.
 class Terminal {
  public:
   Terminal(const RemoteCommand& command, std::ostream& out) : out_(out) {
-    const std::string path =
-        command.announcement.empty() ? server::default_announcement() : command.announcement;
+    const std::string path = command.announcement.empty() ? the_server() : command.announcement;
     try {
       const auto announced = server::read_announcement(path);
       client_.emplace(announced.address, announced.port);
@@ -91,8 +103,8 @@ class Terminal {
                                       ? "no operation is loaded"
                                       : fmt::format("operation {}: {}; last code {}", text("operation"),
                                                     halt_of(state_), state_.value("last_code", 0));
-    out_ << fmt::format("cell {}: {}; {}; controls: {}\n", text("cell"), text("activity"), operation,
-                        text("controls", "free"));
+    say(fmt::format("cell {}: {}; {}; controls: {}", text("cell"), text("activity"), operation,
+                    text("controls", "free")));
   }
 
  private:
@@ -129,14 +141,15 @@ class Terminal {
     if (kind == "ends") {
       tell_step(event);
     } else if (kind == "state" && event.value("state", "") != "running") {
-      out_ << halt_of(event) << '\n' << std::flush;
+      say(halt_of(event));
     } else if (kind == "loaded") {
-      out_ << fmt::format("operation {}\n", event.value("operation", "")) << std::flush;
+      say(fmt::format("operation {}", event.value("operation", "")));
     }
   }
+  /// Names come from files of others, and some characters command a terminal.
+  void say(const std::string& text) { out_ << printable(text) << '\n' << std::flush; }
   void tell_step(Json step) {
-    if (const auto parsed = operations::parse_log_line(step.dump()))
-      out_ << operations::told(*parsed) << '\n' << std::flush;
+    if (const auto parsed = operations::parse_log_line(step.dump())) say(operations::told(*parsed));
     if (!log_.is_open()) return;
     for (const char* ours : {"number", "time_s", "event"}) step.erase(ours);
     log_ << step.dump() << '\n' << std::flush;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <ostream>
 
@@ -11,9 +12,13 @@
 #include "programs/workcell/session/cell_runner.hpp"
 #include "programs/workcell/session/fault_file.hpp"
 #include "programs/workcell/session/instruments.hpp"
+#include "programs/workcell/session/live_channels.hpp"
+#include "programs/workcell/session/margin_meter.hpp"
 #include "programs/workcell/session/skill_facts.hpp"
+#include "programs/workcell/session/taught_robot.hpp"
 #include "runtime/drivers/streams/outside.hpp"
 #include "server/announcement.hpp"
+#include "server/disk_file.hpp"
 #include "server/server.hpp"
 #include "sim/cell/cell.hpp"
 
@@ -77,6 +82,34 @@ std::optional<server::Store> open_store(const std::string& folder) {
   }
 }
 
+/// What is kept of this cell beside the operations: FOLDER/.cells/SCENE; empty: nothing is.
+std::string folder_of_cell(const ServeCommand& command, const sim::Scene& scene) {
+  if (command.store.empty()) return {};
+  return (std::filesystem::path(command.store) / ".cells" / scene.name).string();
+}
+
+[[noreturn]] void fail_to_open(const ServeCommand& command, const server::StoreProblem& problem) {
+  throw Failure(ExitStatus::usage, "--store " + command.store, problem.refusal.message, problem.refusal.hint);
+}
+
+server::RunHistory open_history(const ServeCommand& command, const std::string& folder) {
+  std::error_code ignored;  // the database tells it
+  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+  try {
+    return server::RunHistory(folder.empty() ? "" : folder + "/history.sqlite");
+  } catch (const server::StoreProblem& problem) {
+    fail_to_open(command, problem);
+  }
+}
+
+server::Locations open_locations(const ServeCommand& command, CellRobot& robot, const std::string& folder) {
+  try {
+    return server::Locations(robot.taught(), folder);
+  } catch (const server::StoreProblem& problem) {
+    fail_to_open(command, problem);
+  }
+}
+
 void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const server::Server& server,
                     const std::string& announcement, const server::Tokens& tokens, std::ostream& out) {
   out << fmt::format("serving scene {}; Ctrl-C ends it\n", scene.name)
@@ -109,10 +142,16 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     throw Failure(ExitStatus::usage, "--open", "there is no page for browsers here",
                   "name its folder: --page FOLDER");
   std::optional<server::Store> store = open_store(command.store);
+  const std::string folder = folder_of_cell(command, scene);
+  server::RunHistory runs = open_history(command, folder);
   server::Knowledge knowledge;
   server::ServerOptions offered = server_options(command);
   offered.store = store ? &*store : nullptr;
   offered.knowledge = &knowledge;
+  const SkillPictures pictures;
+  offered.pages.push_back({"/files/", pictures.folder()});
+  offered.runs = &runs;
+  offered.channels = live_channels(sim::tool_of(scene));
   const auto server = open_server(offered);
 
   std::optional<runtime::drivers::Outside> wall;
@@ -140,29 +179,42 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     throw no_such_device(command.faults, problem);
   }
   sim::Cell& cell = *opened;
+  LiveRecorder live(cell.workcell(), *server);
+  CellRobot robot(cell);
+  server::Locations book = open_locations(command, robot, folder);
+  robot.teach_all(book.list());
+  MarginMeter margins(knowledge);
   ProfileWatcher profiles(*server, [&cell] { return cell.station().now(); });
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);
+  runner.measure(&margins);
   runner.on_broken_promise(policy_named(command.on_broken_promise));
   const operations::Cell known_of_cell = cell_of(cell, known, scene, command.scene_folders);
   server::DeskOptions desk_options{scene.name,
                                    !command.goes_on,
                                    command.log.empty() ? nullptr : &log,
                                    *known_of_cell.sensors,
-                                   known_of_cell.locations,
+                                   book.names(),
+                                   &book,
+                                   &robot,
                                    known_of_cell.figures,
                                    known_of_cell.unable};
+  desk_options.runs = &runs;
   if (command.paced <= 0) desk_options.answer_wait = 10ms;
   server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
   clock_reader = &desk;
   desk.tell_time(runner.now());
-  const SkillScholar scholar(known, command.skill_folders, knowledge);
+  const SkillScholar scholar(known, command.skill_folders, knowledge, pictures);
   server->start(desk, true);
-  const std::string path =
-      command.announcement.empty() ? server::default_announcement() : command.announcement;
+  const std::string path = command.announcement.empty()
+                               ? server::default_announcement(scene.name, server->port())
+                               : command.announcement;
   const Announced announced(path, {command.address, server->port(), offered.tokens});
   tell_addresses(command, scene, *server, path, offered.tokens, out);
   while (!desk.ended()) {
-    if (desk.work()) continue;
+    if (desk.work()) {
+      live.flush();
+      continue;
+    }
     if (command.paced > 0) {
       cell.station().idle(10ms);
       desk.tell_time(runner.now());

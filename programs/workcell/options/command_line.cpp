@@ -332,6 +332,8 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
   CLI::App* list_app =
       app.add_subcommand("list", "shows the skills, their parameters and completions, and the scenes");
   list_app->add_option("--scenes", folders, "a further folder of scenes");
+  list_app->add_option("--cell", list_command.cell,
+                       "as JSON: what operations in this scene can use, for 'pal operation check --scene'");
   RunCommand run_command;
   CLI::App* run_app = app.add_subcommand("run", "runs a skill in a scene");
   describe_run(*run_app, run_command, folders);
@@ -369,7 +371,7 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
         operation_command.scene_folders = cell_command.scene_folders =
             folders_of(folders, "scenes", PAL_SCENE_FOLDER);
     run_command.terminal = terminal;
-    run_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
+    list_command.skill_folders = run_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
     if (cell_app->parsed()) {
       if (cell_command.fast) cell_command.paced = 0;
       cell_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);

@@ -16,6 +16,8 @@ namespace pal::workcell {
 
 struct ListCommand {
   std::vector<std::string> scene_folders;
+  std::string cell;                        // tell of this scene's cell for programs; empty: do not
+  std::vector<std::string> skill_folders;  // with the PAL of the skills; the first that is there counts
 };
 
 struct RunCommand {

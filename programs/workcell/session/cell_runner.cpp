@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "programs/workcell/session/needed_tool.hpp"
+#include "sim/cell/sensor_range.hpp"
 
 namespace pal::workcell {
 namespace {
@@ -101,7 +102,7 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
 operations::Sensors sensors_of(const sim::Cell& cell) {
   operations::Sensors result;
   for (const sim::SensorSpec& sensor : cell.sensors())
-    result[sensor.name] = {sensor.unit, sensor.description};
+    result[sensor.name] = {sensor.unit, sensor.description, sim::sensor_range(sensor.name)};
   return result;
 }
 
@@ -159,7 +160,9 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   options.trace_capacity = 1U << 14U;
   options.on_broken_promise = on_broken_promise_;
   figures_.begin();
+  if (margins_ != nullptr) options.live = margins_->begin(*skill);
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
+  if (margins_ != nullptr) margins_->end();
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
   if (outcome.fault && control_.load()->stopping()) {
     result.kind = SkillResult::Kind::stopped;

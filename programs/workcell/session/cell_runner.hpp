@@ -13,6 +13,7 @@
 #include "operations/executor.hpp"
 #include "pal/runtime/observer.hpp"
 #include "programs/workcell/session/interrupt.hpp"
+#include "programs/workcell/session/margin_meter.hpp"
 #include "programs/workcell/session/person.hpp"
 #include "programs/workcell/session/skill_figures.hpp"
 #include "programs/workcell/session/skills.hpp"
@@ -45,6 +46,10 @@ class CellRunner final : public operations::SkillRunner {
   /// The first one stands in the reason of the skill's result.
   void on_broken_promise(runtime::OnBrokenPromise policy) { on_broken_promise_ = policy; }
 
+  /// Measures how near skills come to their requirements, and outlives the runner; null, and without this
+  /// call: nobody does.
+  void measure(MarginMeter* margins) { margins_ = margins; }
+
   /// Who answers questions, and outlives the runner; null, and without this call: nobody.
   void let_answer(Person* person) { person_ = person; }
 
@@ -72,6 +77,7 @@ class CellRunner final : public operations::SkillRunner {
   OnInterrupt on_interrupt_;
   SkillFigures figures_;
   Person* person_ = nullptr;
+  MarginMeter* margins_ = nullptr;
   runtime::OnBrokenPromise on_broken_promise_ = runtime::OnBrokenPromise::report;
   // A control that has been stopped stays so; resuming takes a new one. The old ones stay for another thread
   // that is about to stop.

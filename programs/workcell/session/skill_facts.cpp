@@ -29,6 +29,18 @@ bool is_load(const pan::Requirement& requirement) {
   return std::holds_alternative<pan::Load>(requirement.measure);
 }
 
+bool is_from_below(const pan::Requirement& requirement) {
+  const auto* passes = std::get_if<pan::Passes>(&requirement.measure);
+  return passes != nullptr && passes->least && !passes->most;
+}
+
+Duration limit_of(const pan::Requirement& requirement) {
+  const auto* passes = std::get_if<pan::Passes>(&requirement.measure);
+  return passes == nullptr ? requirement.limit
+         : passes->most    ? *passes->most
+                           : passes->least.value_or(Duration{});
+}
+
 /// Seconds, or per cent of a load: nanoseconds of work in a second.
 double in_unit(const pan::Requirement& requirement, Duration value) {
   const double seconds = static_cast<double>(value.count()) / 1e9;
@@ -51,8 +63,8 @@ server::SkillFacts facts_of(const pan::Network& network, const std::string& envi
   facts.environment = environment;
   for (const pan::Requirement& requirement : network.requirements)
     facts.requirements.push_back({requirement.name, text_of(requirement, sources), Verdict::proving,
-                                  std::nullopt, in_unit(requirement, requirement.limit),
-                                  is_load(requirement) ? "%" : "s"});
+                                  std::nullopt, in_unit(requirement, limit_of(requirement)),
+                                  is_load(requirement) ? "%" : "s", is_from_below(requirement)});
   return facts;
 }
 
@@ -75,10 +87,11 @@ void note(const pan::Network& network, const analyzer::Analysis& analysis, serve
 }  // namespace
 
 SkillScholar::SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
-                           server::Knowledge& knowledge) {
+                           server::Knowledge& knowledge, const SkillPictures& pictures) {
   for (const std::string& folder : folders) {
     if (!std::filesystem::is_directory(folder)) continue;
-    thread_ = std::thread([this, &known, folder, &knowledge] { study(known, folder, knowledge); });
+    thread_ = std::thread(
+        [this, &known, folder, &knowledge, &pictures] { study(known, folder, knowledge, pictures); });
     return;
   }
 }
@@ -89,7 +102,7 @@ SkillScholar::~SkillScholar() {
 }
 
 void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string& folder,
-                         server::Knowledge& knowledge) const {
+                         server::Knowledge& knowledge, const SkillPictures& pictures) const {
   // The cell's own threads come first; on Linux this is of the thread.
   constexpr int least_urgent = 19;
   ::setpriority(PRIO_PROCESS, 0, least_urgent);
@@ -117,6 +130,11 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string
         if (const auto tool = needed_tool(*each.make())) skill.tool = sim::to_string(*tool);
   }
   knowledge.learn(std::make_shared<server::Facts>(*facts));
+  for (const pan::Network& network : session.specification.skills) {
+    if (ending_) return;
+    pictures.draw_modules(network, facts->skills[network.skill.name].pictures);
+  }
+  knowledge.learn(std::make_shared<server::Facts>(*facts));
   if (cell == nullptr) return;
   program::ProofLimits limits;
   limits.threads = 1;
@@ -124,9 +142,13 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string
   options.stop = [this, usual = options.stop] { return ending_.load() || (usual && usual()); };
   for (const pan::Network& network : session.specification.skills) {
     if (ending_) return;
-    const auto problem = program::problem_of(network, *cell, session);
+    auto problem = program::problem_of(network, *cell, session);
     if (!problem) continue;
-    note(network, analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options), *facts);
+    program::Proof proof;
+    proof.analysis = analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options);
+    proof.problem = std::move(*problem);
+    note(network, proof.analysis, *facts);
+    if (!ending_) pictures.draw_runs(proof, facts->skills[network.skill.name].pictures);
     if (!ending_) knowledge.learn(std::make_shared<server::Facts>(*facts));
   }
 }

@@ -6,27 +6,28 @@
 #include <thread>
 #include <vector>
 
+#include "programs/workcell/session/skill_pictures.hpp"
 #include "programs/workcell/session/skills.hpp"
 #include "server/knowledge.hpp"
 
 namespace pal::workcell {
 
-/// Reads the PAL of the skills in a thread of its own and proves them there, one after the other; the
-/// knowledge grows meanwhile. A skill without PAL stays as the program knows it.
+/// Reads the PAL of the skills in a thread of its own, draws them and proves them there, one after the other;
+/// the knowledge grows meanwhile. A skill without PAL stays as the program knows it.
 class SkillScholar {
  public:
   /// The PAL is in the first of these folders that is there, and the workcell's times in its workcell.pal.
   /// All outlive the scholar.
   SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
-               server::Knowledge& knowledge);
+               server::Knowledge& knowledge, const SkillPictures& pictures);
   /// Leaves what it has not proved yet.
   ~SkillScholar();
   SkillScholar(const SkillScholar&) = delete;
   SkillScholar& operator=(const SkillScholar&) = delete;
 
  private:
-  void study(const std::vector<KnownSkill>& known, const std::string& folder,
-             server::Knowledge& knowledge) const;
+  void study(const std::vector<KnownSkill>& known, const std::string& folder, server::Knowledge& knowledge,
+             const SkillPictures& pictures) const;
 
   std::atomic<bool> ending_ = false;
   std::thread thread_;

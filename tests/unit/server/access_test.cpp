@@ -2,7 +2,10 @@
 
 #include <sys/stat.h>
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -57,5 +60,31 @@ TEST_CASE("others cannot read the token's file, and a readable one is not truste
   std::ofstream(path) << "[]";
   CHECK_THROWS(read_announcement(path));
   CHECK_THROWS(read_announcement(path + "x"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("each server of a machine has a place of its own, and the one that listens is found") {
+  const std::string folder = std::filesystem::temp_directory_path() / ("pal-announcement-" + make_token());
+  std::filesystem::create_directories(folder);
+  const char* const before = std::getenv("XDG_RUNTIME_DIR");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("XDG_RUNTIME_DIR", folder.c_str(), 1);
+  CHECK(default_announcement("touch", 7400) == folder + "/workcell-touch-7400.json");
+  CHECK(default_announcement("touch", 7401) != default_announcement("touch", 7400));
+  CHECK(default_announcement("../a b", 1) == folder + "/workcell-___a_b-1.json");
+  CHECK(announced_servers().empty());
+  boost::asio::io_context io;
+  boost::asio::ip::tcp::acceptor listening(io, {boost::asio::ip::make_address("127.0.0.1"), 0});
+  const std::uint16_t port = listening.local_endpoint().port();
+  announce(default_announcement("touch", port), {"127.0.0.1", port, {"secret", "", ""}});
+  announce(default_announcement("parts", 1), {"127.0.0.1", 1, {"secret", "", ""}});  // it was killed
+  CHECK(announced_servers() == std::vector{default_announcement("touch", port)});
+  listening.close();
+  CHECK(announced_servers().empty());
+  if (before != nullptr) {
+    ::setenv("XDG_RUNTIME_DIR", kept.c_str(), 1);
+  } else {
+    ::unsetenv("XDG_RUNTIME_DIR");
+  }
   std::filesystem::remove_all(folder);
 }

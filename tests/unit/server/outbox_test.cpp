@@ -8,13 +8,13 @@ TEST_CASE("answers and events are kept; the oldest telemetry is dropped and coun
   Outbox outbox({100, 2});
   for (const char* sample : {"1", "2", "3"})
     outbox.put_sample(
-        [sample](std::uint64_t dropped) { return sample + std::string("/") + std::to_string(dropped); });
+        {[sample](std::uint64_t dropped) { return sample + std::string("/") + std::to_string(dropped); }});
   CHECK(outbox.put("a"));
   CHECK(outbox.put("b"));
-  CHECK(outbox.take() == "a");
-  CHECK(outbox.take() == "b");
-  CHECK(outbox.take() == "2/1");
-  CHECK(outbox.take() == "3/1");
+  CHECK(outbox.take()->text == "a");
+  CHECK(outbox.take()->text == "b");
+  CHECK(outbox.take()->text == "2/1");
+  CHECK(outbox.take()->text == "3/1");
   CHECK_FALSE(outbox.take());
 }
 

@@ -10,11 +10,14 @@ namespace pal::test {
 struct SessionFixture : server::EventSink {
   using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
 
-  explicit SessionFixture(Make make) : make_(make) { open(); }
+  explicit SessionFixture(Make make, const server::DeskOptions& options = {})
+      : desk{cell, clockwork_skills(), *this, options}, make_(make) {
+    open();
+  }
   void open() {
     hung_up = false;
     session = make_(context, {[this](std::string text) { said.push_back(std::move(text)); },
-                              [this](auto sample) { said.push_back(sample(0)); },
+                              [this](const server::LiveMessage& message) { said.push_back(message.make(0)); },
                               [this](std::string reason) {
                                 hung_up = true;
                                 why = std::move(reason);
@@ -46,12 +49,13 @@ struct SessionFixture : server::EventSink {
   Clockwork cell;
   server::History history;
   std::vector<server::Event> waiting;
-  server::Desk desk{cell, clockwork_skills(), *this};
+  server::Desk desk;
   server::Workshop at_once{false};
   server::SessionContext context{desk,
                                  history,
                                  {"secret", "operators", "viewers"},
                                  [](const std::function<void()>& action) { action(); },
+                                 at_once,
                                  at_once,
                                  at_once};
   std::vector<std::string> said;

@@ -81,11 +81,13 @@ TEST_CASE("no name leaves the folder") {
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);  // and .deleted
 }
 
-TEST_CASE("when the writer is killed, the last answered save is there, whole") {
+namespace {
+
+void kill_writers(int times) {
   const StoreFolder folder;
   std::mt19937 random(42);
   std::uint64_t answered = 0, before = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < times; ++i) {
     int pipe[2];
     REQUIRE(::pipe(pipe) == 0);
     const pid_t child = ::fork();
@@ -120,4 +122,15 @@ TEST_CASE("when the writer is killed, the last answered save is there, whole") {
       REQUIRE(store.read("o", version).text == operation(std::to_string(version), 20'000));
   }
   CHECK(answered > 0);
+}
+
+}  // namespace
+
+TEST_CASE("when the writer is killed, the last answered save is there, whole") {
+  kill_writers(50);
+}
+
+// The target store_kills runs it.
+TEST_CASE("… a thousand times", "[.kills]") {
+  kill_writers(1000);
 }

@@ -12,7 +12,7 @@ const policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src
 
 export const snapshot = (changed: Partial<Snapshot> = {}): Snapshot => ({
   protocol: 2, version: "0", client: 1, role: "programmer", cell: "touch", activity: "idle", operation: "", state: "ready", token: "", last_code: 0, steps: 0, reason: "",
-  controls: "", yours: false, last_event: 0, time_s: 0, epoch: "e1", wall: new Date().toISOString(), pausing: false, stopping: false, running: null, hold: null, question: null,
+  controls: "", yours: false, last_event: 0, time_s: 0, epoch: "e1", wall: new Date().toISOString(), pausing: false, stopping: false, running: null, hold: null, question: null, run: 0,
   loaded: null, changed: [], breakpoints: [], icons: [], here: null, clients: [{ client: 1, name: "Chrome", role: "programmer", controls: false, since: new Date().toISOString() }], asking: [], offers: ["store"], ...changed,
 });
 

@@ -1,0 +1,103 @@
+// Live data of the cell: channels by name, each with a rate of its own. The cell copies numbers into blocks,
+// and all else is done in the server's thread.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pal/support/time.hpp"
+
+namespace pal::server {
+
+struct ChannelField {
+  std::string name, unit;
+};
+
+/// One channel. A record of the cell has the raw numbers of all channels.
+struct Channel {
+  enum class Form { numbers, profile };
+  std::string name, description;
+  std::vector<ChannelField> fields;
+  double rate_hz = 0;  // its own; 0: at no fixed rate
+  Form form = Form::numbers;
+  /// Makes the fields of a raw record; of `numbers`. Called by the server's thread.
+  std::function<void(std::span<const double> raw, std::span<double> shown)> show{};
+};
+
+using Channels = std::vector<Channel>;
+
+/// Records in a row, one after the other. The cell fills it, and nobody changes it afterwards.
+struct SampleBlock {
+  std::size_t width = 0;  // numbers of a record
+  std::vector<Duration> times;
+  std::vector<double> raw;
+
+  std::size_t size() const { return times.size(); }
+  std::span<const double> record(std::size_t at) const { return std::span(raw).subspan(at * width, width); }
+};
+
+/// A block as the channels show it. Each channel is made when it is first asked for, and once for all
+/// clients.
+class ShownBlock {
+ public:
+  /// `channels` outlives it.
+  ShownBlock(const Channels& channels, std::shared_ptr<const SampleBlock> block)
+      : channels_(channels), block_(std::move(block)), shown_(channels.size()) {}
+
+  const SampleBlock& block() const { return *block_; }
+  /// The channel's fields, record after record.
+  std::span<const double> of(std::size_t channel) const;
+
+ private:
+  const Channels& channels_;
+  std::shared_ptr<const SampleBlock> block_;
+  mutable std::vector<std::optional<std::vector<double>>> shown_;
+};
+
+/// The least, the greatest and the last of each field in a span: no peak is lost.
+struct SampleSpan {
+  Duration begin{}, end{};  // of the first and the last sample
+  std::size_t count = 0;
+  std::vector<double> low, high, last;
+};
+
+/// Decimates one channel for one client.
+class Decimator {
+ public:
+  Decimator(std::size_t fields, Duration period) : fields_(fields), period_(period) {}
+
+  /// Takes samples, adds those spans to `whole` that are over.
+  void take(std::span<const Duration> times, std::span<const double> samples, std::vector<SampleSpan>& whole);
+
+ private:
+  std::size_t fields_;
+  Duration period_;
+  SampleSpan open_;
+  Duration due_{};
+};
+
+/// Fills blocks and hands them on. One thread only.
+class BlockWriter {
+ public:
+  using HandOn = std::function<void(std::shared_ptr<const SampleBlock>)>;
+  /// Blocks of `length` records with `width` numbers each.
+  BlockWriter(std::size_t width, std::size_t length, HandOn hand_on)
+      : width_(width), length_(length), hand_on_(std::move(hand_on)) {}
+
+  /// Room for the next record's numbers, which the caller fills before the next call.
+  std::span<double> record(Duration time);
+  /// Hands on what there is.
+  void flush();
+
+ private:
+  std::size_t width_, length_;
+  HandOn hand_on_;
+  std::shared_ptr<SampleBlock> block_;
+};
+
+}  // namespace pal::server

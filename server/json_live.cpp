@@ -1,0 +1,181 @@
+#include "server/json_live.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace pal::server {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers of binary frames are little endian");
+
+std::string notification(const char* method, Json params) {
+  return dump({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+}
+
+void add_numbers(std::string& bytes, const std::vector<double>& numbers) {
+  const std::size_t begin = bytes.size();
+  bytes.resize(begin + numbers.size() * sizeof(double));
+  std::memcpy(bytes.data() + begin, numbers.data(), numbers.size() * sizeof(double));
+}
+
+/// The head's length in four bytes, the head as JSON with spaces up to a multiple of 8, then numbers.
+std::string frame_head(const Json& head) {
+  std::string text = dump(head);
+  constexpr std::size_t length_size = sizeof(std::uint32_t), unit = sizeof(double);
+  while ((length_size + text.size()) % unit != 0) text += ' ';
+  const auto length = static_cast<std::uint32_t>(text.size());
+  std::string bytes(length_size, '\0');
+  std::memcpy(bytes.data(), &length, length_size);
+  return bytes + text;
+}
+
+Json span_json(const SampleSpan& span) {
+  return {{"begin_s", seconds(span.begin)},
+          {"end_s", seconds(span.end)},
+          {"count", span.count},
+          {"low", span.low},
+          {"high", span.high},
+          {"last", span.last}};
+}
+
+std::string spans_as_text(const std::string& channel, const std::vector<SampleSpan>& spans,
+                          std::uint64_t dropped) {
+  Json params{{"channel", channel}, {"spans", Json::array()}, {"dropped", dropped}};
+  for (const SampleSpan& span : spans) params["spans"].push_back(span_json(span));
+  return notification("samples", std::move(params));
+}
+
+std::string spans_as_bytes(const std::string& channel, const std::vector<SampleSpan>& spans,
+                           std::uint64_t dropped) {
+  std::string bytes = frame_head({{"channel", channel},
+                                  {"spans", spans.size()},
+                                  {"fields", spans.front().last.size()},
+                                  {"dropped", dropped}});
+  for (const SampleSpan& span : spans) {
+    add_numbers(bytes, {seconds(span.begin), seconds(span.end), static_cast<double>(span.count)});
+    add_numbers(bytes, span.low);
+    add_numbers(bytes, span.high);
+    add_numbers(bytes, span.last);
+  }
+  return bytes;
+}
+
+std::string profile_as_text(Duration time, const Profile& profile, std::uint64_t dropped) {
+  return notification(
+      "profile", {{"time_s", seconds(time)}, {"y_mm", profile.y}, {"z_mm", profile.z}, {"dropped", dropped}});
+}
+
+std::string profile_as_bytes(const std::string& channel, Duration time, const Profile& profile,
+                             std::uint64_t dropped) {
+  std::string bytes = frame_head(
+      {{"channel", channel}, {"time_s", seconds(time)}, {"points", profile.y.size()}, {"dropped", dropped}});
+  add_numbers(bytes, profile.y);
+  add_numbers(bytes, profile.z);
+  return bytes;
+}
+
+}  // namespace
+
+void LiveView::watch_telemetry(Duration period) {
+  period_ = period;
+  due_ = {};
+}
+
+void LiveView::watch_channels(const Members& members) {
+  const Json* list = members.find("channels");
+  if (list == nullptr || !list->is_array()) fail(bad_parameters, "'channels' is a list of objects");
+  static const Channels none;
+  const Channels& all = channels_ != nullptr ? *channels_ : none;
+  std::vector<Watched> watched;
+  for (const Json& each : *list) {
+    if (!each.is_object() || !each.contains("channel") || !each["channel"].is_string())
+      fail(bad_parameters, "each of 'channels' has the name of a channel: \"channel\"");
+    const std::string name = each["channel"];
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Channel& one) { return one.name == name; });
+    if (found == all.end())
+      fail(Refusal::Why::absent, fmt::format("there is no channel '{}'", name.substr(0, 60)),
+           "channels.list names those that there are");
+    const auto at = static_cast<std::size_t>(found - all.begin());
+    if (std::any_of(watched.begin(), watched.end(), [&](const Watched& one) { return one.channel == at; }))
+      fail(bad_parameters, fmt::format("the channel '{}' is there twice", name));
+    double period = 0.05;
+    if (const auto given = each.find("period_s"); given != each.end()) {
+      if (!given->is_number() || !(given->get<double>() >= 0.001 && given->get<double>() <= 3600))
+        fail(bad_parameters, "'period_s' is a number from 0.001 to 3600");
+      period = given->get<double>();
+    }
+    bool binary = false;
+    if (const auto given = each.find("binary"); given != each.end()) {
+      if (!given->is_boolean()) fail(bad_parameters, "'binary' must be true or false");
+      binary = given->get<bool>();
+    }
+    const Duration time(std::llround(period * 1e9));
+    watched.push_back({at, binary, time, Decimator(found->fields.size(), time)});
+  }
+  watched_ = std::move(watched);
+}
+
+void LiveView::show(const std::shared_ptr<const Telemetry>& telemetry) {
+  if (!looks() || telemetry->time < due_) return;
+  due_ = telemetry->time + period_;
+  output_.send_sample({[telemetry](std::uint64_t dropped) {
+    return notification("telemetry", {{"time_s", seconds(telemetry->time)},
+                                      {"force", telemetry->force},
+                                      {"pose", telemetry->pose},
+                                      {"joints", telemetry->joints},
+                                      {"dropped", dropped}});
+  }});
+}
+
+void LiveView::show(Duration time, const std::shared_ptr<const Profile>& profile) {
+  bool sent = false;
+  for (Watched& each : watched_) {
+    const Channel& channel = (*channels_)[each.channel];
+    if (channel.form != Channel::Form::profile) continue;
+    if (time < each.due) continue;
+    each.due = time + each.period;
+    sent = !each.binary;
+    if (each.binary)
+      output_.send_sample({[name = channel.name, time, profile](std::uint64_t dropped) {
+                             return profile_as_bytes(name, time, *profile, dropped);
+                           },
+                           true});
+  }
+  if (sent || looks())
+    output_.send_sample(
+        {[time, profile](std::uint64_t dropped) { return profile_as_text(time, *profile, dropped); }});
+}
+
+void LiveView::show(const ShownBlock& block) {
+  for (Watched& each : watched_) {
+    const Channel& channel = (*channels_)[each.channel];
+    if (channel.form != Channel::Form::numbers) continue;
+    std::vector<SampleSpan> spans;
+    each.decimator.take(block.block().times, block.of(each.channel), spans);
+    if (spans.empty()) continue;
+    std::uint64_t samples = 0;
+    for (const SampleSpan& span : spans) samples += span.count;
+    output_.send_sample(
+        {[name = channel.name, spans = std::move(spans), binary = each.binary](std::uint64_t dropped) {
+           return binary ? spans_as_bytes(name, spans, dropped) : spans_as_text(name, spans, dropped);
+         },
+         each.binary, samples});
+  }
+}
+
+Json describe(const Channel& channel) {
+  Json json{{"channel", channel.name}, {"description", channel.description}, {"fields", Json::array()}};
+  for (const ChannelField& field : channel.fields)
+    json["fields"].push_back({{"name", field.name}, {"unit", field.unit}});
+  json["rate_hz"] = channel.rate_hz;
+  json["form"] = channel.form == Channel::Form::profile ? "profile" : "numbers";
+  return json;
+}
+
+}  // namespace pal::server

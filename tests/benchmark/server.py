@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+"""Figures of the server: from an event to its clients, from a stop to its answer under load, what an idle cell costs, what
+live channels cost the simulation, memory over time. Prints them with the machine.
+
+Usage: server.py WORKCELL [--only NAME …] [--minutes N], where NAME is events, stop, idle, channels or memory
+"""
+import argparse
+import json
+import os
+import pathlib
+import platform
+import socket
+import statistics
+import sys
+import threading
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "protocol"))
+from cell_client import Client, Refused, Server  # noqa: E402
+
+options = argparse.ArgumentParser()
+options.add_argument("workcell")
+options.add_argument("--only", nargs="+", default=["events", "stop", "idle", "channels", "memory"])
+options.add_argument("--minutes", type=float, default=60, help="of the memory's growth")
+given = options.parse_args()
+
+
+def machine():
+    cpu = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), platform.machine())
+    load = " ".join(open("/proc/loadavg").read().split()[:3])
+    return f"{cpu}, {os.cpu_count()} cores, Linux {platform.release()}, load {load}"
+
+
+def spread(values):
+    """In ms."""
+    values = sorted(1000 * value for value in values)
+    return (f"median {statistics.median(values):.2f} ms, 99 % {values[int(0.99 * (len(values) - 1))]:.2f} ms, "
+            f"most {values[-1]:.2f} ms of {len(values)}")
+
+
+def quiet(server, role="programmer"):
+    """A client that does not sleep in Nagle's algorithm."""
+    client = server.client(role=role)
+    client.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    return client
+
+
+def cpu_seconds(process):
+    fields = open(f"/proc/{process.pid}/stat").read().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def resident(process):
+    return next(int(line.split()[1]) / 1024 for line in open(f"/proc/{process.pid}/status") if line.startswith("VmRSS"))
+
+
+def events():
+    server = Server(given.workcell)
+    try:
+        asks, watchers = quiet(server), [quiet(server, "viewer") for _ in range(5)]
+        for each in watchers:
+            each.call("watch")
+        first, last = [], []
+        for i in range(2000):
+            begin = time.perf_counter()
+            asks.send("controls.release" if i % 2 else "controls.take")
+            for k, each in enumerate(watchers):
+                each.until(event="controls")
+                if k == 0:
+                    first.append(time.perf_counter() - begin)
+            last.append(time.perf_counter() - begin)
+            asks.step()
+            time.sleep(0.002)
+        print(f"events: from a request to its event at the first of five clients, {spread(first)}")
+        print(f"events: … at the last of the five, {spread(last)}")
+    finally:
+        server.end()
+
+
+def long_operation(icons):
+    made = [{"id": "start", "kind": "start", "next": "i0"}]
+    for i in range(icons):
+        made.append({"id": f"i{i}", "kind": "skill", "skill": "relative-move", "parameters": {"dz": -1},
+                     "next": f"i{i + 1}" if i + 1 < icons else "end", "error": "end"})
+    return json.dumps({"operation-format": 1, "name": "long", "icons": made + [{"id": "end", "kind": "exit"}]})
+
+
+class Attack(threading.Thread):
+    """Does it again and again, until it is ended."""
+
+    def __init__(self, what):
+        super().__init__(daemon=True)
+        self.what, self.over, self.rounds = what, False, 0
+
+    def run(self):
+        while not self.over:
+            try:
+                self.what()
+                self.rounds += 1
+            except (OSError, Refused, AssertionError):
+                time.sleep(0.001)
+
+
+def stop():
+    server = Server(given.workcell)
+    try:
+        text = long_operation(7000)
+        busy = quiet(server)
+
+        def strangers():
+            with socket.create_connection(("127.0.0.1", server.port), timeout=1):
+                pass
+
+        def tokens():
+            wrong = Client(server.port)
+            try:
+                wrong.call("hello", token="wrong")
+            finally:
+                wrong.close()
+
+        def flood():
+            for _ in range(50):
+                busy.send("state")
+            for _ in range(50):
+                busy.step()
+
+        held = []
+
+        def silent():
+            if len(held) < 16:
+                held.append(socket.create_connection(("127.0.0.1", server.port), timeout=1))
+            time.sleep(0.01)
+
+        attacks = {
+            "nothing": None,
+            f"checks of an operation of {len(text) // 1024} KiB": lambda: busy.call("operation.check", main="f", files={"f": text}),
+            "loads of it": lambda: busy.call("operation.load", main="f", files={"f": text}),
+            "snapshots with it": lambda: busy.call("snapshot"),
+            "drawings of it": lambda: busy.call("operation.difference", before=text, after=text.replace("-1", "-2")),
+            "a flood of requests": flood,
+            "sockets without a token": strangers,
+            "wrong tokens": tokens,
+            "16 silent sockets": silent}
+        for name, attack in attacks.items():
+            thread = Attack(attack) if attack else None
+            if thread:
+                thread.start()
+            client, times = quiet(server, "viewer"), []
+            for _ in range(400):
+                begin = time.perf_counter()
+                client.call("stop")
+                times.append(time.perf_counter() - begin)
+                time.sleep(0.005)
+            client.close()
+            if thread:
+                thread.over = True
+                thread.join(30)
+            print(f"stop: during {name}: {spread(times)}" + (f"; {thread.rounds} rounds" if thread else ""))
+    finally:
+        server.end()
+
+
+def idle():
+    server = Server(given.workcell)
+    try:
+        time.sleep(60)  # the proofs of the skills end
+        for name, watches in (("nobody", False), ("two clients that watch events", True)):
+            clients = [quiet(server, "viewer") for _ in range(2)] if watches else []
+            for each in clients:
+                each.call("watch")
+            begin, wall = cpu_seconds(server.process), time.monotonic()
+            time.sleep(20)
+            used = (cpu_seconds(server.process) - begin) / (time.monotonic() - wall)
+            print(f"idle: a cell at the pace of the wall, with {name}: {100 * used:.2f} % of a core")
+    finally:
+        server.end()
+
+
+class Reader(threading.Thread):
+    """Takes what comes and counts it: a client as quick as it can be."""
+
+    def __init__(self, client):
+        super().__init__(daemon=True)
+        self.socket, self.bytes = client.socket, 0
+
+    def run(self):
+        try:
+            while data := self.socket.recv(1 << 20):
+                self.bytes += len(data)
+        except OSError:
+            pass
+
+
+def channels():
+    for paced in ([], ["--fast"]):
+        server = Server(given.workcell, *paced)
+        try:
+            time.sleep(60 if paced else 0)
+            asks = quiet(server)
+            names = [each["channel"] for each in asks.call("channels.list")]
+
+            def run():
+                begin, cpu = time.perf_counter(), cpu_seconds(server.process)
+                result = asks.call("skill.run", skill="relative-move", parameters={"dz": -20, "speed": 5})
+                took = time.perf_counter() - begin
+                asks.call("skill.run", skill="relative-move", parameters={"dz": 20, "speed": 5})
+                return took, result["end_s"] - result["begin_s"], cpu_seconds(server.process) - cpu
+
+            run()
+            without, with_two, readers = [], [], []
+            for _ in range(5 if paced else 3):
+                without.append(run())
+                watchers = [quiet(server, "viewer") for _ in range(2)]
+                for each in watchers:
+                    each.call("channels.watch", channels=[{"channel": name, "period_s": 0.001, "binary": True} for name in names])
+                    readers.append(Reader(each))
+                    readers[-1].start()
+                time.sleep(0.2)
+                with_two.append(run())
+                for each in watchers:
+                    each.socket.shutdown(socket.SHUT_RDWR)
+                time.sleep(0.2)
+            alone, watched = (statistics.median(each[0] for each in runs) for runs in (without, with_two))
+            print(f"channels: {'virtual time' if paced else 'at the pace of the wall'}: a skill of {without[0][1]:.2f} s takes {alone:.3f} s alone, "
+                  f"{watched:.3f} s with all {len(names)} channels at their full rate to two clients: {100 * (watched / alone - 1):+.1f} %; "
+                  f"{sum(each.bytes for each in readers) / 1e6:.0f} MB were read")
+        finally:
+            server.end()
+
+
+def memory():
+    server = Server(given.workcell, "--fast")
+    try:
+        asks, watcher = quiet(server), quiet(server, "viewer")
+        watcher.call("watch")
+        Reader(watcher).start()
+        text = long_operation(20)
+        asks.call("operation.load", main="f", files={"f": text})
+        begin, marks, runs = time.monotonic(), [], 0
+        asks.call("watch")
+        while time.monotonic() - begin < 60 * given.minutes:
+            asks.call("operation.run")
+            asks.until(event="state", state="ended")
+            asks.events.clear()
+            asks.call("operation.check", main="f", files={"f": text})
+            asks.call("snapshot")
+            runs += 1
+            if time.monotonic() - begin >= len(marks) * 60 * given.minutes / 6:
+                marks.append(resident(server.process))
+        marks.append(resident(server.process))
+        print(f"memory: over {given.minutes:g} min and {runs} runs of an operation of 20 skills: "
+              f"{', '.join(f'{each:.0f}' for each in marks)} MiB")
+    finally:
+        server.end()
+
+
+print(f"machine: {machine()}")
+for name in given.only:
+    {"events": events, "stop": stop, "idle": idle, "channels": channels, "memory": memory}[name]()

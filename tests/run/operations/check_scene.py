@@ -1,0 +1,39 @@
+"""`pal operation check --scene` knows the skills, sensors, figures and locations of a scene of the workcell.
+
+Usage: check_scene.py PAL OPERATION
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+pal, operation = sys.argv[1:]
+
+
+def check(text, scene):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "o.op.json"
+        path.write_text(text)
+        done = subprocess.run([pal, "operation", "check", path, "--scene", scene, "--format", "json"], capture_output=True, text=True)
+        found = json.loads(done.stdout)["diagnostics"] if done.stdout else []
+        return done.returncode, [(each["code"], each.get("icon")) for each in found if each["severity"] == "error"], done.stderr
+
+
+def one(icon):
+    return json.dumps({"operation-format": 1, "name": "one", "icons": [
+        {"id": "start", "kind": "start", "next": "a"}, {"id": "a", "next": "end", "error": "end", **icon}, {"id": "end", "kind": "exit"}]})
+
+
+home = one({"kind": "skill", "skill": "move-to-location", "parameters": {"location": "HOME"}})
+assert check(home, "touch")[:2] == (0, []), check(home, "touch")
+# A whole operation of that cell, without proofs of its own: those of its skills take their time.
+text = pathlib.Path(operation).read_text()
+assert check(text.replace('"PLACE"', '"SHELF"'), "parts")[1] == [("PAL1010", "put-heavy")], check(text.replace('"PLACE"', '"SHELF"'), "parts")
+assert [code for code, _ in check(text, "touch")[1]].count("PAL1010") >= 1, check(text, "touch")
+assert check(one({"kind": "test", "sensor": "colour", "limits": [1]}), "parts")[1] == [("PAL1017", "a")]
+assert check(one({"kind": "skill", "skill": "juggle"}), "parts")[1] == [("PAL1007", "a")]
+grip = one({"kind": "skill", "skill": "pick-at-location", "parameters": {"location": "HOME"}})
+assert check(grip, "touch")[0] == 1, check(grip, "touch")
+status, _, error = check(home, "nowhere")
+assert status == 2 and "nowhere" in error, (status, error)
