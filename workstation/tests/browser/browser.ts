@@ -69,7 +69,7 @@ export async function imported(page: Page, text: string, shown = true): Promise<
 }
 
 /** What the page keeps of the drawing. */
-export async function drawing(page: Page): Promise<{ name: string; icons: { id: string; kind: string; skill?: string; next?: string; error?: string; parameters?: Record<string, unknown> }[] }> {
+export async function drawing(page: Page): Promise<{ name: string; icons: { id: string; kind: string; skill?: string; break?: Record<string, unknown>; next?: string; error?: string; parameters?: Record<string, unknown> }[] }> {
   await page.waitForTimeout(260);
   return page.evaluate(() => JSON.parse(localStorage.getItem("workcell-drawing")!).drawing);
 }

@@ -96,7 +96,9 @@ test("tidy lays the icons out, as one step that undo takes back", async () => {
 test("a step runs one skill and pauses", async () => {
   await act(page, "step").click();
   await untilState(page, "Paused");
-  assert.equal(await icon(page, "find").getAttribute("data-run"), "passed");
+  // The canvas has followed into the part.
+  assert.match((await page.locator(".state-detail").textContent())!, /rub-in-square › side-1/);
+  assert.equal(await icon(page, "side-1").getAttribute("data-run"), "halted");
   await act(page, "step").click();
   await page.waitForFunction(() => /side-2/.test(document.querySelector(".state-detail")?.textContent ?? ""));
   await act(page, "stop").click();
