@@ -73,6 +73,24 @@ const command = async (words) => {
   await row.waitFor({ timeout: long });
   await row.click();
 };
+/** Lenses are drawn again when a proof ends, which may be between the press and the release of a button. */
+const lens = async (title, opened) => {
+  for (let i = 0; i < 20; ++i) {
+    await page.locator(".codelens-decoration a", { hasText: title }).first().click();
+    if (await page.locator(".tab").filter({ hasText: opened }).first().waitFor({ timeout: 5000 * patience }).then(() => true, () => false)) return;
+  }
+  throw new Error(`the lens '${title}' opens nothing`);
+};
+/** The menu of cures at the cursor, once it has this one: what is tried or proved comes later. */
+const cures = async (title) => {
+  const offered = page.locator(".action-widget").getByText(title).first();
+  for (let i = 0; i < 30; ++i) {
+    await page.keyboard.press("Control+.");
+    if (await offered.waitFor({ timeout: 2000 * patience }).then(() => true, () => false)) return offered;
+    await page.keyboard.press("Escape");
+  }
+  throw new Error(`no cure '${title}' is offered`);
+};
 const hint = (text) => page.locator(".view-lines").getByText(text).first();
 /** The document of a picture: VS Code has it in a frame in a frame. */
 const picture = (title) => page.frameLocator(`.webview.ready >> nth=${title === "PAN" ? -1 : 0}`).frameLocator("#active-frame");
@@ -109,8 +127,7 @@ try {
   });
 
   await step("its cure is applied", async () => {
-    await page.keyboard.press("Control+.");
-    await page.locator(".action-widget").getByText("replace 'Guage' by 'Gauge'").first().waitFor();
+    await cures("replace 'Guage' by 'Gauge'");
     await shot("editor-cure");
     await page.keyboard.press("Enter");
     await page.locator(".squiggly-error").first().waitFor({ state: "detached" }).catch(() => undefined);
@@ -124,7 +141,7 @@ try {
   });
 
   await step("the worst run is drawn beside the text", async () => {
-    await page.locator(".codelens-decoration a", { hasText: "chart" }).first().click();
+    await lens("chart", "ATC");
     await picture("ATC").locator("svg .place").first().waitFor();
     await page.waitForTimeout(500);
     await shot("editor-chart");
@@ -153,12 +170,7 @@ try {
     const line = readFileSync(join(folder, "dip.pal"), "utf8").split("\n").findIndex((each) => each.includes("REQUIREMENT fresh-level")) + 1;
     await page.locator(".quick-input-widget input").first().fill(`:${line}:5`);
     await page.keyboard.press("Enter");
-    const offered = page.locator(".action-widget").getByText("wait for tick before sensing wet").first();
-    for (let i = 0; i < 30 * patience; ++i) {
-      await page.keyboard.press("Control+.");
-      if (await offered.waitFor({ timeout: 1500 }).then(() => true, () => false)) break;
-      await page.keyboard.press("Escape");
-    }
+    const offered = await cures("wait for tick before sensing wet");
     await shot("editor-remedy");
     await offered.click();
     await page.keyboard.press("Control+Home");
@@ -174,7 +186,13 @@ try {
     await command("Test: Run All Tests");
     await page.locator(".test-explorer .monaco-list-row").first().waitFor();
     await page.locator(".test-explorer .codicon-testing-passed-icon").first().waitFor();
+    await page.locator(".test-explorer .monaco-list-row").first().click();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    await page.waitForTimeout(500);
     await shot("editor-tests");
+    await page.keyboard.press("Control+j"); // the panel with results goes
     assert.equal(await page.locator(".test-explorer .codicon-testing-failed-icon").count(), 0);
   });
 
@@ -187,7 +205,7 @@ try {
 
   await step("what if", async () => {
     await page.locator(".tab").filter({ hasText: "dip.pal" }).first().click();
-    await page.locator(".codelens-decoration a", { hasText: "what if" }).first().click();
+    await lens("what if", "What if dip");
     await page.locator(".view-lines").getByText("all together").first().waitFor();
     await shot("editor-what-if");
   });
