@@ -465,6 +465,7 @@ Analysis analyze_as(const Provers& provers, const Problem& problem, AnalysisChoi
   const bool thorough = choice == AnalysisChoice::thorough;
   if (thorough || choice == AnalysisChoice::automatic)
     return analyze_automatically(provers, problem, options, thorough);
+  if (choice == AnalysisChoice::half_open) return provers.compositional(problem, options);
   if (choice == AnalysisChoice::compositional) {
     Analysis bounds = provers.compositional(problem, options);
     search_undecided(problem, options, bounds);
@@ -543,7 +544,9 @@ Analysis nothing_known(const Problem& problem, const std::string& why) {
 Analysis analyze(const Problem& problem, AnalysisChoice choice, const Options& options) {
   const Provers provers{
       [](const Problem& of, const Options& how) { return explored_if_there_is_memory(of, how); },
-      [](const Problem& of, const Options& how) { return compositional::analyze(of, how); }};
+      [half_open = choice == AnalysisChoice::half_open](const Problem& of, const Options& how) {
+        return compositional::analyze(of, how, half_open);
+      }};
   return analyze_with(provers, problem, choice, options);
 }
 

@@ -13,8 +13,11 @@ enum class AnalysisChoice {
   /// slices, all runs.
   automatic,
   thorough,      // the same, and on till each bound is known to be attained
-  exact,         // exact alone
-  compositional  // compositional alone
+  exact,          // exact alone
+  compositional,  // compositional alone
+  /// The same with half-open windows, as textbooks have them: a job that is released at the instant at which
+  /// another ends does not delay it. Runs of PAL may exceed such a bound, so none is compared with it.
+  half_open
 };
 
 /// Each verdict says which analysis it comes from. A run that the exact analysis found is kept, whatever the

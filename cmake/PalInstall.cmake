@@ -6,15 +6,31 @@ include(CMakePackageConfigHelpers)
 
 set(pal_package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/pal")
 set(pal_documents "${CMAKE_INSTALL_DATADIR}/doc/pal-tools")
+file(GLOB_RECURSE pal_documents_sources CONFIGURE_DEPENDS docs/*.md docs/*.svg docs/*.png)
+list(APPEND pal_documents_sources "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md")
 
-# pal_manual_page(PROGRAM PART): compressed, as Debian wants it.
+# pal_manual_page(PROGRAM PART): made of what the program's --help says, and compressed, as Debian wants it.
 find_program(PAL_GZIP gzip REQUIRED)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
 function(pal_manual_page program part)
   set(page "${PROJECT_BINARY_DIR}/man/${program}.1")
-  configure_file("${PROJECT_SOURCE_DIR}/docs/man/${program}.1" "${page}" COPYONLY)
-  execute_process(COMMAND ${PAL_GZIP} -9nfk "${page}" COMMAND_ERROR_IS_FATAL ANY)
+  set(frame "${PROJECT_SOURCE_DIR}/docs/man/${program}.1")
+  add_custom_command(OUTPUT "${page}.gz"
+    COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/manual_page" $<TARGET_FILE:${program}> "${frame}" > "${page}"
+    COMMAND ${PAL_GZIP} -9nf "${page}"
+    DEPENDS ${program} "${frame}" "${PROJECT_SOURCE_DIR}/scripts/manual_page" VERBATIM)
+  add_custom_target(manual_of_${program} ALL DEPENDS "${page}.gz")
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/man")
   install(FILES "${page}.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT ${part})
 endfunction()
+
+# The documents as they are where they are installed: what is not installed there is named, without a link.
+set(documents "${PROJECT_BINARY_DIR}/documents")
+add_custom_command(OUTPUT "${documents}/stamp"
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/installed_documents" "${PROJECT_SOURCE_DIR}" "${documents}"
+  COMMAND ${CMAKE_COMMAND} -E touch "${documents}/stamp"
+  DEPENDS "${PROJECT_SOURCE_DIR}/scripts/installed_documents" ${pal_documents_sources} VERBATIM)
+add_custom_target(installed_documents ALL DEPENDS "${documents}/stamp")
 
 install(TARGETS pal EXPORT palTargets RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
 pal_manual_page(pal tools)
@@ -24,8 +40,7 @@ install(FILES "${PROJECT_BINARY_DIR}/completion.zsh" DESTINATION "${CMAKE_INSTAL
   RENAME _pal)
 install(FILES "${PROJECT_BINARY_DIR}/completion.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT tools
   RENAME pal.fish)
-install(FILES README.md CONTRIBUTING.md DESTINATION "${pal_documents}" COMPONENT tools)
-install(DIRECTORY docs DESTINATION "${pal_documents}" COMPONENT tools PATTERN man EXCLUDE)
+install(DIRECTORY "${documents}/" DESTINATION "${pal_documents}" COMPONENT tools PATTERN stamp EXCLUDE)
 
 install(TARGETS pal_runtime pal_trace EXPORT palTargets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)

@@ -22,23 +22,28 @@ set(CPACK_DEBIAN_WORKCELL_PACKAGE_SECTION science)
 
 set(pal_this_version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 # Static libraries and CMake files: building with them needs a compiler, and the pal of the same version.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "pal-tools (= ${pal_this_version}), g++ (>= 4:12) | clang, cmake (>= 3.25)")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "pal-tools (= ${pal_this_version}), g++ (>= 4:12) | clang, cmake (>= 3.25), make | ninja-build")
 # pal draws with Graphviz; the workcell loads EGL or OSMesa for a picture, and starts ffmpeg and gnuplot.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "pal-development (= ${pal_this_version})")
 set(CPACK_DEBIAN_WORKCELL_PACKAGE_RECOMMENDS "libegl1, libosmesa6")
 set(CPACK_DEBIAN_WORKCELL_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox")
 
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "robot skills that meet their deadlines")
+# The first line of each is its summary; one for all would stand before them.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION
-"The program pal reads robot skills written in PAL, finds what is wrong with
+"proves that robot skills meet their deadlines
+The program pal reads robot skills written in PAL, finds what is wrong with
 them, proves their response times, ages of data and loads, draws the worst
 runs, and writes them as C++20.")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-"What a project needs to build and run skills of its own: the runtime as a
+"runtime and headers to build robot skills written in PAL
+What a project needs to build and run skills of its own: the runtime as a
 static library, its headers, the CMake function pal_add_skill, and examples.")
 set(CPACK_COMPONENT_WORKCELL_DESCRIPTION
-"A PUMA 560 in MuJoCo with its VAL II and ALTER ports, a force sensor, a range
-finder and a gripper, and twelve skills that run in it.")
+"simulated PUMA 560 workcell that runs robot skills
+A PUMA 560 in MuJoCo with its VAL II and ALTER ports, a force sensor, a range
+finder and a gripper, twelve skills that run in it, and the page on which
+operations are drawn, run and debugged.")
 
 # Each package has a changelog in Debian's form, and a note on what lintian finds and why it stays.
 # SOURCE_DATE_EPOCH makes the date, and so the packages, the same each time.

@@ -37,8 +37,22 @@ std::string indices(Writer& out, const std::string& name, const std::vector<std:
 }
 
 const char* name_of(PlannedRequirement::Measure measure) {
-  static constexpr const char* names[] = {"response", "age", "sample", "interval", "duration", "other"};
-  return names[static_cast<std::size_t>(measure)];
+  using Measure = PlannedRequirement::Measure;
+  switch (measure) {
+    case Measure::response:
+      return "response";
+    case Measure::age:
+      return "age";
+    case Measure::sample:
+      return "sample";
+    case Measure::interval:
+      return "interval";
+    case Measure::duration:
+      return "duration";
+    case Measure::other:
+      break;
+  }
+  return "other";
 }
 
 }  // namespace

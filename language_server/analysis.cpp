@@ -51,17 +51,44 @@ std::shared_ptr<const Analysis> analyze(const Workspace& workspace, std::vector<
   return made;
 }
 
-Proofs prove(const Analysis& analysis, const Prover& prover, double seconds,
-             const std::function<bool()>& stop) {
-  Proofs proofs;
-  if (analysis.diagnostics.has_errors()) return proofs;
+namespace {
+
+/// Calls `visit` with each skill that has something to prove, and its environment.
+template <class Visit>
+void visit_provable(const Analysis& analysis, const std::function<bool()>& stop, const Visit& visit) {
+  if (analysis.diagnostics.has_errors()) return;
   for (std::size_t i = 0; i < analysis.specification.skills.size(); ++i) {
     const auto* environment = analysis.environment(i);
     const auto& skill = analysis.specification.skills[i];
-    if (environment == nullptr || skill.requirements.empty() || stop()) continue;
-    proofs.push_back(prover.prove(skill, *environment, analysis.sources, seconds, stop));
+    if (environment != nullptr && !skill.requirements.empty() && !stop()) visit(skill, *environment);
   }
+}
+
+}  // namespace
+
+Proofs prove(const Analysis& analysis, const Prover& prover, Depth depth, double seconds,
+             const std::function<bool()>& stop) {
+  Proofs proofs;
+  visit_provable(analysis, stop, [&](const auto& skill, const auto& environment) {
+    proofs.push_back(prover.prove(skill, environment, analysis.sources, depth, seconds, stop));
+  });
   return proofs;
+}
+
+bool is_whole(const Proofs& proofs) {
+  return std::all_of(proofs.begin(), proofs.end(), [](const SkillProof& proof) {
+    return std::all_of(proof.requirements.begin(), proof.requirements.end(),
+                       [](const ProvedRequirement& each) { return each.exact; });
+  });
+}
+
+AllAdvice advise(const Analysis& analysis, const Prover& prover, double seconds,
+                 const std::function<bool()>& stop) {
+  AllAdvice advice;
+  visit_provable(analysis, stop, [&](const auto& skill, const auto& environment) {
+    advice.push_back(prover.advise(skill, environment, analysis.sources, seconds, stop));
+  });
+  return advice;
 }
 
 }  // namespace pal::language_server

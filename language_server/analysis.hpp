@@ -50,7 +50,15 @@ std::shared_ptr<const Analysis> analyze(const Workspace& workspace, std::vector<
 
 /// Proofs of all skills of an analysis; empty if it has errors.
 using Proofs = std::vector<SkillProof>;
-Proofs prove(const Analysis& analysis, const Prover& prover, double seconds,
+Proofs prove(const Analysis& analysis, const Prover& prover, Depth depth, double seconds,
              const std::function<bool()>& stop);
+
+/// Whether another look, with Depth::whole, can say more.
+bool is_whole(const Proofs& proofs);
+
+/// Likewise, of all skills.
+using AllAdvice = std::vector<Advice>;
+AllAdvice advise(const Analysis& analysis, const Prover& prover, double seconds,
+                 const std::function<bool()>& stop);
 
 }  // namespace pal::language_server

@@ -185,6 +185,7 @@ class Chooser {
 
 Json Session::completion(const Json& params) {
   const auto place = place_in(params);
+  if (is_operation(place.path)) return operation_completion(place);
   const auto& content = place.text->content();
   std::size_t begin = place.offset;
   const auto continues = [](char c) {

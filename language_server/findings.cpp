@@ -1,8 +1,11 @@
 // Findings of open files, and their cures as code actions.
 #include <algorithm>
 #include <cctype>
+#include <functional>
+#include <map>
 #include <utility>
 
+#include "language_server/repair.hpp"
 #include "language_server/session.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/edit.hpp"
@@ -21,24 +24,21 @@ int level(Severity severity) {
   return severity == Severity::error ? 1 : severity == Severity::warning ? 2 : 3;
 }
 
-Json place(const Analysis& analysis, const Workspace& workspace, const SourceSpan& where) {
-  return {{"uri", workspace.uri(analysis.path(where.file))},
-          {"range", range_of(analysis.text(where.file), where.begin, where.end)}};
-}
+/// Where a span stands, as a location of the protocol.
+using Locate = std::function<Json(const SourceSpan&)>;
 
-Json diagnostic(const Diagnostic& finding, const Analysis& analysis, const Workspace& workspace,
-                const std::string& documentation) {
+Json diagnostic_at(const Diagnostic& finding, const Locate& locate, const std::string& documentation) {
   std::string message = finding.message;
   Json related = Json::array();
   for (const auto& note : finding.notes) {
     if (note.where.valid()) {
-      related.push_back({{"location", place(analysis, workspace, note.where)}, {"message", note.text}});
+      related.push_back({{"location", locate(note.where)}, {"message", note.text}});
     } else {
       message += "\n" + note.text;
     }
   }
   if (!finding.hint.empty()) message += "\nhint: " + finding.hint;
-  Json result{{"range", range_of(analysis.text(finding.where.file), finding.where.begin, finding.where.end)},
+  Json result{{"range", locate(finding.where)["range"]},
               {"severity", level(finding.severity)},
               {"code", name(finding.code)},
               {"source", "pal"},
@@ -51,6 +51,15 @@ Json diagnostic(const Diagnostic& finding, const Analysis& analysis, const Works
     result["codeDescription"] = {{"href", documentation + "/reference/diagnostics.md#" + anchor}};
   }
   return result;
+}
+
+Json diagnostic(const Diagnostic& finding, const Analysis& analysis, const Workspace& workspace,
+                const std::string& documentation) {
+  const auto locate = [&](const SourceSpan& where) -> Json {
+    return {{"uri", workspace.uri(analysis.path(where.file))},
+            {"range", range_of(analysis.text(where.file), where.begin, where.end)}};
+  };
+  return diagnostic_at(finding, locate, documentation);
 }
 
 std::string shortened(std::string_view text) {
@@ -87,6 +96,16 @@ Json workspace_edit(std::vector<Edit> edits, const Analysis& analysis, const Wor
 
 }  // namespace
 
+Json Session::operation_diagnostic(const Diagnostic& finding, const SourceManager& sources) const {
+  const auto locate = [&](const SourceSpan& where) -> Json {
+    const auto& path = sources.name(where.file);
+    const auto text = workspace_.text(path);
+    return {{"uri", workspace_.uri(path)},
+            {"range", range_of(text != nullptr ? *text : Text(), where.begin, where.end)}};
+  };
+  return diagnostic_at(finding, locate, options_.documentation);
+}
+
 std::vector<std::string> Session::roots_of(const std::string& path) {
   auto roots = index_.roots(path);
   for (const auto& [root, known] : known_) {  // an environment: the open skills that are checked with it
@@ -97,11 +116,30 @@ std::vector<std::string> Session::roots_of(const std::string& path) {
   return roots;
 }
 
+std::map<std::string, std::vector<std::string>> Session::roots_of_open() {
+  std::map<std::string, std::vector<std::string>> result;
+  for (const auto& [path, document] : workspace_.documents()) {
+    if (path.ends_with(".pal")) result[path] = index_.roots(path);
+  }
+  for (const auto& [root, known] : known_) {  // environments, as in roots_of()
+    for (std::size_t i = 0; known.analysis != nullptr && i < known.analysis->sources.size(); ++i) {
+      const auto open = result.find(known.analysis->path(FileId(i)));
+      if (open != result.end() &&
+          std::find(open->second.begin(), open->second.end(), root) == open->second.end())
+        open->second.push_back(root);
+    }
+  }
+  return result;
+}
+
 const Known& Session::known(const std::string& root) {
   Known& known = known_[root];
-  auto inputs = inputs_of(workspace_, root, environments_);
-  if (known.analysis == nullptr || !is_current(*known.analysis, workspace_, inputs)) {
-    known.analysis = analyze(workspace_, std::move(inputs), {});
+  if (const auto structure = workspace_.structure(); known.inputs_of != structure) {
+    known.inputs = inputs_of(workspace_, root, environments_);
+    known.inputs_of = structure;
+  }
+  if (known.analysis == nullptr || !is_current(*known.analysis, workspace_, known.inputs)) {
+    known.analysis = analyze(workspace_, known.inputs, {});
     if (!known.analysis->diagnostics.has_errors()) known.sound = known.analysis;
   }
   return known;
@@ -123,27 +161,108 @@ std::vector<Diagnostic> Session::findings(const Known& known, const std::string&
     if (proof.ended) continue;  // what had no time to be decided is no finding while typing
     for (const auto& requirement : proof.requirements) add(requirement.findings);
   }
+  add(causes(known, path));
+  return result;
+}
+
+/// A requirement that fails is told where it stands, and once more at the statement to change: the first
+/// that a cure of the text changes, else the one that most of the time is spent on.
+std::vector<Diagnostic> Session::causes(const Known& known, const std::string& path) const {
+  std::vector<Diagnostic> result;
+  const auto file = known.analysis->file(path);
+  for (const auto& proof : *known.proofs) {
+    for (const auto& each : proof.requirements) {
+      if (each.state != "fails" || each.findings.empty() || !each.cause.valid()) continue;
+      Diagnostic made = each.findings.front();
+      made.severity = Severity::warning;
+      made.notes = {{made.where, "'" + each.name + "' is required here"}};
+      made.where = each.cause;
+      made.message = "'" + each.name + "' fails here: " + each.cause_text;
+      made.fix.clear();
+      for (std::size_t i = 0; known.advice != nullptr && i < known.advice->size(); ++i) {
+        const auto& advice = (*known.advice)[i];
+        for (const auto& cure : advice.cures) {
+          if (advice.skill != proof.skill || cure.edits.empty() || made.hint.starts_with("cure: ")) continue;
+          made.hint = "cure: " + cure.title;
+        }
+      }
+      if (file && made.where.file == *file) result.push_back(std::move(made));
+    }
+  }
   return result;
 }
 
 void Session::publish() {
-  std::set<std::string> shown;
-  for (const auto& [path, document] : workspace_.documents()) {
-    if (!path.ends_with(".pal")) continue;
+  std::map<std::string, Published> shown;
+  const auto add = [&](const Known& known, const std::string& path, Json& list) {
+    for (const auto& finding : findings(known, path)) {
+      Json made = diagnostic(finding, *known.analysis, workspace_, options_.documentation);
+      if (std::find(list.begin(), list.end(), made) == list.end()) list.push_back(std::move(made));
+    }
+  };
+  // What has neither another text nor other findings than the client shows is not sent again.
+  const auto publish = [&](const std::string& path, Published state, const Document* document,
+                           const auto& fill) {
+    const auto before = published_.find(path);
+    const bool same = before != published_.end() && before->second == state;
+    shown.emplace(path, std::move(state));
+    if (same) return;
     Json list = Json::array();
-    for (const auto& root : roots_of(path)) {
+    fill(list);
+    Json params{{"uri", workspace_.uri(path)}, {"diagnostics", std::move(list)}};
+    if (document != nullptr) params["version"] = document->version;
+    notify("textDocument/publishDiagnostics", std::move(params));
+  };
+  for (const auto& [path, roots] : roots_of_open()) {
+    const auto* document = workspace_.find(path);
+    Published state{document->version, {}};
+    std::vector<const Known*> all;
+    for (const auto& root : roots) {
       const auto known = known_.find(root);
       if (known == known_.end() || known->second.analysis == nullptr) continue;
-      for (const auto& finding : findings(known->second, path)) {
-        Json made = diagnostic(finding, *known->second.analysis, workspace_, options_.documentation);
-        if (std::find(list.begin(), list.end(), made) == list.end()) list.push_back(std::move(made));
-      }
+      all.push_back(&known->second);
+      for (const std::shared_ptr<const void>& each : {std::shared_ptr<const void>(known->second.analysis),
+                                                      std::shared_ptr<const void>(known->second.proofs),
+                                                      std::shared_ptr<const void>(known->second.proved),
+                                                      std::shared_ptr<const void>(known->second.advice)})
+        state.from.push_back(each);
     }
-    shown.insert(path);
-    notify("textDocument/publishDiagnostics",
-           {{"uri", document.uri}, {"version", document.version}, {"diagnostics", std::move(list)}});
+    publish(path, std::move(state), document, [&](Json& list) {
+      for (const auto* known : all) add(*known, path, list);
+    });
   }
-  for (const auto& path : published_) {
+  for (const auto& [path, document] : workspace_.documents()) {
+    if (!is_operation(path)) continue;
+    // Another file may be a part of it, or a skill of it.
+    publish(path, {document.version, {std::make_shared<const int>(0)}}, &document, [&](Json& list) {
+      SourceManager sources;
+      for (const auto& finding : operation_findings(path, sources))
+        list.push_back(operation_diagnostic(finding, sources));
+    });
+  }
+  // A mistake here may be a finding in a file that is not open.
+  std::map<std::string, std::vector<const Known*>> elsewhere;
+  for (const auto& [root, known] : known_) {
+    if (known.analysis == nullptr || (known.analysis->diagnostics.all().empty() && known.proofs == nullptr))
+      continue;
+    for (std::size_t i = 0; i < known.analysis->sources.size(); ++i) {
+      const auto& path = known.analysis->path(FileId(i));
+      if (workspace_.find(path) == nullptr && !findings(known, path).empty())
+        elsewhere[path].push_back(&known);
+    }
+  }
+  for (const auto& [path, all] : elsewhere) {
+    Published state;
+    for (const auto* known : all) {
+      state.from.push_back(known->analysis);
+      state.from.push_back(known->proofs);
+      state.from.push_back(known->proved);
+    }
+    publish(path, std::move(state), nullptr, [&](Json& list) {
+      for (const auto* known : all) add(*known, path, list);
+    });
+  }
+  for (const auto& [path, state] : published_) {
     if (!shown.contains(path))
       notify("textDocument/publishDiagnostics",
              {{"uri", workspace_.uri(path)}, {"diagnostics", Json::array()}});
@@ -154,10 +273,7 @@ void Session::publish() {
 bool Session::check(const std::function<bool()>& newer) {
   if (to_check_.empty()) return true;
   std::set<std::string> roots;
-  for (const auto& [path, document] : workspace_.documents()) {
-    if (!path.ends_with(".pal")) continue;
-    for (auto& root : roots_of(path)) roots.insert(std::move(root));
-  }
+  for (const auto& [path, of] : roots_of_open()) roots.insert(of.begin(), of.end());
   std::erase_if(known_, [&](const auto& each) { return !roots.contains(each.first); });
   for (const auto& root : roots) {
     if (newer && newer()) return false;
@@ -171,11 +287,7 @@ bool Session::check(const std::function<bool()>& newer) {
   }
   to_check_.clear();
   publish();
-  if (pictures_) {
-    Json uris = Json::array();
-    for (const auto& [path, document] : workspace_.documents()) uris.push_back(document.uri);
-    notify("pal/changed", {{"uris", std::move(uris)}, {"what", "text"}});
-  }
+  tell_changed("text");
   return true;
 }
 
@@ -188,14 +300,64 @@ void Session::proved(const ProofJob& job, Proofs proofs) {
   if (found == known_.end() || found->second.analysis != job.analysis) return;  // of an earlier text
   found->second.proved = job.analysis;
   found->second.proofs = std::make_shared<const Proofs>(std::move(proofs));
+  found->second.advice = nullptr;
   publish();
-  if (pictures_) {
-    Json uris = Json::array();
-    for (const auto& [path, document] : workspace_.documents()) uris.push_back(document.uri);
-    notify("pal/changed", {{"uris", std::move(uris)}, {"what", "proof"}});
-  }
+  tell_changed("proof");
   if (refreshes_hints_) ask_client("workspace/inlayHint/refresh", nullptr);
   if (refreshes_lenses_) ask_client("workspace/codeLens/refresh", nullptr);
+}
+
+void Session::advised(const ProofJob& job, AllAdvice advice) {
+  const auto found = known_.find(job.analysis->root);
+  if (found == known_.end() || found->second.analysis != job.analysis) return;
+  found->second.advice = std::make_shared<const AllAdvice>(std::move(advice));
+  publish();  // a cure may be at another statement than the cause
+  if (refreshes_hints_) ask_client("workspace/inlayHint/refresh", nullptr);
+}
+
+void Session::show_progress(const ProofJob& job) {
+  if (!progress_ || !progress_shown_.empty()) return;
+  progress_shown_ = "pal-proof-" + std::to_string(asked_ + 1);
+  ask_client("window/workDoneProgress/create", {{"token", progress_shown_}});
+  std::string names;
+  for (const auto& skill : job.analysis->specification.skills)
+    names += (names.empty() ? "" : ", ") + skill.skill.name;
+  notify("$/progress",
+         {{"token", progress_shown_},
+          {"value", {{"kind", "begin"}, {"title", "proving"}, {"message", names}, {"cancellable", false}}}});
+}
+
+void Session::hide_progress() {
+  if (progress_shown_.empty()) return;
+  notify("$/progress", {{"token", progress_shown_}, {"value", {{"kind", "end"}}}});
+  progress_shown_.clear();
+}
+
+void Session::tell_changed(const char* what) {
+  if (!pictures_) return;
+  Json uris = Json::array();
+  for (const auto& [path, document] : workspace_.documents()) uris.push_back(document.uri);
+  notify("pal/changed", {{"uris", std::move(uris)}, {"what", what}});
+}
+
+Json Session::operation_actions(const std::string& path, const Text& text, std::uint32_t begin,
+                                std::uint32_t end) {
+  SourceManager sources;
+  Json actions = Json::array();
+  for (const auto& finding : operation_findings(path, sources)) {
+    const bool here = std::all_of(finding.fix.begin(), finding.fix.end(),
+                                  [&](const Edit& edit) { return edit.where.file == finding.where.file; });
+    if (finding.fix.empty() || !here || finding.where.end < begin || finding.where.begin > end) continue;
+    Json edits = Json::array();
+    for (const auto& edit : finding.fix)
+      edits.push_back(text_edit(text, edit.where.begin, edit.where.end, edit.text));
+    actions.push_back({{"title", finding.hint.empty() ? "make the change" : finding.hint},
+                       {"kind", "quickfix"},
+                       {"isPreferred", true},
+                       {"diagnostics", {operation_diagnostic(finding, sources)}},
+                       {"edit", {{"changes", {{workspace_.uri(path), std::move(edits)}}}}}});
+  }
+  return actions;
 }
 
 Json Session::code_action(const Json& params) {
@@ -205,6 +367,7 @@ Json Session::code_action(const Json& params) {
   const Json& range = member(params, "range");
   const auto begin = text->offset(position_of(member(range, "start")));
   const auto end = text->offset(position_of(member(range, "end")));
+  if (is_operation(path)) return operation_actions(path, *text, begin, end);
   const Json& only = member(member(params, "context"), "only");
   const auto wants = [&](std::string_view kind) {
     if (!only.is_array() || only.empty()) return true;
@@ -225,7 +388,15 @@ Json Session::code_action(const Json& params) {
     const Analysis& analysis = *here.analysis;
     const auto found = findings(here, path);
     for (const auto& finding : found) {
-      if (finding.fix.empty()) continue;
+      if (finding.fix.empty()) {
+        if (finding.where.end < begin || finding.where.begin > end || !wants("quickfix")) continue;
+        for (const auto& repair : repairs(workspace_, analysis, finding, options_.repair_seconds))
+          add({{"title", repair.title},
+               {"kind", "quickfix"},
+               {"diagnostics", {diagnostic(finding, analysis, workspace_, options_.documentation)}},
+               {"edit", workspace_edit(repair.edits, analysis, workspace_)}});
+        continue;
+      }
       if (analysis_of_all == nullptr || analysis_of_all == here.analysis) {
         analysis_of_all = here.analysis;
         all.insert(all.end(), finding.fix.begin(), finding.fix.end());
@@ -248,6 +419,28 @@ Json Session::code_action(const Json& params) {
         add({{"title", "fix all " + std::to_string(count) + ": " + std::string(title(finding.code))},
              {"kind", "quickfix"},
              {"edit", workspace_edit(of_kind, analysis, workspace_)}});
+    }
+  }
+  for (const auto& root : roots_of(path)) {
+    const Known& here = known(root);
+    if (here.advice == nullptr || here.proved != here.analysis || !wants("quickfix")) continue;
+    const auto found = findings(here, path);
+    for (const auto& advice : *here.advice) {
+      for (const auto& cure : advice.cures) {
+        Json told = Json::array();
+        for (const auto& finding : found) {
+          const bool meant =
+              std::any_of(cure.requirements.begin(), cure.requirements.end(),
+                          [&](const auto& name) { return finding.message.starts_with("'" + name + "'"); });
+          if (meant && finding.where.end >= begin && finding.where.begin <= end)
+            told.push_back(diagnostic(finding, *here.analysis, workspace_, options_.documentation));
+        }
+        if (!told.empty())
+          add({{"title", cure.title},
+               {"kind", "quickfix"},
+               {"diagnostics", std::move(told)},
+               {"edit", workspace_edit(cure.edits, *here.analysis, workspace_)}});
+      }
     }
   }
   if (!all.empty() && wants("source.fixAll.pal") && only.is_array() && !only.empty())

@@ -233,6 +233,7 @@ std::string Session::about(const Symbol& symbol, const Family& family) {
 
 Json Session::hover(const Json& params) {
   const auto place = place_in(params);
+  if (is_operation(place.path)) return operation_hover(place);
   std::shared_ptr<const Family> family;
   const auto symbols = symbols_at(place, family);
   std::string text;

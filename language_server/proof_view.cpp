@@ -1,7 +1,9 @@
 // Proofs in place: hints, lenses, the list of requirements, pictures.
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "language_server/session.hpp"
 #include "pal/pan/dot.hpp"
@@ -16,7 +18,7 @@ std::string in_dark(std::string svg) {
   if (const auto at = svg.find(paper); at != std::string::npos)
     svg.replace(at, paper.size(), "<polygon fill=\"transparent\"");
   const auto open = svg.find("<svg");
-  if (open != std::string::npos) svg.insert(open + 4, " style=\"filter:invert(.88) hue-rotate(180deg)\"");
+  if (open != std::string::npos) svg.insert(open + 4, " style=\"filter:invert(.94) hue-rotate(180deg)\"");
   return svg;
 }
 
@@ -76,39 +78,95 @@ bool holds(const SourceSpan& where, FileId file, std::uint32_t offset) {
 Json Session::inlay_hint(const Json& params) {
   const auto path = path_in(params);
   const auto text = workspace_.text(path);
+  Json all = Json::array();
+  if (!hints_ || text == nullptr) return all;
+  const auto from = position_of(member(member(params, "range"), "start"));
+  const auto to = position_of(member(member(params, "range"), "end"));
+  for (const auto& root : roots_of(path)) {
+    const auto known = known_.find(root);
+    if (known == known_.end() || known->second.proofs == nullptr) continue;
+    if (root == path) add_bounds(known->second, path, *text, all);
+    if (known->second.proved != known->second.analysis) continue;  // its places are those of an earlier text
+    add_slacks(known->second, path, all);
+    add_shares(known->second, path, all);
+  }
   Json result = Json::array();
-  if (!hints_ || text == nullptr) return result;
-  const Json& range = member(params, "range");
-  const auto from = text->offset(position_of(member(range, "start")));
-  const auto to = text->offset(position_of(member(range, "end")));
+  for (auto& hint : all) {
+    const auto at = position_of(hint["position"]);
+    if (at < from || to < at || std::find(result.begin(), result.end(), hint) != result.end()) continue;
+    result.push_back(std::move(hint));
+  }
+  return result;
+}
+
+void Session::add_bounds(const Known& known, const std::string& path, const Text& text, Json& hints) {
   const auto* tree = index_.tree(path);
   for (std::size_t i = 0; tree != nullptr && i < tree->units.size(); ++i) {
     const auto* skill = std::get_if<syntax::SkillUnit>(&tree->units[i]);
     if (skill == nullptr) continue;
-    const auto known = known_.find(path);
-    if (known == known_.end() || known->second.proofs == nullptr) continue;
-    for (const auto& proof : *known->second.proofs) {
+    for (const auto& proof : *known.proofs) {
       if (proof.skill != skill->name.text) continue;
       for (const auto& requirement : skill->requirements) {
         const auto found = std::find_if(proof.requirements.begin(), proof.requirements.end(),
                                         [&](const auto& each) { return each.name == requirement.name.text; });
-        if (found == proof.requirements.end() || requirement.where.end < from || requirement.where.begin > to)
-          continue;
+        if (found == proof.requirements.end()) continue;
         // Of an earlier text: what it said till the new proof is there.
-        const bool old = known->second.proved != known->second.analysis;
+        const bool old = known.proved != known.analysis;
         const bool open = proof.ended && found->state == "undecided";
-        result.push_back({{"position", json_of(text->position(requirement.where.end))},
-                          {"label", (old ? "(was) " : "") + found->bound + " of " + found->limit +
-                                        (found->exact ? ", exact" : "") +
-                                        (found->state == "fails" ? ", fails"
-                                         : open                  ? ", not decided in time"
-                                                                 : "")},
-                          {"paddingLeft", true},
-                          {"tooltip", found->measure + " in " + proof.environment + ": " + found->state}});
+        hints.push_back({{"position", json_of(text.position(requirement.where.end))},
+                         {"label", (old ? "(was) " : "") + found->bound + " of " + found->limit +
+                                       (found->exact ? ", exact" : "") +
+                                       (found->state == "fails" ? ", fails"
+                                        : open                  ? ", not decided in time"
+                                                                : "")},
+                         {"paddingLeft", true},
+                         {"tooltip", found->measure + " in " + proof.environment + ": " + found->state}});
       }
     }
   }
-  return result;
+}
+
+void Session::add_slacks(const Known& known, const std::string& path, Json& hints) const {
+  const auto file = known.analysis->file(path);
+  if (!file || known.advice == nullptr) return;
+  const Text& text = known.analysis->text(*file);
+  for (const auto& advice : *known.advice) {
+    for (const auto& slack : advice.slacks) {
+      if (slack.where.file != *file) continue;
+      hints.push_back({{"position", json_of(text.position(slack.where.end))},
+                       {"label", "slack " + slack.amount},
+                       {"paddingLeft", true},
+                       {"tooltip", advice.skill + ": " + slack.explanation}});
+    }
+  }
+}
+
+/// The shares of the requirement that fails, or else comes nearest to it: the first with a worst run.
+void Session::add_shares(const Known& known, const std::string& path, Json& hints) const {
+  const auto file = known.analysis->file(path);
+  if (!file) return;
+  const Text& text = known.analysis->text(*file);
+  for (const auto& proof : *known.proofs) {
+    const ProvedRequirement* shown = nullptr;
+    for (const auto& each : proof.requirements) {
+      if (each.shares.empty()) continue;
+      if (shown == nullptr || (each.state == "fails" && shown->state != "fails")) shown = &each;
+    }
+    if (shown == nullptr) continue;
+    std::map<std::uint32_t, std::pair<std::string, std::string>> at;  // by end of the statement
+    for (const auto& share : shown->shares) {
+      if (share.where.file != *file) continue;
+      auto& [label, tooltip] = at[share.where.end];
+      label += (label.empty() ? "" : " + ") + share.amount;
+      tooltip += (tooltip.empty() ? "" : "\n") + share.amount + ": " + share.what;
+    }
+    for (const auto& [end, words] : at)
+      hints.push_back(
+          {{"position", json_of(text.position(end))},
+           {"label", words.first + " of " + shown->name},
+           {"paddingLeft", true},
+           {"tooltip", "worst run of " + shown->name + " of " + proof.skill + "\n" + words.second}});
+  }
 }
 
 Json Session::code_lens(const Json& params) {

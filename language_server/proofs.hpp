@@ -14,6 +14,13 @@
 
 namespace pal::language_server {
 
+/// A part of the worst run, at the statement that it is spent on.
+struct Share {
+  SourceSpan where;
+  std::string amount;  // "27.15 ms"
+  std::string what;    // "SM1 waits at WTM( motion request from MC1 )"
+};
+
 /// What is known of one requirement.
 struct ProvedRequirement {
   std::string name;
@@ -26,6 +33,8 @@ struct ProvedRequirement {
   bool has_run = false;              // there is a worst run to draw
   std::vector<Diagnostic> findings;  // that it fails or is undecided, and why
   SourceSpan cause;                  // the statement that most of the time is spent on; invalid: none
+  std::string cause_text;     // "27.15 ms of 35.35 ms: SM1 waits at WTM( … )"; empty: there is no cause
+  std::vector<Share> shares;  // of the worst run, in its order; a statement may come more than once
 };
 
 /// A picture, and what stands at which of its elements.
@@ -49,6 +58,32 @@ struct SkillProof {
   std::function<std::optional<Drawing>(std::size_t requirement)> chart;
 };
 
+/// By how much a time of the environment may grow.
+struct TimeSlack {
+  SourceSpan where;    // its TIME or DEVICE
+  std::string amount;  // "1 ms", ">= 1 ms", "unlimited"
+  std::string explanation;
+};
+
+/// Changes of texts with which everything holds that did not: each was made and proved.
+struct Cure {
+  std::string title;                      // "in SM1: wait for motion request before pc-force is read"
+  std::vector<std::string> requirements;  // those that fail, or are undecided, without it
+  std::vector<Edit> edits;
+};
+
+/// What can be said beyond the verdicts, of a skill in an environment.
+struct Advice {
+  std::string skill;
+  std::vector<TimeSlack> slacks;  // where everything holds
+  std::vector<Cure> cures;        // where something does not
+};
+
+enum class Depth {
+  quick,  // whether each requirement holds
+  whole   // and the bounds that runs attain
+};
+
 class Prover {
  public:
   virtual ~Prover() = default;
@@ -56,8 +91,13 @@ class Prover {
   /// Takes about `seconds` at most. Once `stop` says true it ends soon, and what it gives is not used. All
   /// places are those of `sources`, which `skill` and `environment` come from.
   virtual SkillProof prove(const pan::Network& skill, const pan::Environment& environment,
-                           const SourceManager& sources, double seconds,
+                           const SourceManager& sources, Depth depth, double seconds,
                            const std::function<bool()>& stop) const = 0;
+
+  /// Likewise. Edits are of files of `sources`.
+  virtual Advice advise(const pan::Network& skill, const pan::Environment& environment,
+                        const SourceManager& sources, double seconds,
+                        const std::function<bool()>& stop) const = 0;
 };
 
 }  // namespace pal::language_server

@@ -147,15 +147,31 @@ class Server {
         begun = jobs_of_;
       }
       const auto stop = [this, begun] { return newest_ != begun; };
-      if (stop()) continue;
-      Proofs proofs = language_server::prove(*job.analysis, *options_.prover, job.seconds, stop);
-      if (stop()) continue;
-      const std::lock_guard lock(mutex_);
-      tasks_.push_back([this, job, made = std::make_shared<Proofs>(std::move(proofs))] {
-        session_.proved(job, std::move(*made));
-      });
-      changed_.notify_all();
+      prove(job, stop);
+      give([this] { session_.hide_progress(); });
     }
+  }
+
+  /// First whether everything holds, as that is soon known; then the bounds that runs attain, and advice.
+  void prove(const ProofJob& job, const std::function<bool()>& stop) {
+    for (const Depth depth : {Depth::quick, Depth::whole}) {
+      if (stop()) return;
+      auto proofs = std::make_shared<Proofs>(
+          language_server::prove(*job.analysis, *options_.prover, depth, job.seconds, stop));
+      if (stop()) return;
+      const bool whole = is_whole(*proofs);
+      give([this, job, proofs] { session_.proved(job, std::move(*proofs)); });
+      if (whole) break;
+      give([this, job] { session_.show_progress(job); });
+    }
+    auto advice = std::make_shared<AllAdvice>(advise(*job.analysis, *options_.prover, job.seconds, stop));
+    if (!stop()) give([this, job, advice] { session_.advised(job, std::move(*advice)); });
+  }
+
+  void give(std::function<void()> task) {
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(std::move(task));
+    changed_.notify_all();
   }
 
   void send(const Json& message) {
@@ -211,8 +227,18 @@ std::string replay(const std::string& script, const FileSystem& files, const Opt
     }
     session.receive(message);
     session.check({});
-    for (const auto& job : session.take_jobs())
-      session.proved(job, prove(*job.analysis, *options.prover, job.seconds, [] { return false; }));
+    const auto never = [] { return false; };
+    for (const auto& job : session.take_jobs()) {
+      for (const Depth depth : {Depth::quick, Depth::whole}) {
+        Proofs proofs = prove(*job.analysis, *options.prover, depth, job.seconds, never);
+        const bool whole = is_whole(proofs);
+        session.proved(job, std::move(proofs));
+        if (whole) break;
+        session.show_progress(job);
+      }
+      session.advised(job, advise(*job.analysis, *options.prover, job.seconds, never));
+      session.hide_progress();
+    }
   }
   return sent;
 }

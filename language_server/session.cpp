@@ -36,6 +36,10 @@ Json capabilities() {
       {"completionProvider", {{"triggerCharacters", {"(", " ", "\""}}, {"resolveProvider", false}}},
       {"documentFormattingProvider", true},
       {"documentRangeFormattingProvider", true},
+      {"documentOnTypeFormattingProvider", {{"firstTriggerCharacter", "\n"}}},
+      {"signatureHelpProvider", {{"triggerCharacters", {"(", " "}}}},
+      {"callHierarchyProvider", true},
+      {"selectionRangeProvider", true},
       {"inlayHintProvider", true},
       {"codeLensProvider", {{"resolveProvider", false}}},
       {"semanticTokensProvider",
@@ -64,6 +68,12 @@ const std::map<std::string, Session::Handler>& Session::requests() {
       {"textDocument/completion", &Session::completion},
       {"textDocument/formatting", &Session::formatting},
       {"textDocument/rangeFormatting", &Session::range_formatting},
+      {"textDocument/onTypeFormatting", &Session::on_type_formatting},
+      {"textDocument/signatureHelp", &Session::signature_help},
+      {"textDocument/prepareCallHierarchy", &Session::prepare_call_hierarchy},
+      {"callHierarchy/incomingCalls", &Session::incoming_calls},
+      {"callHierarchy/outgoingCalls", &Session::outgoing_calls},
+      {"textDocument/selectionRange", &Session::selection_range},
       {"textDocument/inlayHint", &Session::inlay_hint},
       {"textDocument/codeLens", &Session::code_lens},
       {"pal/requirements", &Session::requirements},
@@ -85,6 +95,7 @@ const std::map<std::string, void (Session::*)(const Json&)>& Session::notificati
       {"workspace/didChangeWorkspaceFolders", &Session::did_change_folders},
       {"$/cancelRequest", &Session::ignore},  // the reader has seen to it
       {"$/setTrace", &Session::ignore},
+      {"window/workDoneProgress/cancel", &Session::ignore},  // the next text ends it
   };
   return table;
 }
@@ -118,6 +129,11 @@ void Session::receive(const Json& message, bool cancelled) {
     return refuse(server_not_initialized, "the first request must be initialize");
   if (shut_down_ || (initialized_ && name == "initialize"))
     return refuse(invalid_request, shut_down_ ? "the server is shut down" : "initialize comes once");
+  const std::string document = string_of(member(params, "textDocument"), "uri");
+  static const std::set<std::string> of_operations{"textDocument/hover", "textDocument/completion",
+                                                   "textDocument/codeAction"};
+  if (is_operation(document) && requests().contains(name) && !of_operations.contains(name))
+    return send_({{"jsonrpc", "2.0"}, {"id", id}, {"result", nullptr}});  // it is no text of PAL
   const auto handler = requests().find(name);
   if (handler == requests().end()) return refuse(method_not_found, "there is no request '" + name + "'");
   try {
@@ -156,6 +172,7 @@ void Session::configure(const Json& settings) {
   if (!settings.is_object()) return;
   if (const Json& files = member(settings, "environments"); files.is_array()) {
     environments_.clear();
+    for (auto& [root, known] : known_) known.inputs_of = 0;
     const std::string top = workspace_.folders().empty() ? std::string("/") : workspace_.folders().front();
     for (const Json& file : files) {
       if (file.is_string()) environments_.push_back(resolve_path(top + "/x", file.get<std::string>()));
@@ -186,7 +203,8 @@ void Session::initialized(const Json&) {
              {{"registrations",
                {{{"id", "watch"},
                  {"method", "workspace/didChangeWatchedFiles"},
-                 {"registerOptions", {{"watchers", {{{"globPattern", "**/*.pal"}}}}}}}}}});
+                 {"registerOptions",
+                  {{"watchers", {{{"globPattern", "**/*.pal"}}, {{"globPattern", "**/*.op.json"}}}}}}}}}});
 }
 
 Json Session::shutdown(const Json&) {

@@ -14,6 +14,7 @@
 #include "language_server/json.hpp"
 #include "language_server/server.hpp"
 #include "language_server/workspace.hpp"
+#include "operations/check.hpp"
 
 namespace pal::language_server {
 
@@ -30,7 +31,13 @@ struct Known {
   std::shared_ptr<const Analysis> sound;     // the last one without errors
   std::shared_ptr<const Analysis> proved;    // the one that `proofs` are of
   std::shared_ptr<const Proofs> proofs;
+  std::shared_ptr<const AllAdvice> advice;  // of `proved`; nullptr: not yet
+  std::vector<std::string> inputs;          // the files that an analysis begins with
+  std::uint64_t inputs_of = 0;              // the structure of the workspace that they are of
 };
+
+/// Whether the name is that of a file of operations.
+bool is_operation(const std::string& path);
 
 class Session {
  public:
@@ -50,6 +57,10 @@ class Session {
   /// The proofs to be made for what was checked; earlier ones are of no use any more.
   std::vector<ProofJob> take_jobs();
   void proved(const ProofJob& job, Proofs proofs);
+  void advised(const ProofJob& job, AllAdvice advice);
+  /// The client is told that a proof goes on, and that it has ended.
+  void show_progress(const ProofJob& job);
+  void hide_progress();
 
   /// After the notification `exit`.
   bool is_over() const { return over_; }
@@ -91,11 +102,15 @@ class Session {
 
   // findings.cpp
   std::vector<std::string> roots_of(const std::string& path);
+  /// The same of all open texts of PAL at once.
+  std::map<std::string, std::vector<std::string>> roots_of_open();
   /// Up to date, also if it was not checked yet.
   const Known& known(const std::string& root);
   void publish();
   std::vector<Diagnostic> findings(const Known& known, const std::string& path) const;
+  std::vector<Diagnostic> causes(const Known& known, const std::string& path) const;
   Json code_action(const Json& params);
+  void tell_changed(const char* what);
 
   // navigation.cpp
   Json definition(const Json& params);
@@ -105,6 +120,26 @@ class Session {
   Json rename(const Json& params);
   std::vector<std::size_t> symbols_at(const Place& place, std::shared_ptr<const Family>& family);
   std::vector<SourceSpan> uses_of(const Place& place, bool declarations);
+
+  // operation_file.cpp
+  /// The templates of all skills of the workspace.
+  const operations::Skills& skills();
+  /// `sources` gets the texts that the places are of.
+  std::vector<Diagnostic> operation_findings(const std::string& path, SourceManager& sources);
+  Json operation_diagnostic(const Diagnostic& finding, const SourceManager& sources) const;  // findings.cpp
+  Json operation_actions(const std::string& path, const Text& text, std::uint32_t begin, std::uint32_t end);
+  Json operation_completion(const Place& place);
+  Json operation_hover(const Place& place);
+
+  // message_flow.cpp
+  Json signature_help(const Json& params);
+  Json prepare_call_hierarchy(const Json& params);
+  Json incoming_calls(const Json& params);
+  Json outgoing_calls(const Json& params);
+
+  // selection.cpp
+  Json selection_range(const Json& params);
+  Json on_type_formatting(const Json& params);
 
   // outline.cpp
   Json document_symbol(const Json& params);
@@ -126,6 +161,9 @@ class Session {
 
   // proof_view.cpp
   Json inlay_hint(const Json& params);
+  void add_bounds(const Known& known, const std::string& path, const Text& text, Json& hints);
+  void add_slacks(const Known& known, const std::string& path, Json& hints) const;
+  void add_shares(const Known& known, const std::string& path, Json& hints) const;
   Json code_lens(const Json& params);
   Json requirements(const Json& params);
   Json picture(const Json& params);
@@ -150,10 +188,19 @@ class Session {
   int asked_ = 0;
 
   std::map<std::string, Known> known_;  // by root
-  std::set<std::string> published_;     // paths with findings that the client shows
-  std::set<std::string> to_check_;      // open files
+  /// What the client shows: by path the version, and what the findings are from.
+  struct Published {
+    std::int64_t version = -1;
+    std::vector<std::shared_ptr<const void>> from;
+    friend bool operator==(const Published&, const Published&) = default;
+  };
+  std::map<std::string, Published> published_;
+  std::set<std::string> to_check_;  // open files
   std::vector<ProofJob> jobs_;
-  bool progress_shown_ = false;
+  operations::Skills templates_;
+  std::uint64_t templates_of_ = 0;  // the revision of the workspace that they are of
+  std::map<std::string, std::pair<std::uint64_t, std::vector<pan::Template>>> templates_by_file_;
+  std::string progress_shown_;  // its token; empty: none
 };
 
 }  // namespace pal::language_server

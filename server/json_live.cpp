@@ -138,7 +138,7 @@ void LiveView::show(Duration time, const std::shared_ptr<const Profile>& profile
   for (Watched& each : watched_) {
     const Channel& channel = (*channels_)[each.channel];
     if (channel.form != Channel::Form::profile) continue;
-    if (time < each.due) return;
+    if (time < each.due) continue;
     each.due = time + each.period;
     sent = !each.binary;
     if (each.binary)

@@ -1,4 +1,5 @@
-// The robot, its controller and what it touches, in physics that advances in fixed steps of 1 ms.
+// The robot, its controller and what it touches, in physics that advances in fixed steps of 1 ms: the pose of
+// the tool, the force and torque that its sensor meets, distances, contacts.
 #pragma once
 
 #include <functional>
@@ -86,7 +87,8 @@ class Workcell final : public runtime::World {
   /// No motion is left to make.
   bool idle() const;
 
-  /// Why the arm stopped by itself, until reset_fault(). It stands where it was, and refuses to move.
+  /// Why the arm stopped by itself, until reset_fault(). It backs off within 0.3 s, up to 15 mm, stands, and
+  /// refuses to move.
   const std::optional<ArmFault>& fault() const;
   /// The arm takes motions again, from where it stands. What it touches then is forgiven until they have
   /// parted.

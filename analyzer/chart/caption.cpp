@@ -61,7 +61,7 @@ Length draw_caption(const std::vector<Layer>& layers, Length top, SvgWriter& out
   const std::vector<std::string> lines = caption_lines(layers);
   Length y = top + 190;
   const std::string& verdict = layers.front().options->caption.verdict;
-  const Length width = panel_right - left_edge;
+  const Length width = panel_right(layers) - left_edge;
   for (const std::string& line : wrapped(lines.front(), 165, width, true)) {
     if (y > top + 190) y += 30;
     out.text({left_edge, y}, Anchor::start, verdict == "fails" ? "title fails" : "title", line);

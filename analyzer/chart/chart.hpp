@@ -10,8 +10,8 @@
 
 namespace pal::analyzer::chart {
 
-/// A picture of one run, 940 pixels wide: legible on a page of A4. Names in `options` that the timeline does
-/// not have are drawn as text only.
+/// A picture of one run, 940 pixels wide: legible on a page of A4; if `narrow`, 450, for half of it. Names in
+/// `options` that the timeline does not have are drawn as text only.
 std::string svg(const Timeline& timeline, const ChartOptions& options);
 
 struct OverlayOptions {

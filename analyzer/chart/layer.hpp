@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analyzer/chart/options.hpp"
+#include "analyzer/chart/text_width.hpp"
 #include "analyzer/chart/timeline.hpp"
 
 namespace pal::analyzer::chart {
@@ -27,5 +28,12 @@ struct Layer {
   std::vector<std::int64_t> rows;
   std::vector<std::int64_t> waves;
 };
+
+/// Right edge of time, and of texts; the left one is the margin's.
+inline Length panel_right(const std::vector<Layer>& layers) {
+  constexpr Length wide = 9250;
+  constexpr Length narrow = 4350;
+  return layers.front().options->narrow ? narrow : wide;
+}
 
 }  // namespace pal::analyzer::chart

@@ -16,7 +16,6 @@ namespace {
 constexpr Length legend_edge = 40;
 constexpr Length row_height = 125;
 constexpr Length font = 90;
-constexpr Length full_width = panel_right - legend_edge;
 
 std::string drawn_figure(const Layer& layer, std::int64_t ns) {
   return layer.timeline->origin == "measured" ? rounded_duration_text(ns) : duration_text(ns);
@@ -25,6 +24,7 @@ std::string drawn_figure(const Layer& layer, std::int64_t ns) {
 // Where the texts of an explanation begin; each depth of its tree stands further to the right.
 constexpr Length explained_x = 840;
 constexpr Length depth_indent = 500;
+constexpr Length narrow_indent = 200;
 
 /// The texts of an explanation's parts.
 class Explanation {
@@ -40,7 +40,9 @@ class Explanation {
 
   const std::string& text(std::size_t part) const { return texts_[part]; }
   /// Two columns read downwards, if every part fits into half of the page.
-  bool halves() const { return texts_.size() > 6 && !tree_ && explained_x + widest_ + 40 <= full_width / 2; }
+  bool halves(Length full_width) const {
+    return texts_.size() > 6 && !tree_ && explained_x + widest_ + 40 <= full_width / 2;
+  }
 
  private:
   std::vector<std::string> texts_;
@@ -50,7 +52,9 @@ class Explanation {
 
 }  // namespace
 
-Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
+Length draw_explanation(const std::vector<Layer>& layers, Length top, SvgWriter& out) {
+  const Layer& layer = layers.front();
+  const Length full_width = panel_right(layers) - legend_edge;
   const std::vector<Segment>& segments = layer.options->explanation;
   if (segments.empty()) return top;
   std::string heading = "How this comes about";
@@ -61,15 +65,16 @@ Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
   }
   top = draw_panel_heading(heading, top, out) + 60;
   const Explanation parts(layer);
-  const std::size_t rows = parts.halves() ? (segments.size() + 1) / 2 : segments.size();
-  const Length room = (parts.halves() ? full_width / 2 : full_width) - explained_x;
+  const bool halves = parts.halves(full_width);
+  const std::size_t rows = halves ? (segments.size() + 1) / 2 : segments.size();
+  const Length room = (halves ? full_width / 2 : full_width) - explained_x;
   Length y = top;
   Length lowest = top;
   std::size_t letter = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (i == rows) y = top;
     const Length x = legend_edge + (i < rows ? 0 : full_width / 2);
-    const Length indent = segments[i].depth * depth_indent;
+    const Length indent = segments[i].depth * (layer.options->narrow ? narrow_indent : depth_indent);
     y += row_height;
     if (segments[i].depth == 0) out.text({x, y}, Anchor::start, "key strong", segment_letter(letter++));
     out.text({x + explained_x - 80 + indent, y}, Anchor::end, "key",
@@ -84,7 +89,8 @@ Length draw_explanation(const Layer& layer, Length top, SvgWriter& out) {
   return lowest + 40;
 }
 
-Length draw_statement_key(const Numbering& numbering, Length top, SvgWriter& out) {
+Length draw_statement_key(const Numbering& numbering, Length right, Length top, SvgWriter& out) {
+  const Length full_width = right - legend_edge;
   const auto& entries = numbering.entries();
   if (entries.empty()) return top;
   top = draw_panel_heading("Numbered statements", top, out) + 60;
@@ -161,6 +167,9 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
         move_to({x, y - 50}) + line_to({x + 300, y + 50}) + move_to({x, y + 50}) + line_to({x + 300, y - 50}),
         "loss");
   });
+  sign(out.has_drawn("missed"), "change that is just missed", [&out](Length x, Length y) {
+    out.path(missed_change_sign({x + 150, y + 50}), "missed read");
+  });
   sign(out.has_drawn("broken"), "promise broken", [&out](Length x, Length y) {
     draw_promise_sign({x + 150, y}, 1, "broken", "", out);
   });
@@ -191,7 +200,7 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
   Length y = top + 80;
   for (const Sign& it : signs) {
     const Length width = 360 + text_width(it.text, font) + 220;
-    if (x + width > panel_right && x > legend_edge) {
+    if (x + width > panel_right(layers) && x > legend_edge) {
       x = legend_edge;
       y += row_height + 25;
     }

@@ -12,8 +12,8 @@ namespace pal::analyzer::chart {
 /// All return where the next thing may begin.
 Length draw_caption(const std::vector<Layer>& layers, Length top, SvgWriter& out);
 Length draw_panel_heading(const std::string& text, Length top, SvgWriter& out);
-Length draw_explanation(const Layer& layer, Length top, SvgWriter& out);
-Length draw_statement_key(const Numbering& numbering, Length top, SvgWriter& out);
+Length draw_explanation(const std::vector<Layer>& layers, Length top, SvgWriter& out);
+Length draw_statement_key(const Numbering& numbering, Length right, Length top, SvgWriter& out);
 /// The signs that were drawn before, and no others.
 Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& out);
 

@@ -25,6 +25,8 @@ struct Highlight {
   std::string label;
   bool fails = false;
   std::int64_t limit_ns = -1;
+  /// It begins with a change in the world that a sample has just missed.
+  bool missed = false;
 };
 
 /// One part of why the highlighted interval is as long as it is. `actor`: the thread or device that spends
@@ -78,6 +80,8 @@ struct ChartOptions {
   /// Whether each bar has an id: "bar-LANE-NUMBER", both from 0 as in the timeline. Where a bar is drawn more
   /// than once, "-2" and so on follow.
   bool ids = false;
+  /// Whether the picture fits a column of a page with two.
+  bool narrow = false;
 };
 
 }  // namespace pal::analyzer::chart

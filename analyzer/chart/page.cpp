@@ -12,9 +12,10 @@ namespace pal::analyzer::chart {
 
 namespace {
 
-constexpr Length page_width = 9400;
+constexpr Length beyond_right = 150;
 
-std::string document(const std::string& body, Length height, const std::vector<std::string>& caption) {
+std::string document(const std::string& body, Length page_width, Length height,
+                     const std::vector<std::string>& caption) {
   const std::string width = std::to_string(page_width / 10);
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   text += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" +
@@ -36,10 +37,11 @@ std::string page(const std::vector<Layer>& layers) {
   const bool both = layers.size() > 1;
   const Window window = overview_window(layers);
   const Margin margin = margin_for(layers);
-  const TimeScale overview({window}, margin.left, panel_right, fold_width);
+  const Length right = panel_right(layers);
+  const TimeScale overview({window}, margin.left, right, fold_width);
   std::vector<Window> details;
   if (layers.front().options->detail) {
-    details = detail_windows(layers, window, panel_right - margin.left, fold_width);
+    details = detail_windows(layers, window, right - margin.left, fold_width);
   }
   Length y = draw_caption(layers, 0, out);
   Numbering numbering;
@@ -47,17 +49,17 @@ std::string page(const std::vector<Layer>& layers) {
     numbering = Numbering(layers, overview);
     y = Panel(layers, overview, {true, both, margin}, numbering, 0, {}, y, out).draw();
   } else {
-    const TimeScale detail(details, margin.left, panel_right, fold_width);
+    const TimeScale detail(details, margin.left, right, fold_width);
     numbering = Numbering(layers, detail);
     y = Panel(layers, overview, {false, both, margin}, numbering, 0, details, y, out).draw();
     y = draw_panel_heading("Enlarged: where the axis above is thick", y, out);
     y = Panel(layers, detail, {true, both, margin}, numbering, 0, {}, y, out).draw();
   }
   y = draw_promise_list(layers, y, out);
-  y = draw_explanation(layers.front(), y, out);
-  y = draw_statement_key(numbering, y, out);
+  y = draw_explanation(layers, y, out);
+  y = draw_statement_key(numbering, right, y, out);
   y = draw_sign_key(layers, y, out);
-  return document(out.str(), (y + 9) / 10 * 10, caption_lines(layers));
+  return document(out.str(), right + beyond_right, (y + 9) / 10 * 10, caption_lines(layers));
 }
 
 }  // namespace pal::analyzer::chart

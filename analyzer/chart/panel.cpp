@@ -79,6 +79,7 @@ Length Panel::draw() {
   for (const Layer& layer : layers_) draw_arrows(layer);
   for (const Layer& layer : layers_) draw_losses(layer);
   draw_folds();
+  for (const Layer& layer : layers_) draw_missed_change(layer);
   draw_deadlines();
   for (const Layer& layer : layers_) keep_off_edges(layer);
   for (const Layer& layer : layers_) keep_off_arrows(layer);
@@ -167,7 +168,7 @@ void Panel::draw_tick_labels(const Ticks& marks) {
   const auto label = [&](const Tick& tick) {
     const Length half = text_width(tick.label, 100) / 2;
     // A label at the right edge stays on the page.
-    const Length place = std::min(scale_.x(tick.at_ns), panel_right + right_margin - half);
+    const Length place = std::min(scale_.x(tick.at_ns), panel_right(layers_) + right_margin - half);
     if (taken.claim({place - half - 30, 0, place + half + 30, 1}))
       out_.text({place, bottom_ + 170}, Anchor::middle, "tick", tick.label);
   };

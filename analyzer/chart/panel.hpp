@@ -13,8 +13,6 @@
 
 namespace pal::analyzer::chart {
 
-/// Right edge of time; the left one is the margin's.
-constexpr Length panel_right = 9250;
 constexpr Length fold_width = 300;
 constexpr Length dimension_row = 190;  // height of a row of dimension lines
 
@@ -102,6 +100,7 @@ class Panel {
   void draw_edges(const Layer& layer, const Highlight& highlight, Length y);
   void draw_dimension(const Layer& layer, const Highlight& highlight, Length y);
   void draw_segments(const Layer& layer, Length y);
+  void draw_missed_change(const Layer& layer);
   void draw_deadlines();
   void draw_deadline(std::int64_t at_ns, const std::string& label);
   void point_to_deadline(std::int64_t at_ns, const std::string& label);
@@ -129,6 +128,9 @@ class Panel {
   Length lanes_bottom_ = 0;
   Length bottom_ = 0;  // of all but the axis
 };
+
+/// The sign of a change that a sample has just missed; its tip is at `at`.
+std::string missed_change_sign(Point at);
 
 /// "a", "b", …, "z", "aa", …: the name of an explanation's part.
 std::string segment_letter(std::size_t index);

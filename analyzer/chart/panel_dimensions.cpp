@@ -81,17 +81,20 @@ void Panel::draw_dimension(const Layer& layer, const Highlight& highlight, Lengt
   if (layer.role == Role::backdrop) text = "proved: " + text;
   if (layer.role == Role::front) text = "measured: " + text;
   out_.line({left, y}, {right, y}, dimension_style(layer, highlight) + " measure", text);
-  const Length width = text_width(text, figure_font, true);
   const std::string ink = std::string("figure ") + verdict_style(highlight);
   const TimeScale::Stretch room = scale_.widest(left, right);
-  if (width + 200 < room.x1 - room.x0) {
-    const Length middle = (room.x0 + room.x1) / 2;
-    out_.rect({middle - width / 2 - 40, y - 60, middle + width / 2 + 40, y + 60}, "paper");
-    out_.text({middle, y + 38}, Anchor::middle, ink, text, text);
-  } else if (right + 60 + width < scale_.x1()) {
-    out_.text({right + 60, y + 38}, Anchor::start, ink, text, text);
-  } else {
-    out_.text({left - 60, y + 38}, Anchor::end, ink, text, text);
+  // The figure alone, where there is no room for more.
+  for (const std::string& words : {text, figure(layer, highlight.to_ns - highlight.from_ns)}) {
+    const Length width = text_width(words, figure_font, true);
+    if (width + 200 < room.x1 - room.x0) {
+      const Length middle = (room.x0 + room.x1) / 2;
+      out_.rect({middle - width / 2 - 40, y - 60, middle + width / 2 + 40, y + 60}, "paper");
+      return out_.text({middle, y + 38}, Anchor::middle, ink, words, text);
+    }
+    if (right + 60 + width < scale_.x1())
+      return out_.text({right + 60, y + 38}, Anchor::start, ink, words, text);
+    if (left - 60 - width > Margin::group_x)
+      return out_.text({left - 60, y + 38}, Anchor::end, ink, words, text);
   }
 }
 
@@ -123,6 +126,22 @@ void Panel::draw_segments(const Layer& layer, Length y) {
   }
 }
 
+std::string missed_change_sign(Point at) {
+  return move_to(at) + line_to({at.x - 40, at.y - 100}) + line_to({at.x + 40, at.y - 100}) + "Z";
+}
+
+/// A reaction counts from here: no sample shows the change before the next one is taken.
+void Panel::draw_missed_change(const Layer& layer) {
+  if (!layer.options->highlight || !layer.options->highlight->missed) return;
+  const std::int64_t from = layer.options->highlight->from_ns;
+  if (!touches(layer, from, from)) return;
+  const Length place = x(layer, from);
+  out_.path(missed_change_sign({place, lanes_top_ - 20}), "missed read",
+            "a change that the sample of this instant has just missed\n" + at(from + layer.shift_ns));
+  labels_.take({place - 50, lanes_top_ - 130, place + 50, lanes_top_ - 10});
+  label_mark("change just missed", place);
+}
+
 void Panel::draw_deadlines() {
   for (const Layer& layer : layers_) {
     if (layer.role == Role::front) continue;
@@ -148,7 +167,7 @@ void Panel::draw_deadline(std::int64_t at_ns, const std::string& label) {
   const Length width = text_width(label, bar_font);
   const bool right = place + 90 + width <= scale_.x1();
   const Length left = right ? place + 90 : place - 30 - width;
-  if (labels_.claim({left, lanes_top_ - 110, left + width, lanes_top_ - 10})) {
+  if (left >= Margin::group_x && labels_.claim({left, lanes_top_ - 110, left + width, lanes_top_ - 10})) {
     out_.text({left, lanes_top_ - 30}, Anchor::start, "on-light", label, title);
   }
 }
@@ -159,7 +178,7 @@ void Panel::point_to_deadline(std::int64_t at_ns, const std::string& label) {
   const Length tip = scale_.x1();
   const Length y = lanes_top_ - 60;
   const Length left = tip - 130 - text_width(label, bar_font);
-  if (!labels_.claim({left, y - 50, tip, y + 50})) return;
+  if (left < Margin::group_x || !labels_.claim({left, y - 50, tip, y + 50})) return;
   out_.text({left, y + 30}, Anchor::start, "on-light", label, title);
   out_.path(move_to({tip - 90, y}) + line_to({tip - 30, y}), "deadline-pointer", title);
   out_.path(move_to({tip - 60, y - 30}) + line_to({tip, y}) + line_to({tip - 60, y + 30}) + "Z",

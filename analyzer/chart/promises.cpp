@@ -53,7 +53,7 @@ Length draw_promise_list(const std::vector<Layer>& layers, Length top, SvgWriter
     widest = std::max(widest, text_width(when.back(), list_font));
   }
   const Length x = list_edge + 240;
-  const Length room = panel_right - x - widest - 150;
+  const Length room = panel_right(layers) - x - widest - 150;
   Length y = top;
   for (std::size_t i = 0; i < all.size(); ++i) {
     y += list_row;

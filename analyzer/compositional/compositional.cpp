@@ -39,7 +39,7 @@ bool says_nothing(const Bound& bound, const Verdict& verdict) {
   return verdict.measure == Measure::load && bound.sum.value() >= second && verdict.limit.count() < second;
 }
 
-void judge(const Bound& bound, const Requirement& requirement, Verdict& verdict) {
+void judge(const Bound& bound, const Requirement& requirement, bool half_open, Verdict& verdict) {
   if (!bound.known() || says_nothing(bound, verdict)) {
     verdict.explanation = "The compositional analysis has no bound: " + bound.why + ".";
     return;
@@ -49,6 +49,11 @@ void judge(const Bound& bound, const Requirement& requirement, Verdict& verdict)
   verdict.state = kept ? Is::holds : Is::undecided;
   verdict.explanation = std::string("Compositional bound: no run ") +
                         (verdict.at_least ? "falls below" : "exceeds") + " it, but no run need come near it.";
+  if (half_open)
+    verdict.explanation =
+        "Compositional bound with half-open windows, as textbooks have them: a job released at the instant "
+        "at "
+        "which another ends does not delay it. Runs of PAL may exceed it.";
   if (requirement.phase.limits())
     verdict.explanation += " It covers the whole run, also what is not " + requirement.phase.text + ".";
 }
@@ -66,21 +71,25 @@ Table<DeviceId, bool> never_lost(const View& view) {
   return kept;
 }
 
-/// Every step whose time some requirement may ask for.
+/// Every step whose time some requirement asks for, but for those that are timed anyway.
 Table<StepId, bool> asked_for(const Problem& problem) {
-  Table<StepId, bool> at(problem.steps.size());
+  Table<StepId, bool> asked(problem.steps.size());
+  std::vector<StepId> open;
+  for (const StepId s : asked.ids()) {
+    if (!is_always_timed(problem.steps[s])) open.push_back(s);
+  }
   for (const Requirement& requirement : problem.requirements) {
-    const Table<StepId, bool> sends = sends_of_events(problem, requirement);
-    for (const StepId s : at.ids()) {
-      if (sends[s] || (requirement.at.contains(s) && requirement.at[s])) at[s] = true;
+    if (requirement.at.empty()) continue;
+    for (const StepId s : open) {
+      if (requirement.at[s]) asked[s] = true;
     }
   }
-  return at;
+  return asked;
 }
 
 }  // namespace
 
-Analysis analyze(const Problem& skill, const Options& options) {
+Analysis analyze(const Problem& skill, const Options& options, bool half_open) {
   const double begun = options.clock ? options.clock() : 0;
   const Problem problem = clone_shared_blocks(skill);
   Analysis analysis;
@@ -97,7 +106,8 @@ Analysis analyze(const Problem& skill, const Options& options) {
   std::string refusal = forest.refusal;
   if (refusal.empty()) {
     const ThreadBehaviours behaviours = thread_behaviours_of(problem, forest, options.stop);
-    const Times times = times_of(problem, forest, behaviours, asked_for(problem), options.stop);
+    const Times times = times_of(problem, forest, behaviours, asked_for(problem), options.stop,
+                                 half_open ? WindowEnds::half_open : WindowEnds::closed);
     if (times.interrupted) {
       refusal = "it was interrupted";
     } else {
@@ -109,7 +119,7 @@ Analysis analyze(const Problem& skill, const Options& options) {
         const Requirement& requirement = problem.requirements[r];
         const Bound bound = bound_of(view, requirement);
         const Bound known = bound.known() ? bound : until_left(view, endurance, requirement, bound_of);
-        judge(known, requirement, analysis.verdicts[r]);
+        judge(known, requirement, half_open, analysis.verdicts[r]);
         if (options.addends && analysis.verdicts[r].bound && requirement.measure != Measure::loss)
           analysis.verdicts[r].addends = breakdown_of(view, known.sum);
       }
@@ -120,7 +130,8 @@ Analysis analyze(const Problem& skill, const Options& options) {
     const Sum whole(1'000'000'000, {Term::Kind::said, {}, {}, {}, refusal});
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Measure::load;
-      judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], analysis.verdicts[r]);
+      judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], half_open,
+            analysis.verdicts[r]);
     }
   }
   if (options.clock) analysis.statistics.seconds = options.clock() - begun;

@@ -8,7 +8,8 @@ namespace pal::analyzer::compositional {
 
 /// One verdict a requirement: `holds` or `undecided`, never `fails`, never exact, without a witness. Takes
 /// time that grows about as the number of steps, as long as chains and processors do not grow with it.
-/// `options.max_states` is not used. Statistics count segments as states.
-Analysis analyze(const Problem& problem, const Options& options = {});
+/// `options.max_states` is not used. Statistics count segments as states. `half_open`: with half-open windows
+/// (WindowEnds).
+Analysis analyze(const Problem& problem, const Options& options = {}, bool half_open = false);
 
 }  // namespace pal::analyzer::compositional

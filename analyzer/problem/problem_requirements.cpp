@@ -155,7 +155,7 @@ std::vector<ProcessorId> ProblemBuilder::processors_named(const std::string& nam
   if (found.empty()) {
     diagnostics_.report(Code::PAL0813, requirement.where,
                         "environment " + environment_.name + " has no processor " + name,
-                        "name one that it has, or write LOAD OF EACH PROCESSOR");
+                        "name one that it has, or write EACH PROCESSOR");
   }
   return found;
 }

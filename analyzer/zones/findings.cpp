@@ -1,4 +1,5 @@
-// What an exploration finds on its way: values that are measured, and those that grow.
+// What an exploration finds on its way: the greatest value of each measure, which is the number of an exact
+// bound, and values that grow.
 #include <algorithm>
 
 #include "analyzer/zones/zone_graph.hpp"

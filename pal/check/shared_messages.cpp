@@ -33,6 +33,14 @@ struct MessageUse {
   SourceSpan where;
 };
 
+/// Only blocks are at work at the same time: of a CONCURRENT of its own, or of a module that it executes.
+bool may_have_blocks(const pan::Module& module) {
+  return std::any_of(module.body.nodes.begin(), module.body.nodes.end(), [](const pan::Node& node) {
+    return std::holds_alternative<pan::Fork>(node.content) ||
+           std::holds_alternative<pan::Execute>(node.content);
+  });
+}
+
 class Finder {
  public:
   Finder(const pan::Network& network, const pan::Environment& environment, Diagnostics& diagnostics)
@@ -41,7 +49,7 @@ class Finder {
   void find() {
     for (std::size_t m = 0; m < network_.modules.size(); ++m) {
       const pan::Module& module = network_.modules[m];
-      if (module.body.empty() || module.executed_by.valid()) continue;
+      if (!may_have_blocks(module) || module.executed_by.valid()) continue;
       const Runner runner{module.name, false, pan::place_of(environment_, module.name)};
       std::set<pan::ModuleId> entered;
       const std::vector<MessageUse> all =

@@ -83,7 +83,7 @@ std::string DotLetters::guard(const Guard& guard) const {
   return text;
 }
 
-std::string DotLetters::key(const std::string& title, std::size_t columns) const {
+std::string DotLetters::key(const std::string& title, std::size_t columns, const std::string& signs) const {
   Pairs rows = statements_;
   rows.insert(rows.end(), conditions_.begin(), conditions_.end());
   constexpr std::size_t most_rows = 20;
@@ -102,6 +102,9 @@ std::string DotLetters::key(const std::string& title, std::size_t columns) const
     }
     table += "</TR>";
   }
+  if (!signs.empty())
+    table += "<TR><TD COLSPAN=\"" + std::to_string(2 * columns) +
+             "\"><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"4\">" + signs + "</TABLE></TD></TR>";
   return table + "</TABLE>>";
 }
 

@@ -21,8 +21,8 @@ class DotLetters {
   std::string guard(const Guard& guard) const;
 
   /// Letters and conditions with what they stand for, below `title`. It is a table in Graphviz' HTML with so
-  /// many columns, or more if it would be long.
-  std::string key(const std::string& title, std::size_t columns) const;
+  /// many columns, or more if it would be long. `signs`: rows of a table that stands below; may be empty.
+  std::string key(const std::string& title, std::size_t columns, const std::string& signs) const;
 
  private:
   void meet(const Guard& guard);

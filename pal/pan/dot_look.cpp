@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "pal/pan/dump.hpp"
+#include "pal/support/xml.hpp"
 
 namespace pal::pan {
 
@@ -71,8 +72,52 @@ DotAttributes DotLook::graph() const {
           {"fontname", fonts},
           {"fontsize", options_.letters ? "11" : "13"},
           {"pad", "0.1"},
-          {"label", options_.letters ? letters_.key(title, downwards() ? 2 : 3) : title},
+          {"label", options_.letters ? letters_.key(title, downwards() ? 2 : 3, sign_rows(6)) : signs(title)},
           {"labelloc", options_.letters ? "b" : "t"}};
+}
+
+/// The signs that the drawing has, with what they mean, as rows of a table `columns` wide.
+std::string DotLook::sign_rows(std::size_t columns) const {
+  bool messages = false, conditions = false, computations = false, executes = false, chooses = false,
+       loops = false;
+  for (const Node& node : network_.modules[module_.index()].body.nodes) {
+    const Content& content = node.content;
+    messages = messages || std::holds_alternative<Wait>(content) || std::holds_alternative<Send>(content) ||
+               std::holds_alternative<WaitForStart>(content) || std::holds_alternative<Complete>(content);
+    conditions = conditions || std::holds_alternative<Set>(content) ||
+                 std::holds_alternative<Read>(content) || std::holds_alternative<Choose>(content);
+    computations = computations || std::holds_alternative<Perform>(content);
+    executes = executes || std::holds_alternative<Execute>(content);
+    chooses = chooses || std::holds_alternative<Choose>(content);
+    loops = loops || std::holds_alternative<Until>(content);
+  }
+  std::vector<std::string> cells;
+  const auto filled = [&](bool used, const std::string& fill, const std::string& ink, const std::string& text,
+                          int border = 1) {
+    if (!used) return;
+    cells.push_back("<TD BORDER=\"" + std::to_string(border) + "\" BGCOLOR=\"" + fill +
+                    "\"><FONT POINT-SIZE=\"10\" COLOR=\"" + ink + "\">" + text + "</FONT></TD>");
+  };
+  filled(messages, message_fill, "black", "message");
+  filled(conditions, condition_fill, "black", "condition");
+  filled(computations, computation_fill, "white", "activity");
+  filled(executes, computation_fill, "white", "Execute: double frame");
+  filled(chooses, "white", "black", "diamond: CASE", 0);
+  filled(loops, "white", "black", "bold: back to REPEAT", 0);
+  std::string rows;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i % columns == 0) rows += rows.empty() ? "<TR>" : "</TR><TR>";
+    rows += cells[i];
+  }
+  return rows.empty() ? rows : rows + "</TR>";
+}
+
+/// The title of a drawing with its texts in full, over the key to its signs.
+std::string DotLook::signs(const std::string& title) const {
+  constexpr std::size_t columns = 3;
+  return "<<TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"4\" CELLPADDING=\"2\"><TR><TD COLSPAN=\"" +
+         std::to_string(columns) + "\">" + xml_escaped(title) + "</TD></TR>" + sign_rows(columns) +
+         "</TABLE>>";
 }
 
 DotAttributes DotLook::nodes() {

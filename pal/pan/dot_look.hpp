@@ -46,6 +46,8 @@ class DotLook {
   DotAttributes box(std::size_t i, const char* fill, const char* ink = "black") const;
   DotAttributes bar(std::size_t blocks) const;
   std::string guard(const Guard& it) const;
+  std::string sign_rows(std::size_t columns) const;
+  std::string signs(const std::string& title) const;
   bool downwards() const { return options_.direction == DotOptions::Direction::top_down; }
   const Node& body(std::size_t i) const { return network_.modules[module_.index()].body.nodes[i]; }
 

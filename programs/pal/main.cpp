@@ -10,7 +10,7 @@
 #include "pal/support/file_system.hpp"
 #include "programs/pal/options/command_line.hpp"
 #include "programs/pal/session/colour.hpp"
-#include "programs/pal/session/proof.hpp"
+#include "programs/pal/session/patience.hpp"
 
 using pal::program::ExitStatus;
 
@@ -34,7 +34,7 @@ int main(int count, char** arguments) {
         delivered(pal::program::run(std::vector<std::string>(arguments + 1, arguments + count),
                                     {std::cout, std::cerr, files, out, pal::program::wants_colour(out),
                                      pal::program::wants_colour(err)})));
-    if (pal::program::is_proof_left()) ::_exit(status);  // it still uses what would be cleared up
+    if (pal::program::is_work_left()) ::_exit(status);  // it still uses what would be cleared up
     return status;
   } catch (const std::bad_alloc&) {
     std::cerr << "pal: there is not enough memory; with --max-memory SIZE or --max-states N a proof gives up "

@@ -78,7 +78,8 @@ const std::vector<Exceeded>& RequirementWatch::see(const trace::Event& event) {
       check(watched, sample->see(event, parent));
     } else if (auto* interval = std::get_if<trace::IntervalMeter>(&watched.meter)) {
       check(watched, interval->see(event));
-    } else if (event.kind == trace::Kind::complete && event.value == spec(watched).code) {
+    } else if (std::holds_alternative<Duration>(watched.meter) && event.kind == trace::Kind::complete &&
+               event.value == spec(watched).code) {
       check(watched, trace::Occurrence{0, event.time_ns, event.actor, event.statement});
     }
   }

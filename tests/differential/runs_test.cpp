@@ -127,7 +127,7 @@ std::string cell(std::uint64_t seed, int longest) {
 void expect_sound_cells(test::Part part) {
   const int longest = static_cast<int>(setting("PAL_LONGEST", 4));
   expect_all_sound(
-      60, [longest](std::uint64_t seed) { return cell(seed, longest); }, part);
+      30, [longest](std::uint64_t seed) { return cell(seed, longest); }, part);
 }
 
 void expect_sound_with_mistakes(test::Part part) {
@@ -136,7 +136,7 @@ void expect_sound_with_mistakes(test::Part part) {
     const std::string right = seed % 2 == 0 ? test::TimedSkill(seed).text() : cell(seed, 4);
     return test::Mutant(seed, right, accepts).text(1 + static_cast<int>(seed % 5));
   };
-  expect_all_sound(40, with_mistakes, part);
+  expect_all_sound(20, with_mistakes, part);
 }
 
 }  // namespace
@@ -162,13 +162,13 @@ TEST_CASE("no run of a skill with mistakes exceeds a bound, part 3 of 3") {
 }
 
 TEST_CASE("no run in which devices do not answer exceeds a bound") {
-  expect_all_sound(40, [](std::uint64_t seed) { return test::with_silent_devices(cell(seed, 4)); });
+  expect_all_sound(20, [](std::uint64_t seed) { return test::with_silent_devices(cell(seed, 4)); });
 }
 
 TEST_CASE("no run in which blocks are stopped exceeds a bound") {
-  expect_all_sound(150, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
+  expect_all_sound(75, [](std::uint64_t seed) { return test::StoppedBlocks(seed).text(); });
 }
 
 TEST_CASE("no run in which many threads share one message exceeds a bound") {
-  expect_all_sound(30, [](std::uint64_t seed) { return test::ManyParties(seed).text(); });
+  expect_all_sound(15, [](std::uint64_t seed) { return test::ManyParties(seed).text(); });
 }

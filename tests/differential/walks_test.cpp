@@ -68,7 +68,7 @@ void expect_sound_kinds(test::Part part) {
   std::uint64_t number = 0;
   for (const auto& [kind, text] : test::kinds()) {
     const bool ours = number++ % part.of == part.number - 1;
-    if (ours && (only == nullptr || kind == only)) expect_all_sound(kind, text, setting("PAL_ROUNDS", 5));
+    if (ours && (only == nullptr || kind == only)) expect_all_sound(kind, text, setting("PAL_ROUNDS", 3));
   }
 }
 
@@ -92,13 +92,13 @@ TEST_CASE("methods with devices only: no run exceeds a bound of either analysis"
 }
 
 TEST_CASE("larger skills with mistakes: no run exceeds a bound of either analysis") {
-  expect_all_sound("mistakes", with_mistakes, setting("PAL_ROUNDS", 16));
+  expect_all_sound("mistakes", with_mistakes, setting("PAL_ROUNDS", 8));
 }
 
 TEST_CASE("kept skills with mistakes: no run exceeds a bound of either analysis") {
-  expect_all_sound("kept", kept_with_mistakes, setting("PAL_ROUNDS", 60));
+  expect_all_sound("kept", kept_with_mistakes, setting("PAL_ROUNDS", 30));
 }
 
 TEST_CASE("skills with other figures: no run exceeds a bound of either analysis") {
-  expect_all_sound("asked everything", asked_everything, setting("PAL_ROUNDS", 40), true);
+  expect_all_sound("asked everything", asked_everything, setting("PAL_ROUNDS", 20), true);
 }

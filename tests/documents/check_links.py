@@ -3,6 +3,7 @@
     check_links.py ROOT [FILE…]
 
 Without FILE: all Markdown below ROOT, and all mentions of docs/….md in any text below it. With FILE: only these documents.
+Pages that guide through the source (GUIDES) also name its files between backticks, alone or with a folder: each exists.
 A link `#heading` must be a heading of the document that it leads to. Prints one line for each that does not, and ends with 1.
 """
 import os
@@ -12,6 +13,8 @@ from pathlib import Path
 from urllib.parse import unquote
 
 LINK = re.compile(r"\]\((?:<([^>]+)>|([^)\s]+))\)")
+SOURCE = re.compile(r"`([\w/*.-]+\.(?:cpp|hpp|g4|def|css|json|pal|py|ts|tsx))`")
+GUIDES = {"docs/architecture.md", "CONTRIBUTING.md"}
 MENTION = re.compile(r"(?<![\w/.-])docs/[\w./-]+\.md\b")
 SKIPPED_FOLDERS = {".git", "build", "out", "broken", "node_modules"}
 TEXTS = {".md", ".cpp", ".hpp", ".txt", ".cmake", ".py", ".pal", ".g4", ".in", ".def", ""}
@@ -53,12 +56,12 @@ def wrong_links(path):
                 yield number, f"{link}: no such heading"
 
 
-def files_below(root):
+def files_below(root, everything=False):
     for folder, folders, names in os.walk(root):
         folders[:] = sorted(name for name in folders if name not in SKIPPED_FOLDERS)
         for name in sorted(names):
             path = Path(folder) / name
-            if path.suffix in TEXTS and not path.is_symlink():
+            if (everything or path.suffix in TEXTS) and not path.is_symlink():
                 yield path
 
 
@@ -73,6 +76,15 @@ def wrong_mentions(root, path):
                 yield number, f"{mention} does not exist"
 
 
+def wrong_sources(root, path):
+    names = {each.name for each in files_below(root, everything=True)}
+    for number, line in lines_outside_fences(path):
+        for file in SOURCE.findall(line):
+            places = [file, "**/" + file] if "/" in file or "*" in file else []
+            if file not in names and not any(found for place in places for found in root.glob(place)):
+                yield number, f"there is no file {file}"
+
+
 def main(root, documents):
     root = Path(root)
     wrong = []
@@ -83,6 +95,8 @@ def main(root, documents):
         if path.suffix == ".md" and (documents or not {"golden", "unit", "pages"} & set(path.relative_to(root).parts)):
             links += 1
             found += wrong_links(path)
+            if path.resolve().relative_to(root.resolve()).as_posix() in GUIDES or path.name == "guide.md":
+                found += wrong_sources(root, path)
         if not documents:
             found += wrong_mentions(root, path)
         wrong += [f"{path}:{number}: {what}" for number, what in found]

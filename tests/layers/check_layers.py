@@ -46,14 +46,14 @@ LAYERS = {
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "server": ["operations", "pal/explain", "pal/support", "pal/pan"],  # likewise
-    "language_server": ["pal/support", "pal/pan", "pal/doc", "pal/syntax", "pal/check"],  # proofs come from the program
+    "language_server": ["pal/support", "pal/pan", "pal/doc", "pal/syntax", "pal/rewrite", "pal/check", "operations"],  # proofs come from the program
     **rooms("pal", COMPILER),
     **{room: KERNEL[:i] + ["trace"] for i, room in enumerate(KERNEL)},
     **{protocol: RUNTIME for protocol in PROTOCOLS},
     "runtime/drivers": KERNEL + ["trace"] + PROTOCOLS,
     "skills_pal": RUNTIME + PROTOCOLS,  # VAL's verbs and errors, ALTER's period
     "sim": RUNTIME + ["runtime/drivers"] + PROTOCOLS,
-    **rooms("workcell", COMPILER + RUNTIME + [f"programs/pal/{room}" for room in ROOMS["pal"]] + ["sim", "runtime/drivers", "skills_pal", "server"] + PROTOCOLS),
+    **rooms("workcell", COMPILER + RUNTIME + [f"programs/pal/{room}" for room in ROOMS["pal"]] + ["sim", "runtime/drivers", "runtime/watch", "skills_pal", "server"] + PROTOCOLS),
 }
 # The namespace of a file is that of the longest prefix here. Folders that are not named add none.
 NAMESPACES = {

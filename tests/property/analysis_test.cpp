@@ -61,7 +61,7 @@ std::vector<Watch> watches_of(const Problem& problem, const Requirement& require
 
 TEST_CASE("no simulated run exceeds what was proved") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 10);
   std::size_t decided = 0;
   std::size_t exact = 0;
   std::size_t timed = 0;
@@ -105,7 +105,7 @@ TEST_CASE("no simulated run exceeds what was proved") {
 
 TEST_CASE("the bound is what trying every run gives") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 10);
   std::size_t compared = 0;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
     std::string text;
@@ -154,7 +154,7 @@ TEST_CASE("the bound is what trying every run gives") {
 
 TEST_CASE("no simulated run exceeds a proved load in the long run") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 10);
   std::size_t proved = 0;
   std::size_t exact = 0;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
@@ -209,7 +209,7 @@ TEST_CASE("no simulated run exceeds a proved load in the long run") {
 
 TEST_CASE("no unending run exceeds a bound by shares") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 20);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 10);
   std::size_t proved = 0;
   std::size_t shown = 0;
   std::size_t equal = 0;

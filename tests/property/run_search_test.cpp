@@ -60,14 +60,14 @@ void expect_all(const Problem& problem, Tally& tally) {
 TEST_CASE("runs found by the search are runs of the skill, within the bounds") {
   Tally tally;
   const std::uint64_t first = setting("PAL_SEED", 1);
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 30); ++seed) {
     const std::string text = test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text();
     const auto skill = test::skill_from_text(text);
     if (!skill->problem) continue;
     INFO("seed " << seed << "\n" << text);
     expect_all(*skill->problem, tally);
   }
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 30); ++seed) {
     const test::ChainSystem system = test::small_chains(seed);
     INFO("seed " << seed << "\n" << test::text_of(system));
     expect_all(test::problem_of(system), tally);
@@ -82,7 +82,7 @@ TEST_CASE("runs found by walks through zones are runs of the skill, within the b
   std::size_t found = 0;
   std::size_t tried = 0;
   const std::uint64_t first = setting("PAL_SEED", 1);
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 60); ++seed) {
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 30); ++seed) {
     const std::string text = test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text();
     const auto skill = test::skill_from_text(text);
     if (!skill->problem) continue;

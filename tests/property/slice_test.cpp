@@ -102,7 +102,7 @@ void expect_sound_slice_seeds(const Text& text_of, std::uint64_t rounds, SliceTa
 TEST_CASE("small skills: no run exceeds a bound of a slice") {
   SliceTally tally;
   expect_sound_slice_seeds(
-      [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }, 15, tally);
+      [](std::uint64_t seed) { return test::RandomSkill(seed, seed % 2 == 0 ? 9 : 40).text(); }, 8, tally);
   CHECK(tally.proper > 0);
   CHECK(tally.equal > 0);
 }
@@ -117,7 +117,7 @@ TEST_CASE("devices that may not answer: no run exceeds a bound of a slice") {
 
 TEST_CASE("skills of all kinds: no run exceeds a bound of a slice") {
   SliceTally tally;
-  expect_sound_slice_seeds(test::skill_of_any_kind, 24, tally);
+  expect_sound_slice_seeds(test::skill_of_any_kind, 12, tally);
   CHECK(tally.proper > 0);
   CHECK(tally.equal > 0);
 }

@@ -1,12 +1,14 @@
 """Interrupts `pal check` and `pal simulate` at work, and gives it nowhere to write, and little memory: run.py PAL. What it knows by then must be reported, and files be whole or as they were."""
 import json
 import pathlib
+import random
 import resource
 import signal
 import subprocess
 import sys
 import tempfile
 import time
+import xml.etree.ElementTree
 
 PERIODS = [7, 11, 13, 17, 19, 23, 29]  # ms: without a common divisor, so the exact analysis is not done for hours
 
@@ -129,6 +131,61 @@ def check_obeyed_at_once(pal):
             assert "ended by you" in (folder / "errors").read_text(), f"{which.name}: nothing says who ended it"
 
 
+def many_chains(chains):
+    """A text whose reading takes long: chains of two threads on one processor, each with a requirement."""
+    numbers = range(chains)
+    units = "".join(f"MESSAGE a{k} : SIGNAL\nMESSAGE b{k} : SIGNAL\nDEVICE clock{k}\n" for k in numbers)
+    modules = "".join(
+        f"Sensor Driver: D{k}\n  ACTIVITY work\nBEGIN\n  REPEAT\n    WTM( a{k} from clock{k} )\n    work\n    TXM( b{k} to L{k} )\n  UNTIL( forever )\nEND\n"
+        f"Logical Sensor: L{k}\n  ACTIVITY work\nBEGIN\n  REPEAT\n    WTM( b{k} from D{k} )\n    work\n  UNTIL( forever )\nEND\n" for k in numbers)
+    skill = ("MESSAGE stop : SIGNAL\nDEVICE button\nSKILL chains\n  SENSOR DRIVER " + ", ".join(f"D{k}" for k in numbers) + "\n  LOGICAL SENSOR " +
+             ", ".join(f"L{k}" for k in numbers) + "\n  MACHINE CONTROLLER Stop\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n  COMPLETION 1 ERROR\n" +
+             "".join(f"  REQUIREMENT r{k} : RESPONSE FROM a{k} OF clock{k} TO work IN L{k} AT MOST 100 s\n" for k in numbers) + "END SKILL\n"
+             "Machine Controller: Stop\nBEGIN\n  WTM( stop from button )\n  TXM( stop to SM1 )\nEND\n"
+             "Skill Module: SM1\nBEGIN\n  WTM( Coordinator )\n  WTM( stop from Stop )\n  TXM( Completion Protocol 0 )\nEND\n")
+    cell = ("ENVIRONMENT cell\n  PROCESSOR P0\n  PROCESSOR idle\n  DEVICE button EVENT stop SPORADIC 1000 s\n  PLACE Stop ON idle PRIORITY 2\n"
+            "  PLACE SM1 ON idle PRIORITY 1\n  TIME work : 1 TO 10 us\n" +
+            "".join(f"  DEVICE clock{k} EVENT a{k} EVERY 1 s\n  PLACE D{k} ON P0 PRIORITY {2 * (chains - k)}\n  PLACE L{k} ON P0 PRIORITY {2 * (chains - k) + 1}\n"
+                    for k in numbers) + "END ENVIRONMENT\n")
+    return units + skill + modules + cell
+
+
+def seconds_of(process):
+    """Its processor time in user and system mode so far."""
+    fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / 100
+
+
+def check_obeyed_while_reading(pal):
+    """A signal at any instant, also before anything is proved, leaves a whole report that says who ended it."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "chains.pal").write_text(many_chains(2000))
+        dice = random.Random(1)
+        for form in ("text", "json", "junit", "sarif"):
+            instant = dice.uniform(0.05, 0.35)  # of processor time; to read it takes about 0.4 s
+            with open(folder / "report", "wb") as out, open(folder / "errors", "wb") as err:
+                process = subprocess.Popen([pal, "check", "chains.pal", "--format", form], cwd=folder, stdout=out, stderr=err)
+                while seconds_of(process) < instant:
+                    assert process.poll() is None, "it ended by itself: " + (folder / "errors").read_text()
+                begin, used = time.monotonic(), seconds_of(process)
+                process.send_signal(signal.SIGTERM)
+                status = process.wait(timeout=60)
+            seconds = time.monotonic() - begin
+            report, errors = (folder / "report").read_text(), (folder / "errors").read_text()
+            where = f"{form}, signal after {used:.2f} s"
+            assert status == 3, f"{where}: status {status}: {errors[-300:]}"
+            assert seconds < 5, f"{where}: obeyed after {seconds:.2f} s"
+            assert "ended by you" in report + errors, f"{where}: nothing says who ended it"
+            if form == "json":
+                assert json.loads(report)["not_checked"] or json.loads(report)["requirements"], where
+            elif form == "junit":
+                suites = xml.etree.ElementTree.fromstring(report)
+                assert any(suite.get("skipped") != "0" or suite.get("errors") != "0" for suite in suites), f"{where}: all is green"
+            elif form == "sarif":
+                assert json.loads(report)["runs"][0]["invocations"][0]["exitCode"] == 3, where
+
+
 def check_simulation(pal):
     """What the runs made by then show is said."""
     with tempfile.TemporaryDirectory() as name:
@@ -199,6 +256,7 @@ def main():
         check_one_signal(pal, which)
     check_bounds_are_kept(pal)
     check_obeyed_at_once(pal)
+    check_obeyed_while_reading(pal)
     check_simulation(pal)
     check_two_signals(pal)
     check_little_memory(pal)

@@ -38,7 +38,8 @@ TransactionId BusyWindows::add(Transaction transaction) {
     groups.back().tasks.push_back(t);
     const double cost = static_cast<double>(task.cost);
     const bool once = transaction.period == never;
-    groups.back().shares.push_back(once ? 0 : cost / static_cast<double>(transaction.period));
+    if (task.cost != 0)
+      groups.back().workers.push_back({t, once ? 0 : cost / static_cast<double>(transaction.period)});
   }
   for (const ProcessorId processor : processors) {
     auto& groups = by_processor_[processor];
@@ -70,9 +71,9 @@ Nanoseconds BusyWindows::of_scenario(const Group& group, TaskId scenario, const 
     return asked.drifting ? releases(of.period, task.jitter, length) : count(of, task.jitter, due, length);
   };
   Tally tally(of, group.transaction, shares);
-  for (TaskId t : group.tasks) {
+  for (const auto& [t, share] : group.workers) {
     const Task& task = of.tasks[t];
-    if (t == asked.task || task.priority < priority || task.cost == 0) continue;
+    if (t == asked.task || task.priority < priority) continue;
     if (!counts(asked.asker, group.transaction, t)) continue;
     const Nanoseconds due = phase(of, first, task.offset);
     Nanoseconds jobs = released(task, due);
@@ -91,9 +92,9 @@ bool BusyWindows::drifts(const Group& group, const Task* asker, int priority) co
   if (of.regular || of.period == never) return false;
   Nanoseconds soonest = never;
   Nanoseconds latest = 0;
-  for (TaskId t : group.tasks) {
+  for (const auto& [t, share] : group.workers) {
     const Task& task = of.tasks[t];
-    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
+    if (task.priority < priority || !counts(asker, group.transaction, t)) continue;
     const Nanoseconds offset =
         task.among < 0 ? task.offset : of.alternatives[static_cast<std::size_t>(task.among)].offset;
     soonest = std::min(soonest, offset);
@@ -106,11 +107,10 @@ bool BusyWindows::drifts_from(const Group& group, TaskId task) const {
   const Transaction& of = transactions_[group.transaction];
   if (of.regular) return false;
   const Task& self = of.tasks[task];
-  return std::any_of(group.tasks.begin(), group.tasks.end(), [&](TaskId t) {
+  return std::any_of(group.workers.begin(), group.workers.end(), [&](const Worker& worker) {
+    const TaskId t = worker.task;
     const Task& other = of.tasks[t];
-    if (t == task || other.priority < self.priority || other.cost == 0 ||
-        !counts(&self, group.transaction, t))
-      return false;
+    if (t == task || other.priority < self.priority || !counts(&self, group.transaction, t)) return false;
     return other.offset > self.offset + of.period ||
            self.offset + self.jitter > of.period + other.offset + other.jitter;
   });
@@ -124,9 +124,9 @@ Nanoseconds BusyWindows::of_group(const Group& group, const Task* asker, int pri
   Nanoseconds most = 0;
   TaskId worst{};
   Tally one_by_one(of, group.transaction, shares);
-  for (TaskId t : group.tasks) {
+  for (const auto& [t, share] : group.workers) {
     const Task& task = of.tasks[t];
-    if (task.priority < priority || task.cost == 0 || !counts(asker, group.transaction, t)) continue;
+    if (task.priority < priority || !counts(asker, group.transaction, t)) continue;
     if (alone) {
       one_by_one.add(t, releases(of.period, task.jitter, length));
       continue;
@@ -166,9 +166,12 @@ BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, const Task& aske
   Foreign foreign;
   for (const Group& group : by_processor_[asker.processor]) {
     if (group.priority < asker.priority) break;
-    if (group.transaction == own) continue;
-    if (group.tasks.size() > 1) {
-      foreign.several.push_back(&group);
+    const bool is_own = group.transaction == own;
+    add_load(group, !is_own, asker, foreign.load);
+    if (is_own) {
+      foreign.own = &group;
+    } else if (group.tasks.size() > 1) {
+      add_foreign(group, asker, foreign);
     } else if (group.cost != 0 && counts(&asker, group.transaction, group.first)) {
       foreign.alone.push_back({group.period, group.jitter, group.cost});
     }
@@ -176,10 +179,49 @@ BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, const Task& aske
   return foreign;
 }
 
+void BusyWindows::add_foreign(const Group& group, const Task& asker, Foreign& foreign) const {
+  const Transaction& of = transactions_[group.transaction];
+  std::vector<const Task*> counted;
+  for (const auto& [t, share] : group.workers) {
+    const Task& task = of.tasks[t];
+    if (task.priority < asker.priority || !counts(&asker, group.transaction, t)) continue;
+    if (task.among >= 0) return foreign.several.push_back(&group);
+    counted.push_back(&task);
+  }
+  // The phase of a single one cancels out.
+  if (counted.size() <= 1 || of.period == never || drifts(group, &asker, asker.priority)) {
+    for (const Task* task : counted) foreign.alone.push_back({of.period, task->jitter, task->cost});
+    return;
+  }
+  if (counted.size() > many_tasks) return foreign.several.push_back(&group);
+  Foreign::Together& together = foreign.together.emplace_back();
+  together.period = of.period;
+  together.count = counted.size();
+  for (const Task* first : counted) {
+    for (const Task* task : counted) {
+      const Nanoseconds due = phase(of, *first, task->offset);
+      together.due.push_back({due, (task->jitter + due) / of.period, task->cost});
+    }
+  }
+}
+
 Nanoseconds BusyWindows::of_foreign(const Foreign& foreign, const Task& asker, Nanoseconds length) const {
   Nanoseconds work = 0;
   for (const Foreign::Alone& each : foreign.alone)
     work = plus(work, work_of(releases(each.period, each.jitter, length), each.cost));
+  for (const Foreign::Together& each : foreign.together) {
+    Nanoseconds most = 0;
+    for (std::size_t at = 0; at < each.due.size(); at += each.count) {
+      Nanoseconds sum = 0;
+      for (std::size_t i = at; i < at + each.count; ++i) {
+        const auto& [phase, piled, cost] = each.due[i];
+        const Nanoseconds jobs = piled + (length >= phase ? (length - phase) / each.period + 1 : 0);
+        sum = plus(sum, work_of(jobs, cost));
+      }
+      most = std::max(most, sum);
+    }
+    work = plus(work, most);
+  }
   for (const Group* group : foreign.several)
     work = plus(work, of_group(*group, &asker, asker.priority, length, nullptr));
   return work;
@@ -190,73 +232,65 @@ Nanoseconds BusyWindows::of_siblings(TransactionId transaction, TaskId task, Nan
   const Transaction& of = transactions_[transaction];
   const Task& self = of.tasks[task];
   Tally tally(of, transaction, shares);
-  for (const TaskId t : group_of(transaction, self.processor)->tasks) {
+  for (const auto& [t, share] : group_of(transaction, self.processor)->workers) {
     const Task& other = of.tasks[t];
-    if (t == task || other.cost == 0 || other.priority < self.priority) continue;
+    if (t == task || other.priority < self.priority) continue;
     if (counts(&self, transaction, t) && !comes_after(of, self, t, length)) tally.add(t, 1);
   }
   return tally.total([](const Alternatives&) { return Nanoseconds{1}; });
 }
 
-BusyWindows::Load BusyWindows::load_of(TransactionId transaction, const Task& self) const {
+void BusyWindows::add_load(const Group& group, bool foreign, const Task& self, Load& load) const {
+  const auto add = [&](bool once, double share, Nanoseconds cost, Nanoseconds jitter) {
+    load.whole += share;
+    if (!foreign) return;
+    load.share += share;
+    // A task that is alone has one release more than its share; of several not all need have it.
+    if (once) {
+      load.carried += static_cast<double>(cost);
+    } else {
+      load.carried += static_cast<double>(jitter) * share;
+      if (group.tasks.size() > 1) load.carried -= static_cast<double>(cost);
+    }
+  };
+  if (group.tasks.size() == 1) {
+    if (group.cost == 0 || !counts(&self, group.transaction, group.first)) return;
+    const bool once = group.period == never;
+    load.bounded = load.bounded && group.cost < never && (once || group.jitter < never);
+    return add(once, group.workers.front().share, group.cost, group.jitter);
+  }
   struct Longest {
     double share = 0;
     Nanoseconds cost = 0;
   };
-  Load load;
-  std::vector<Longest> longest;  // by alternatives
-  for (const Group& group : by_processor_[self.processor]) {
-    if (group.priority < self.priority) break;
-    const bool foreign = group.transaction != transaction;
-    const auto add = [&](bool once, double share, Nanoseconds cost, Nanoseconds jitter) {
-      load.whole += share;
-      if (!foreign) return;
-      load.share += share;
-      // A task that is alone has one release more than its share; of several not all need have it.
-      if (once) {
-        load.carried += static_cast<double>(cost);
-      } else {
-        load.carried += static_cast<double>(jitter) * share;
-        if (group.tasks.size() > 1) load.carried -= static_cast<double>(cost);
-      }
-    };
-    if (group.tasks.size() == 1) {
-      if (group.cost == 0 || !counts(&self, group.transaction, group.first)) continue;
-      const bool once = group.period == never;
-      load.bounded = load.bounded && group.cost < never && (once || group.jitter < never);
-      add(once, group.shares.front(), group.cost, group.jitter);
+  const Transaction& of = transactions_[group.transaction];
+  const bool once = of.period == never;
+  std::vector<Longest> longest(of.alternatives.size());
+  for (const auto& [t, share] : group.workers) {
+    const Task& task = of.tasks[t];
+    if (task.priority < self.priority || !counts(&self, group.transaction, t)) continue;
+    load.bounded = load.bounded && task.cost < never && (once || task.jitter < never);
+    if (task.among < 0) {
+      add(once, share, task.cost, task.jitter);
       continue;
     }
-    const Transaction& of = transactions_[group.transaction];
-    const bool once = of.period == never;
-    longest.assign(of.alternatives.size(), {});
-    for (std::size_t t = 0; t < group.tasks.size(); ++t) {
-      const Task& task = of.tasks[group.tasks[t]];
-      if (task.priority < self.priority || task.cost == 0) continue;
-      if (!counts(&self, group.transaction, group.tasks[t])) continue;
-      load.bounded = load.bounded && task.cost < never && (once || task.jitter < never);
-      if (task.among < 0) {
-        add(once, group.shares[t], task.cost, task.jitter);
-        continue;
-      }
-      Longest& most = longest[static_cast<std::size_t>(task.among)];
-      if (task.cost > most.cost) most = {group.shares[t], task.cost};
-    }
-    for (const Longest& each : longest) add(once, each.share, each.cost, 0);
+    Longest& most = longest[static_cast<std::size_t>(task.among)];
+    if (task.cost > most.cost) most = {share, task.cost};
   }
-  return load;
+  for (const Longest& each : longest) add(once, each.share, each.cost, 0);
 }
 
 BusyWindows::Critical BusyWindows::critical_once(TransactionId transaction, TaskId task, Nanoseconds part,
-                                                 Nanoseconds blocking, Since since, const Load& load) const {
+                                                 Nanoseconds blocking, Since since,
+                                                 const Foreign& foreign) const {
   const Task& self = transactions_[transaction].tasks[task];
-  const Foreign foreign = foreign_of(transaction, self);
   const bool preemptive = preemptive_[self.processor];
   const Nanoseconds fixed = blocking + (preemptive ? part : 0);
-  Nanoseconds window = least_window(fixed, load.share, load.carried);
+  Nanoseconds window = least_window(fixed, foreign.load.share, foreign.load.carried);
   for (int iteration = 0; iteration < most_busy_steps; ++iteration) {
+    const Nanoseconds length = closed(window, preemptive);
     const Nanoseconds next =
-        plus(fixed + of_siblings(transaction, task, window, nullptr), of_foreign(foreign, self, window));
+        plus(fixed + of_siblings(transaction, task, length, nullptr), of_foreign(foreign, self, length));
     if (next <= window) {
       const Nanoseconds released = since == Since::release ? 0 : self.offset + self.jitter;
       return {released + window + (preemptive ? 0 : part), window, TaskId{}, 1};
@@ -315,16 +349,16 @@ BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId ta
   const Task& self = of.tasks[task];
   if (blocking >= never || self.jitter >= never) return {never};
   const bool preemptive = preemptive_[self.processor];
-  const Load load = load_of(transaction, self);
+  const Foreign foreign = foreign_of(transaction, self);
+  const Load& load = foreign.load;
   if (!load.bounded || load.whole >= 1) return {never};
-  if (of.period == never) return critical_once(transaction, task, part, blocking, since, load);
+  if (of.period == never) return critical_once(transaction, task, part, blocking, since, foreign);
 
-  const Group& own = *group_of(transaction, self.processor);
+  const Group& own = *foreign.own;
   const bool drifting = drifts_from(own, task);
   Critical latest{-1};
   int iterations = 0;
   std::map<Nanoseconds, Nanoseconds> known;  // by length; few tasks seldom ask for one twice
-  const Foreign foreign = foreign_of(transaction, self);
   const auto others = [&](Nanoseconds length) {
     const auto found = [&] { return of_foreign(foreign, self, length); };
     if (own.tasks.size() <= many_tasks) return found();
@@ -347,7 +381,9 @@ BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId ta
       const auto settle = [&](Nanoseconds fixed, const Asked& but) {
         Nanoseconds at = std::max(begun, least_window(fixed, load.share, load.carried));
         while (++iterations < most_busy_steps) {
-          const Nanoseconds next = fixed + others(at) + of_scenario(own, scenario, but, self.priority, at);
+          const Nanoseconds length = closed(at, preemptive);
+          const Nanoseconds next =
+              fixed + others(length) + of_scenario(own, scenario, but, self.priority, length);
           if (next <= at) return at;
           if (next > longest_window) break;
           at = next;
@@ -384,11 +420,12 @@ FinishBreakdown BusyWindows::breakdown(TransactionId transaction, TaskId task, N
   const Task& self = of.tasks[task];
   const auto& groups = by_processor_[self.processor];
   const Critical worst = critical(transaction, task, part, blocking, since);
+  const Nanoseconds length = closed(worst.length, preemptive_[self.processor]);
   FinishBreakdown breakdown;
   breakdown.blocking = blocking;
-  of_others(groups, transaction, &self, self.priority, worst.length, &breakdown.others);
+  of_others(groups, transaction, &self, self.priority, length, &breakdown.others);
   if (!worst.scenario.valid()) {
-    of_siblings(transaction, task, worst.length, &breakdown.others);
+    of_siblings(transaction, task, length, &breakdown.others);
     return breakdown;
   }
   const Nanoseconds due = phase(of, of.tasks[worst.scenario], self.offset);
@@ -396,7 +433,7 @@ FinishBreakdown BusyWindows::breakdown(TransactionId transaction, TaskId task, N
   const Group& own = *group_of(transaction, self.processor);
   const Asked asked{&self, task, true, due + (worst.job - 1) * of.period - self.offset,
                     drifts_from(own, task)};
-  of_scenario(own, worst.scenario, asked, self.priority, worst.length, &breakdown.others);
+  of_scenario(own, worst.scenario, asked, self.priority, length, &breakdown.others);
   breakdown.others.push_back({transaction, task, earlier, earlier * self.cost});
   const Nanoseconds released = due + (worst.job - 1) * of.period;
   breakdown.done_before =

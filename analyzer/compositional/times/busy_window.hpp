@@ -32,11 +32,17 @@ struct FinishBreakdown {
                                 // or (if it counts from the release) at its earliest
 };
 
+/// Whether what is released at the very instant at which a window ends counts in it. PAL leaves the order of
+/// the two open, so it does. Textbooks leave it out: there the end comes first. Processors that are not
+/// preemptive, chains taken as one, and levels keep closed windows, which bound both.
+enum class WindowEnds { closed, half_open };
+
 class BusyWindows {
  public:
   /// `preemptive` by processor. Once `stop` says so, nothing has a bound.
-  explicit BusyWindows(std::vector<bool> preemptive, std::function<bool()> stop = {})
-      : preemptive_(std::move(preemptive)), stop_(std::move(stop)) {}
+  explicit BusyWindows(std::vector<bool> preemptive, std::function<bool()> stop = {},
+                       WindowEnds ends = WindowEnds::closed)
+      : preemptive_(std::move(preemptive)), stop_(std::move(stop)), ends_(ends) {}
 
   /// From here on nothing is asked whether to stop.
   void go_on() { stop_ = {}; }
@@ -58,7 +64,7 @@ class BusyWindows {
   /// bound.
   ///
   /// Work of the same priority counts as if it went first. What is released at the very instant at which the
-  /// work ends comes before that end: PAL leaves the order at one instant open.
+  /// work ends comes before that end, unless windows are half-open.
   Nanoseconds finish(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                      Since since = Since::occurrence) const;
 
@@ -92,12 +98,17 @@ class BusyWindows {
   std::vector<Share> work(ProcessorId processor, Nanoseconds busy) const;
 
  private:
+  struct Worker {
+    TaskId task{};
+    double share = 0;  // of the processor that it needs; 0: of a transaction that occurs once
+  };
+
   /// Tasks of one transaction on one processor.
   struct Group {
     TransactionId transaction;
     int priority;  // the greatest of them
     std::vector<TaskId> tasks;
-    std::vector<double> shares;  // of the processor that each needs; 0: of a transaction that occurs once
+    std::vector<Worker> workers;  // those that take time
     // The first task, which mostly is alone: windows go through all groups of a processor.
     TaskId first{};
     Nanoseconds period = 0;
@@ -141,17 +152,35 @@ class BusyWindows {
   /// Of all transactions but `own`, without what does not count for `asker`, if that is given.
   Nanoseconds of_others(const std::vector<Group>& groups, TransactionId own, const Task* asker, int priority,
                         Nanoseconds length, Shares* shares = nullptr) const;
-  /// What of other transactions counts in windows of a task: found once, and asked for again and again.
+  /// What counts in windows of a task: found once, and asked for again and again.
   struct Foreign {
+    /// A task whose releases do not depend on those of others.
     struct Alone {
       Nanoseconds period = 0;
       Nanoseconds jitter = 0;
       Nanoseconds cost = 0;
     };
-    std::vector<Alone> alone;  // transactions with one task on the processor
-    std::vector<const Group*> several;
+    /// A task in the window that begins with the release of one of its transaction.
+    struct Due {
+      Nanoseconds phase = 0;
+      Nanoseconds piled = 0;  // released before the window
+      Nanoseconds cost = 0;
+    };
+    /// Tasks of one transaction: `count` after `count` in `due`, one scenario after the other.
+    struct Together {
+      Nanoseconds period = 0;
+      std::size_t count = 0;
+      std::vector<Due> due;
+    };
+    Load load;
+    const Group* own = nullptr;  // the task's own
+    std::vector<Alone> alone;
+    std::vector<Together> together;
+    std::vector<const Group*> several;  // what is too much to be found once, or has alternatives
   };
   Foreign foreign_of(TransactionId own, const Task& asker) const;
+  /// Adds the tasks of one of several.
+  void add_foreign(const Group& group, const Task& asker, Foreign& foreign) const;
   /// The same as of_others() for the asker.
   Nanoseconds of_foreign(const Foreign& foreign, const Task& asker, Nanoseconds length) const;
   /// Whether tasks can come nearer together than occurrences a period apart allow. This needs occurrences
@@ -160,13 +189,13 @@ class BusyWindows {
   bool drifts(const Group& group, const Task* asker, int priority) const;
   /// The same of others and a task of their own transaction, whose jobs count from their occurrences.
   bool drifts_from(const Group& group, TaskId task) const;
-  Load load_of(TransactionId transaction, const Task& self) const;
+  void add_load(const Group& group, bool foreign, const Task& self, Load& load) const;
   /// Tasks of a transaction that occurs once, which may come before the end of a window of one of them.
   Nanoseconds of_siblings(TransactionId transaction, TaskId task, Nanoseconds length, Shares* shares) const;
   Critical critical(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                     Since since) const;
   Critical critical_once(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
-                         Since since, const Load& load) const;
+                         Since since, const Foreign& foreign) const;
   const Group* group_of(TransactionId transaction, ProcessorId processor) const;
 
   /// A chain of tasks, taken as one.
@@ -184,10 +213,17 @@ class BusyWindows {
   Nanoseconds joint_window(const JointTasks& joint, Nanoseconds fixed, bool in_whole) const;
   Nanoseconds window(ProcessorId processor, int priority, Nanoseconds cost) const;
 
+  /// The closed window with the same releases as one of this length.
+  Nanoseconds closed(Nanoseconds length, bool preemptive) const {
+    const bool half_open = ends_ == WindowEnds::half_open && preemptive;
+    return half_open ? std::max<Nanoseconds>(length, 1) - 1 : length;
+  }
+
   bool stops() const { return stop_ && stop_(); }
 
   Table<ProcessorId, bool> preemptive_;
   std::function<bool()> stop_;
+  WindowEnds ends_;
   Table<TransactionId, Transaction> transactions_;
   Table<ProcessorId, std::vector<Group>> by_processor_;  // the greatest priority first
 };

@@ -40,11 +40,14 @@ class ExcludedWork {
   bool is_before(NodeId before, const Bits& set) const;
   /// The nodes of a processor that are among these.
   Bits set_of(ProcessorId processor, const std::vector<NodeId>& nodes) const;
+  void insert(ProcessorId processor, const std::vector<NodeId>& nodes, Bits& set) const;
+  Bits related(NodeId node, bool done_before_next, bool in_turn) const;
 
   /// A node that takes time, with what tells whether it counts: all nodes of a processor are gone through for
   /// each of them.
   struct Worker {
     NodeId node{};
+    std::size_t place = 0;  // in nodes_on_
     int priority = 0;
   };
 
@@ -53,6 +56,7 @@ class ExcludedWork {
   Table<ProcessorId, std::vector<Worker>> workers_on_;
   Table<NodeId, std::size_t> place_;  // in nodes_on_
   Table<NodeId, Bits> after_;         // those of its processor that are released only after it is done
+  Table<NodeId, std::vector<NodeId>> earlier_;  // those of its processor that are done before it is released
   std::shared_ptr<const Order> order_;
   Table<NodeId, std::vector<NodeId>> never_together_;
 };

@@ -20,9 +20,9 @@ std::vector<bool> preemptive(const Problem& problem) {
 }  // namespace
 
 Interference::Interference(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes,
-                           const std::function<bool()>& stop)
+                           const std::function<bool()>& stop, WindowEnds ends)
     : context_(context),
-      windows_(preemptive(context.problem), stop),
+      windows_(preemptive(context.problem), stop, ends),
       task_(nodes.size()),
       nodes_of_(context.forest.sources.size()),
       threads_on_(context.problem.processors.size()),

@@ -14,7 +14,7 @@ class Interference {
   /// Registers each node as a task of its source's transaction; the offset is its earliest release. Must not
   /// be used after `stop` has returned true.
   Interference(const AnalysisContext& context, const Table<NodeId, NodeTimes>& nodes,
-               const std::function<bool()>& stop);
+               const std::function<bool()>& stop, WindowEnds ends);
 
   /// Sets the release jitter of the node.
   void announce(NodeId node, const NodeTimes& times);

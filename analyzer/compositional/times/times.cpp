@@ -32,9 +32,7 @@ Table<NodeId, NodeTimes> unhindered(const AnalysisContext& context, const Table<
     mine.arrivals.assign(of.waits.size(), 0);
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       const Step& step = context.step_at(of.steps[s].step);
-      const bool asked = at[of.steps[s].step] || step.kind == Kind::send || step.kind == Kind::set ||
-                         step.kind == Kind::wait || step.kind == Kind::complete || may_match_nothing(step);
-      if (asked) mine.effects[s] = 0;
+      if (at[of.steps[s].step] || is_always_timed(step)) mine.effects[s] = 0;
     }
     mine.worked = mine.effects;
   }
@@ -46,11 +44,12 @@ Table<NodeId, NodeTimes> unhindered(const AnalysisContext& context, const Table<
 /// the argument that the least solution bounds every run is in docs/internals/compositional.md).
 class Solver : private AnalysisContext {
  public:
-  Solver(const AnalysisContext& context, const Table<StepId, bool>& at, const std::function<bool()>& stop)
+  Solver(const AnalysisContext& context, const Table<StepId, bool>& at, const std::function<bool()>& stop,
+         WindowEnds ends)
       : AnalysisContext(context),
         stop_(stop),
         nodes_(unhindered(context, at, stop)),
-        interference_(context, nodes_, stop),
+        interference_(context, nodes_, stop, ends),
         releases_(*this, nodes_, interference_) {}
 
   Times run() {
@@ -237,6 +236,11 @@ class Solver : private AnalysisContext {
 
 }  // namespace
 
+bool is_always_timed(const Step& step) {
+  return step.kind == Kind::send || step.kind == Kind::set || step.kind == Kind::wait ||
+         step.kind == Kind::complete || may_match_nothing(step);
+}
+
 std::size_t place_of(const Segment& segment, StepId step) {
   for (std::size_t s = 0; s < segment.steps.size(); ++s) {
     if (segment.steps[s].step == step) return s;
@@ -245,8 +249,8 @@ std::size_t place_of(const Segment& segment, StepId step) {
 }
 
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
-               const Table<StepId, bool>& at, const std::function<bool()>& stop) {
-  return Solver({problem, forest, behaviours}, at, stop).run();
+               const Table<StepId, bool>& at, const std::function<bool()>& stop, WindowEnds ends) {
+  return Solver({problem, forest, behaviours}, at, stop, ends).run();
 }
 
 Nanoseconds latest_effect(const Forest& forest, const Table<NodeId, NodeTimes>& nodes, NodeId node,

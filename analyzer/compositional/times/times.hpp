@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analyzer/compositional/causes/thread_behaviour.hpp"
+#include "analyzer/compositional/times/busy_window.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -62,7 +63,11 @@ struct Times {
 
 /// `at`: further steps whose times are needed.
 Times times_of(const Problem& problem, const Forest& forest, const ThreadBehaviours& behaviours,
-               const Table<StepId, bool>& at, const std::function<bool()>& stop);
+               const Table<StepId, bool>& at, const std::function<bool()>& stop,
+               WindowEnds ends = WindowEnds::closed);
+
+/// Whether the effects of a step are timed whoever asks for them.
+bool is_always_timed(const Step& step);
 
 /// Where a segment has a step; the number of its steps: it has not.
 std::size_t place_of(const Segment& segment, StepId step);

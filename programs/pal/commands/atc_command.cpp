@@ -146,6 +146,7 @@ ExitStatus draw_atc(const AtcOptions& given, const Console& console) {
     if (!measured || !is_of(*measured, *what->proof, options, console)) return ExitStatus::usage;
   }
   if (options.no_list) what->shown.options.explanation.clear();
+  what->shown.options.narrow = options.narrow;
   const std::string& skill = what->proof->problem.skill;
   const std::string& requirement = what->proof->problem.requirements[what->index].name;
   std::string path = options.output;
@@ -156,7 +157,7 @@ ExitStatus draw_atc(const AtcOptions& given, const Console& console) {
   } else {
     if (path.empty()) path = skill + "." + requirement + ".svg";
     picture = measured
-                  ? overlay_chart(*what->proof, what->index, *measured)
+                  ? overlay_chart(*what->proof, what->index, *measured, options.narrow)
                   : analyzer::chart::svg(analyzer::chart::timeline(what->shown.run), what->shown.options);
   }
   std::vector<OutputFile> files{{path, std::move(picture)}};

@@ -1,4 +1,5 @@
 // pal check: findings, verdicts, and the exit status that they make.
+#include <memory>
 #include <ostream>
 #include <sstream>
 
@@ -15,6 +16,7 @@
 #include "programs/pal/reports/witness.hpp"
 #include "programs/pal/session/colour.hpp"
 #include "programs/pal/session/interruption.hpp"
+#include "programs/pal/session/patience.hpp"
 #include "programs/pal/session/unchecked.hpp"
 #include "programs/pal/session/write.hpp"
 
@@ -60,6 +62,36 @@ ExitStatus status_of(const std::vector<Proof>& proofs, const std::vector<Uncheck
   return has_verdicts(proofs) || options.without_times ? ExitStatus::all_hold : ExitStatus::not_met;
 }
 
+struct Input {
+  std::shared_ptr<Session> session = std::make_shared<Session>();
+  bool chosen = true;  // what the command line names was found
+  bool whole = true;   // false: Ctrl-C came before all was read, and nothing of it is known
+};
+
+Input read_in_patience(const CheckOptions& options, const Console& console) {
+  Input input;
+  const auto chosen = std::make_shared<bool>(true);
+  limit_checks(options.limits, *input.session);
+  const auto work = [session = input.session, selection = options.selection, console, chosen] {
+    *chosen = read(selection, console, *session);
+  };
+  if (done_in_patience(work)) {
+    input.chosen = *chosen;
+  } else {
+    input.session = std::make_shared<Session>();
+    input.whole = false;
+    console.err << "pal: ended by you while the files were read\n";
+  }
+  return input;
+}
+
+Unproved why_unproved(const Input& input, const CheckOptions& options) {
+  if (!input.whole) return Unproved::ended_by_user;
+  if (input.session->diagnostics.has_errors()) return Unproved::wrong;
+  if (options.without_times) return Unproved::not_asked_for;
+  return Interruption::asked_for() ? Unproved::ended_by_user : Unproved::nowhere;
+}
+
 /// What went wrong, or nothing.
 std::optional<std::string> write_witnesses(const std::string& path, const std::vector<Proof>& proofs,
                                            const Session& session) {
@@ -72,10 +104,10 @@ std::optional<std::string> write_witnesses(const std::string& path, const std::v
 
 ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.emit == Stage::tree) return emit_tree(options.selection, console);
-  Session session;
   const Interruption interruption;  // till all is written
-  limit_checks(options.limits, session);
-  if (!read(options.selection, console, session)) return ExitStatus::usage;
+  const Input input = read_in_patience(options, console);
+  if (!input.chosen) return ExitStatus::usage;
+  Session& session = *input.session;
   if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
@@ -87,13 +119,13 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     if (console.terminal && options.format == Format::text && !options.quiet) {
       CheckDisplay display(console.out, terminal_size());
       proofs = prove(session, limits,
-                     [&display](const auto& problem, const auto& known) { display.show(problem, known); });
+                     [&display](const auto& problem, const auto& known) { display.show(problem, known); },
+                     input.session);
     } else {
-      proofs = prove(session, limits);
+      proofs = prove(session, limits, {}, input.session);
     }
   }
-  const std::vector<Unchecked> not_checked =
-      unchecked(session, proofs, session.diagnostics.has_errors(), options.without_times);
+  const std::vector<Unchecked> not_checked = unchecked(session, proofs, why_unproved(input, options));
   const bool raised = options.warnings_as_errors && raise_warnings(session);
   ExitStatus found = status_of_findings(session);
   if (raised && found == ExitStatus::all_hold) found = ExitStatus::wrong_specification;
@@ -101,12 +133,16 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   report_unmet(proofs, options.explain || options.format != Format::text, session);
   if (options.require_verdicts && !wrong) report_unchecked(not_checked, session);
 
-  const ExitStatus status = wrong ? found : status_of(proofs, not_checked, options);
+  const ExitStatus status = wrong          ? found
+                            : !input.whole ? ExitStatus::not_met
+                                           : status_of(proofs, not_checked, options);
   const bool any_verdict = has_verdicts(proofs);
   if (options.format == Format::json) {
     console.out << json(proofs, not_checked, session, options.statistics);
   } else if (options.format == Format::sarif) {
-    console.out << sarif(session, not_checked, options.require_verdicts, any_verdict, status);
+    console.out << sarif(
+        session, not_checked, options.require_verdicts, any_verdict, status,
+        options.limits.analysis == analyzer::AnalysisChoice::half_open ? half_open_text : "");
   } else if (options.format == Format::junit) {
     console.out << junit(proofs, not_checked, options.require_verdicts, session);
   } else {

@@ -169,7 +169,8 @@ ExitStatus check_operation(const OperationOptions& given, const Console& console
   const bool wrong = found != ExitStatus::all_hold;
   report_unmet(proofs, options.format != Format::text, session);
   const std::vector<Unchecked> not_checked =
-      options.skills.empty() ? std::vector<Unchecked>() : unchecked(session, proofs, wrong, false);
+      options.skills.empty() ? std::vector<Unchecked>()
+                             : unchecked(session, proofs, wrong ? Unproved::wrong : Unproved::nowhere);
   const ExitStatus status = wrong                       ? found
                             : whole && all_hold(proofs) ? ExitStatus::all_hold
                                                         : ExitStatus::not_met;

@@ -41,6 +41,7 @@ void add_atc(CLI::App& app, AtcOptions& options) {
       ->type_name("FILE");
   auto* no_list = command->add_flag("--no-list", options.no_list,
                                     "leave out the list of what the time is spent on, and its marks");
+  command->add_flag("--narrow", options.narrow, "draw a picture for a column of a page with two");
   command
       ->add_option("--measured", options.measured,
                    "lay the run of this trace over the proved one; in a page it is one of the runs")

@@ -26,10 +26,12 @@ void add_check(CLI::App& app, CheckOptions& options) {
       *command, "--analysis", options.limits.analysis,
       {{"exact", Choice::exact},
        {"compositional", Choice::compositional},
+       {"half-open", Choice::half_open},
        {"thorough", Choice::thorough},
        {"auto", Choice::automatic}},
-      "auto (what decides soonest), thorough (the same, continued until bounds are exact), exact, or "
-      "compositional (bounds, however large the skill)")
+      "auto (what decides soonest), thorough (the same, continued until bounds are exact), exact, "
+      "compositional (bounds, however large the skill), or half-open (such bounds as textbooks have them: a "
+      "job that is released as another ends does not delay it)")
       ->type_name("ANALYSIS");
   add_choice<Format>(
       *command, "--format", options.format,

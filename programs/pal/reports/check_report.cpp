@@ -34,6 +34,10 @@ std::string method_text(const analyzer::Verdict& verdict) {
   return verdict.method == analyzer::Method::exact ? "" : "  (compositional)";
 }
 
+bool any_half_open(const std::vector<Proof>& proofs) {
+  return std::any_of(proofs.begin(), proofs.end(), [](const Proof& proof) { return proof.half_open; });
+}
+
 nlohmann::ordered_json json(const Unchecked& row) {
   nlohmann::ordered_json object;
   object["name"] = row.requirement;
@@ -56,19 +60,20 @@ nlohmann::ordered_json json(const Unchecked& row) {
 std::vector<std::string> table_rows(const analyzer::Problem& problem, const analyzer::Analysis& analysis,
                                     bool at_work) {
   std::size_t name_width = 0, measure_width = 0;
+  std::vector<std::string> measures;
   for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
     name_width = std::max(name_width, analysis.verdicts[i].requirement.size());
-    measure_width = std::max(measure_width, measure_text(problem, i).size());
+    measures.push_back(measure_text(problem, i));
+    measure_width = std::max(measure_width, measures.back().size());
   }
   std::vector<std::string> rows;
   for (std::size_t i = 0; i < analysis.verdicts.size(); ++i) {
     const analyzer::Verdict& verdict = analysis.verdicts[i];
     const bool open = at_work && verdict.state == State::undecided;
-    rows.push_back(fmt::format("  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}",
-                               open ? "open" : analyzer::name(verdict.state), verdict.requirement, name_width,
-                               measure_text(problem, i), measure_width, bound_text(verdict),
-                               whole_text(verdict.measure, verdict.limit), margin_text(verdict),
-                               method_text(verdict)));
+    rows.push_back(fmt::format(
+        "  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}", open ? "open" : analyzer::name(verdict.state),
+        verdict.requirement, name_width, measures[i], measure_width, bound_text(verdict),
+        whole_text(verdict.measure, verdict.limit), margin_text(verdict), method_text(verdict)));
   }
   return rows;
 }
@@ -82,6 +87,7 @@ void write_table(const std::vector<Proof>& proofs, bool explain, std::ostream& o
       if (explain) write_arithmetic(proof.analysis.verdicts[i], out);
     }
   }
+  if (any_half_open(proofs)) out << "  " << half_open_text << "\n";
 }
 
 void write_unchecked(const std::vector<Unchecked>& not_checked, std::ostream& out) {
@@ -102,6 +108,7 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
   document["diagnostics"] =
       nlohmann::ordered_json::parse(render_json(session.diagnostics.sorted(), session.sources));
   document["not_kept"] = session.diagnostics.not_kept().sum();
+  if (any_half_open(proofs)) document["windows"] = half_open_text;
   document["requirements"] = nlohmann::ordered_json::array();
   for (const Proof& proof : proofs) {
     for (const analyzer::Verdict& verdict : proof.analysis.verdicts) {

@@ -10,6 +10,7 @@
 #include "analyzer/chart/chart.hpp"
 #include "pal/check/resources.hpp"
 #include "pal/check/shared_messages.hpp"
+#include "pal/support/duration_text.hpp"
 #include "programs/pal/reports/proof_chart.hpp"
 #include "programs/pal/session/measure_text.hpp"
 #include "programs/pal/session/proof.hpp"
@@ -17,17 +18,49 @@
 namespace pal::program {
 namespace {
 
-/// The statement that most of the time of a verdict goes to.
-SourceSpan cause_of(const Proof& proof, std::size_t index) {
-  const auto& reasons = proof.analysis.verdicts[index].reasons;
-  const auto longest = std::max_element(reasons.begin(), reasons.end(), [](const auto& a, const auto& b) {
-    return a.to - a.from < b.to - b.from;
-  });
-  if (longest == reasons.end() || longest->line == 0) return {};
+SourceSpan place_of(const Proof& proof, const analyzer::Reason& reason) {
   for (const auto& statement : proof.problem.statements) {
-    if (statement.line == longest->line && statement.file == longest->file) return statement.where;
+    if (reason.line != 0 && statement.line == reason.line && statement.file == reason.file)
+      return statement.where;
   }
   return {};
+}
+
+std::string what_of(const analyzer::Reason& reason) {
+  return (reason.actor.empty() ? "" : reason.actor + " ") + reason.what;
+}
+
+/// Parts that have parts of their own by the same actor give way to these: not that a value ages, but the
+/// wait that it ages in.
+void add_leaves(const std::vector<analyzer::Reason>& reasons, std::vector<analyzer::Reason>& leaves) {
+  for (const auto& reason : reasons) {
+    const bool own = !reason.inside.empty() &&
+                     std::all_of(reason.inside.begin(), reason.inside.end(), [&](const auto& each) {
+                       return each.actor == reason.actor && each.line != 0;
+                     });
+    if (own) {
+      add_leaves(reason.inside, leaves);
+    } else {
+      leaves.push_back(reason);
+    }
+  }
+}
+
+/// The shares of the worst run; of those the greatest is the cause.
+void add_shares(const Proof& proof, std::size_t index, language_server::ProvedRequirement& made) {
+  std::vector<analyzer::Reason> leaves;
+  add_leaves(proof.analysis.verdicts[index].reasons, leaves);
+  std::int64_t longest = 0;
+  for (const auto& reason : leaves) {
+    const auto where = place_of(proof, reason);
+    const auto time = reason.to - reason.from;
+    if (!where.valid() || time <= 0) continue;
+    made.shares.push_back({where, to_text(Duration(time)), what_of(reason)});
+    if (time <= longest) continue;
+    longest = time;
+    made.cause = where;
+    made.cause_text = to_text(Duration(time)) + " of " + made.bound + ": " + what_of(reason);
+  }
 }
 
 language_server::ProvedRequirement requirement_of(const Proof& proof, std::size_t index) {
@@ -41,7 +74,7 @@ language_server::ProvedRequirement requirement_of(const Proof& proof, std::size_
   made.explanation = verdict.explanation;
   made.exact = verdict.exact;
   made.has_run = has_worst_run(verdict);
-  made.cause = cause_of(proof, index);
+  add_shares(proof, index, made);
   Diagnostics found;
   report_unmet(proof, index, false, found);
   made.findings = found.all();
@@ -78,8 +111,8 @@ std::vector<language_server::Drawing::Place> places_of(const std::string& svg,
 
 language_server::SkillProof EditorProver::prove(const pan::Network& skill,
                                                 const pan::Environment& environment,
-                                                const SourceManager& sources, double seconds,
-                                                const std::function<bool()>& stop) const {
+                                                const SourceManager& sources, language_server::Depth depth,
+                                                double seconds, const std::function<bool()>& stop) const {
   language_server::SkillProof made{skill.skill.name, environment.name, {}, {}, false, {}};
   Diagnostics diagnostics;
   check::check_listed(skill, environment, diagnostics);
@@ -92,7 +125,9 @@ language_server::SkillProof EditorProver::prove(const pan::Network& skill,
   limits.seconds = seconds;
   analyzer::Options options = options_of(limits);
   options.stop = [usual = options.stop, stop] { return usual() || stop(); };
-  analyzer::Analysis analysis = analyzer::analyze(*problem, analyzer::AnalysisChoice::thorough, options);
+  const auto choice = depth == language_server::Depth::quick ? analyzer::AnalysisChoice::automatic
+                                                             : analyzer::AnalysisChoice::thorough;
+  analyzer::Analysis analysis = analyzer::analyze(*problem, choice, options);
   const auto proof = std::make_shared<const Proof>(
       Proof{std::move(*problem), std::move(analysis), true, options.stop(), false});
   made.ended = proof->ended;

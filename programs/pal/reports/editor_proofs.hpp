@@ -8,8 +8,12 @@ namespace pal::program {
 class EditorProver : public language_server::Prover {
  public:
   language_server::SkillProof prove(const pan::Network& skill, const pan::Environment& environment,
-                                    const SourceManager& sources, double seconds,
-                                    const std::function<bool()>& stop) const override;
+                                    const SourceManager& sources, language_server::Depth depth,
+                                    double seconds, const std::function<bool()>& stop) const override;
+  // editor_advice.cpp
+  language_server::Advice advise(const pan::Network& skill, const pan::Environment& environment,
+                                 const SourceManager& sources, double seconds,
+                                 const std::function<bool()>& stop) const override;
 };
 
 }  // namespace pal::program

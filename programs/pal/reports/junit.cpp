@@ -108,6 +108,7 @@ Case case_of(const Proof& proof, std::size_t index, const Session& session) {
   Case result{verdict.requirement, {}, {}, {}, {}, verdict.statistics.seconds};
   if (verdict.state == analyzer::VerdictState::holds) {
     result.text = taken_as_lost_text(proof, index);
+    if (proof.half_open) result.text += std::string(result.text.empty() ? "" : "\n") + half_open_text;
     return result;
   }
   Diagnostics own;

@@ -119,6 +119,7 @@ analyzer::chart::ChartOptions options_for(const Proof& proof, std::size_t index)
     options.highlight = unanswered(proof, index);
   } else if (run.measured.value > 0 && verdict.measure != Measure::loss) {
     options.highlight = highlight(proof, index, run.measured.born, run.measured.at);
+    options.highlight->missed = verdict.measure == Measure::reaction;
   }
   options.explanation = explanation_of(verdict.reasons);
   return options;
@@ -248,9 +249,10 @@ ShownRun measured_run(const Proof& proof, std::size_t index, const trace::Trace&
   return shown;
 }
 
-std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured) {
+std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured, bool narrow) {
   analyzer::chart::OverlayOptions options;
   options.proved = options_for(proof, index);
+  options.proved.narrow = narrow;
   options.measured.highlight = longest_interval(proof, index, measured);
   return analyzer::chart::overlay_svg(analyzer::chart::timeline(drawn(proof.analysis.verdicts[index]).trace),
                                       analyzer::chart::timeline(measured), options);

@@ -56,6 +56,7 @@ ShownRun measured_run(const Proof& proof, std::size_t index, const trace::Trace&
 
 /// SVG of `measured` over the witness of verdict `index`, which has one; aligned at the beginnings of the
 /// longest intervals of the two.
-std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured);
+std::string overlay_chart(const Proof& proof, std::size_t index, const trace::Trace& measured,
+                          bool narrow = false);
 
 }  // namespace pal::program

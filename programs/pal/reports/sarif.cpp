@@ -163,7 +163,7 @@ Json invocation(ExitStatus status, std::string_view meaning) {
 }  // namespace
 
 std::string sarif(const Session& session, const std::vector<Unchecked>& not_checked, bool required,
-                  bool any_verdict, ExitStatus status) {
+                  bool any_verdict, ExitStatus status, const std::string& remark) {
   const auto findings = session.diagnostics.sorted();
   std::vector<Code> rules;  // those that occur
   for (const Diagnostic& finding : findings) {
@@ -180,6 +180,7 @@ std::string sarif(const Session& session, const std::vector<Unchecked>& not_chec
   if (const auto not_kept = session.diagnostics.not_kept().sum(); not_kept != 0)
     invoked["toolExecutionNotifications"].push_back(
         notification("warning", std::to_string(not_kept) + " further findings are not in this log"));
+  if (!remark.empty()) invoked["toolExecutionNotifications"].push_back(notification("note", remark));
   for (const Unchecked& row : not_checked)
     invoked["toolExecutionNotifications"].push_back(notification(
         required ? "error" : "warning",

@@ -16,7 +16,7 @@ namespace pal::program {
 /// requirement that holds is no finding. Each of `not_checked` is a notification, an error if `required`,
 /// else a warning. `any_verdict`: some requirement has one. Section numbers in the source are the standard's.
 std::string sarif(const Session& session, const std::vector<Unchecked>& not_checked, bool required,
-                  bool any_verdict, ExitStatus status);
+                  bool any_verdict, ExitStatus status, const std::string& remark = {});
 
 /// The rules of these codes as JSON text: an array in the same order.
 std::string sarif_rules(const std::vector<Code>& codes);

@@ -1,5 +1,6 @@
 #include "programs/pal/session/measure_text.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 
@@ -13,8 +14,11 @@ using Measure = analyzer::Requirement::Measure;
 /// The distinct statements that a requirement is about: "TXM( motion to MC1 ) in SM1".
 std::string statements_text(const analyzer::Problem& problem, const analyzer::Requirement& requirement) {
   std::set<std::string> texts;
-  for (const analyzer::StepId step : requirement.at.ids()) {
-    if (!requirement.at[step] || !problem.steps[step].statement.valid()) continue;
+  // Mostly few of very many steps.
+  const auto begin = requirement.at.begin(), end = requirement.at.end();
+  for (auto at = std::find(begin, end, true); at != end; at = std::find(at + 1, end, true)) {
+    const analyzer::StepId step(static_cast<std::size_t>(at - begin));
+    if (!problem.steps[step].statement.valid()) continue;
     const auto& statement = problem.statements[problem.steps[step].statement];
     texts.insert(statement.text + " in " + statement.module);
   }
@@ -126,7 +130,8 @@ std::string bound_text(const analyzer::Verdict& verdict) {
   if (verdict.state == State::never) return verdict.measure == Measure::load ? "ends" : "never";
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
-    if (shown && !verdict.loop_growth) return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
+    if (shown && !verdict.loop_growth)
+      return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
     return verdict.state == State::undecided ? "no bound" : "unbounded";
   }
   return (verdict.exact      ? ""

@@ -34,6 +34,12 @@ class ProgramChanges {
   /// By ProgramChangeId.
   const std::vector<ProgramChange>& all() const { return changes_; }
 
+  /// The edits of a change; their files are those of sources().
+  const std::vector<Edit>& edits(analyzer::whatif::ProgramChangeId change) const {
+    return rewritings_[change.index()].edits;
+  }
+  const SourceManager& sources() const { return sources_; }
+
   /// The skill with these changes, or null if they overlap or the changed text has an error. It lives as long
   /// as this object.
   const pan::Network* network_with(const std::vector<analyzer::whatif::ProgramChangeId>& made);

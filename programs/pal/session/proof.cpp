@@ -13,6 +13,7 @@
 #include "pal/check/shared_messages.hpp"
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/memory.hpp"
+#include "programs/pal/session/patience.hpp"
 
 namespace pal::program {
 namespace {
@@ -23,16 +24,18 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Set by prove(), and asked at the end of the program, by the same thread.
-bool proof_left = false;
-
 /// An analysis in a thread of its own: Ctrl-C is obeyed at once, whatever the analysis is at.
 class Attempt : public std::enable_shared_from_this<Attempt> {
  public:
   Attempt(analyzer::Problem problem, analyzer::AnalysisChoice choice, analyzer::Options options)
       : problem_(std::move(problem)), choice_(choice), options_(std::move(options)) {}
 
-  const analyzer::Problem& problem() const { return problem_; }
+  /// After run(); not to be called twice.
+  analyzer::Problem problem() {
+    const std::lock_guard lock(mutex_);
+    if (!ended_) return problem_;  // the analysis still reads it
+    return std::move(problem_);
+  }
 
   /// What is known after it has ended, or soon after Ctrl-C. `observer` sees what is known by then.
   analyzer::Analysis run(const ProofObserver& observer) {
@@ -55,7 +58,7 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
       const auto waited = Clock::now() - *asked;
       if (waited < patience || known_.verdicts.empty() || (!any && waited < patience_for_a_first_word))
         continue;
-      proof_left = true;
+      leave_work();
       return known_;
     }
     if (thrown_) std::rethrow_exception(thrown_);
@@ -83,7 +86,7 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
     done_.notify_all();
   }
 
-  const analyzer::Problem problem_;
+  analyzer::Problem problem_;
   const analyzer::AnalysisChoice choice_;
   const analyzer::Options options_;
   std::mutex mutex_;
@@ -95,11 +98,42 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
 
 }  // namespace
 
+namespace {
+
+std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
+                                            const SourceManager& sources, Diagnostics& diagnostics) {
+  check::check_listed(skill, environment, diagnostics);
+  check::check_shared_messages(skill, environment, diagnostics);
+  return analyzer::make_problem(skill, environment, diagnostics, &sources);
+}
+
+/// The same, given up soon after Ctrl-C: then the session is as it was.
+std::optional<analyzer::Problem> problem_in_patience(const pan::Network& skill,
+                                                     const pan::Environment& environment, Session& session,
+                                                     const std::shared_ptr<const Session>& alive) {
+  struct Made {
+    std::optional<analyzer::Problem> problem;
+    Diagnostics diagnostics;
+  };
+  const auto made = std::make_shared<Made>();
+  const auto build = [made, alive, &skill, &environment, &sources = session.sources] {
+    made->problem = problem_of(skill, environment, sources, made->diagnostics);
+  };
+  if (!done_in_patience(build)) return std::nullopt;
+  for (const Diagnostic& finding : made->diagnostics.all()) {
+    Diagnostic& again =
+        session.diagnostics.report(finding.code, finding.where, finding.message, finding.hint);
+    again.notes = finding.notes;
+    again.fix = finding.fix;
+  }
+  return std::move(made->problem);
+}
+
+}  // namespace
+
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             Session& session) {
-  check::check_listed(skill, environment, session.diagnostics);
-  check::check_shared_messages(skill, environment, session.diagnostics);
-  return analyzer::make_problem(skill, environment, session.diagnostics, &session.sources);
+  return problem_of(skill, environment, session.sources, session.diagnostics);
 }
 
 analyzer::Options options_of(const ProofLimits& limits) {
@@ -154,27 +188,32 @@ std::string file_of(const pan::Network& skill, const Session& session) {
 
 }  // namespace
 
-std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer) {
+std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer,
+                         const std::shared_ptr<const Session>& alive) {
   const Interruption interruption;
   const analyzer::Options options = options_of(limits);
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
       if (!is_of(skill, environment, session.specification)) continue;
-      auto problem = problem_of(skill, environment, session);
+      if (is_work_left()) return proofs;
+      auto problem = alive ? problem_in_patience(skill, environment, session, alive)
+                           : problem_of(skill, environment, session);
       if (!problem) continue;
-      const bool explored =
-          limits.analysis != analyzer::AnalysisChoice::compositional && analyzer::fits_exploration(*problem);
+      const bool explored = limits.analysis != analyzer::AnalysisChoice::compositional &&
+                            limits.analysis != analyzer::AnalysisChoice::half_open &&
+                            analyzer::fits_exploration(*problem);
       if (Interruption::asked_for()) {
         analyzer::Analysis none = analyzer::nothing_known(*problem, "The proof had not begun.");
         proofs.push_back(
-            {std::move(*problem), std::move(none), explored, true, true, file_of(skill, session)});
+            {std::move(*problem), std::move(none), explored, true, true, file_of(skill, session), false});
         continue;
       }
       const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
       analyzer::Analysis analysis = attempt->run(observer);
-      proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || proof_left),
-                        Interruption::asked_for(), file_of(skill, session)});
+      proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || is_work_left()),
+                        Interruption::asked_for(), file_of(skill, session),
+                        limits.analysis == analyzer::AnalysisChoice::half_open});
     }
   }
   return proofs;
@@ -183,10 +222,6 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
 std::string heading_of(const Proof& proof) {
   return proof.problem.skill + " in " + proof.problem.environment +
          (proof.file.empty() ? "" : " (" + proof.file + ")");
-}
-
-bool is_proof_left() {
-  return proof_left;
 }
 
 bool all_hold(const std::vector<Proof>& proofs) {

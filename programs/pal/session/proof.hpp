@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct Proof {
   bool ended = false;           // by --timeout or Ctrl-C, as far as it had come
   bool ended_by_user = false;   // by Ctrl-C
   std::string file = {};        // of the skill, if another one has its name; else empty
+  bool half_open = false;       // its bounds have half-open windows
 };
 
 /// "touch in workcell", with the skill's file where its name is not enough.
@@ -55,22 +57,27 @@ std::function<bool()> end_after(
 /// Checks before the proofs end when half of the time is over, or after Ctrl-C.
 void limit_checks(const ProofLimits& limits, Session& session);
 
+/// What is said beside bounds with half-open windows.
+constexpr const char* half_open_text =
+    "half-open windows, as in textbooks: a job released at the instant at which another ends does not delay "
+    "it; "
+    "in PAL it may";
+
 /// Called now and then while a proof is at work, with what is known by then.
 using ProofObserver = std::function<void(const analyzer::Problem&, const analyzer::Analysis&)>;
 
-/// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided.
-/// Reasons why a model cannot be built are added to the session's findings.
-std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer = {});
+/// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided, or
+/// has no proof if not even its model was built. A proof that does not end soon then is left alone
+/// (is_work_left). Reasons why a model cannot be built are added to the session's findings. `alive` is the
+/// session, for work that is left alone; without it no model is given up while it is built.
+std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer = {},
+                         const std::shared_ptr<const Session>& alive = {});
 
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);
 
 /// What the verdict of a requirement that holds counts as lost, in a sentence; empty: nothing.
 std::string taken_as_lost_text(const Proof& proof, std::size_t index);
-
-/// Whether a proof was left alone after Ctrl-C, because it did not end at once. It still works, so the
-/// program must end without clearing up.
-bool is_proof_left();
 
 /// Adds the finding that time stands still in some run (PAL0821).
 void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session);

@@ -44,17 +44,32 @@ void add_requirements(const pan::Network& skill, const std::string& environment,
   }
 }
 
+Why why(Unproved unproved) {
+  switch (unproved) {
+    case Unproved::nowhere:
+      break;
+    case Unproved::wrong:
+      return {"the specification has errors", "correct them first"};
+    case Unproved::not_asked_for:
+      return {"times were not asked for", "check it without --without-times"};
+    case Unproved::ended_by_user:
+      return {"the check was ended by you", "let it go on, or limit it with --timeout"};
+  }
+  return {"no environment was given", "give one with --environment FILE, or by USES"};
+}
+
 bool is_of(const Proof& proof, const pan::Network& skill, const pan::Environment& environment) {
   return proof.problem.skill == skill.skill.name && proof.problem.environment == environment.name;
 }
 
 }  // namespace
 
-std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof>& proofs, bool wrong,
-                                 bool without_times) {
-  const Why errors{"the specification has errors", "correct them first"};
-  const Why not_asked_for{"times were not asked for", "check it without --without-times"};
-  const Why nowhere{"no environment was given", "give one with --environment FILE, or by USES"};
+std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof>& proofs,
+                                 Unproved unproved) {
+  const bool wrong = unproved == Unproved::wrong;
+  const Why without_proof = why(unproved);
+  const Why without_environment =
+      unproved == Unproved::ended_by_user ? why(Unproved::nowhere) : without_proof;
   const auto& environments = session.specification.environments;
   std::vector<Unchecked> list;
   for (const pan::Network& skill : session.specification.skills) {
@@ -69,25 +84,21 @@ std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof
                       "write what it must keep, as REQUIREMENT quick : DURATION TO COMPLETION 0 AT MOST 1 s",
                       skill.skill.where});
     if (environments.empty()) {
-      add_requirements(skill, {}, wrong ? errors : without_times ? not_asked_for : nowhere, list);
+      add_requirements(skill, {}, without_environment, list);
       continue;
     }
     for (const pan::Environment& environment : environments) {
       const bool proved = std::any_of(proofs.begin(), proofs.end(),
                                       [&](const Proof& proof) { return is_of(proof, skill, environment); });
-      if (!proved) add_requirements(skill, environment.name, without_times ? not_asked_for : errors, list);
+      if (!proved) add_requirements(skill, environment.name, without_proof, list);
     }
   }
   if (session.specification.skills.empty() && !wrong) {
     const SourceSpan begin = session.sources.size() == 0 ? SourceSpan{} : SourceSpan{FileId(0), 0, 0};
-    list.push_back({{},
-                    {},
-                    {},
-                    "",
-                    {},
-                    "there is no SKILL in the files given",
-                    "name the file with the skill, or use it by USES",
-                    begin});
+    const Why no_skill{"there is no SKILL in the files given",
+                       "name the file with the skill, or use it by USES"};
+    const Why& none = unproved == Unproved::ended_by_user ? without_proof : no_skill;
+    list.push_back({{}, {}, {}, "", {}, none.reason, none.hint, begin});
   }
   return list;
 }

@@ -22,11 +22,17 @@ struct Unchecked {
   SourceSpan where;
 };
 
+/// Why something may have no proof.
+enum class Unproved {
+  nowhere,        // only if there is no environment
+  wrong,          // the specification has errors; then only requirements are listed
+  not_asked_for,  // --without-times
+  ended_by_user,  // Ctrl-C
+};
+
 /// Everything in the session that got no verdict from `proofs`, in the order of skills, environments and
-/// requirements. `without_times`: none was asked for. `wrong`: none was made, since the specification has
-/// errors; then only requirements are listed.
-std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof>& proofs, bool wrong,
-                                 bool without_times);
+/// requirements.
+std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof>& proofs, Unproved unproved);
 
 /// "answer of touch in workcell", "skill touch", "the check".
 std::string subject_of(const Unchecked& unchecked);

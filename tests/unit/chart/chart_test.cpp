@@ -141,12 +141,14 @@ TEST_CASE("labels never overlap and stay in the page") {
     const std::int64_t from = number(0, 50'000'000);
     if (number(0, 2) == 0) example.options.window = Window{from, from + number(1, 60'000'000)};
     if (number(0, 3) == 0) example.options.highlight.reset();
+    example.options.narrow = number(0, 2) == 0;
     if (number(0, 2) == 0)
-      example.options.highlight =
-          Highlight{from, from + number(0, 9'000'000), "response", true, number(0, 9'000'000)};
+      example.options.highlight = Highlight{from, from + number(0, 9'000'000), "response",
+                                            true, number(0, 9'000'000),        number(0, 1) == 1};
     CAPTURE(i, run.read_first, run.no_costs, run.tick_ns, run.percent, from);
     REQUIRE(fault_of(svg(example.timeline, example.options)) == "");
-    const Example other = worst_touch({});
+    Example other = worst_touch({});
+    other.options.narrow = example.options.narrow;
     REQUIRE(fault_of(overlay_svg(other.timeline, example.timeline,
                                  {other.options, example.options, {}, {}})) == "");
   }

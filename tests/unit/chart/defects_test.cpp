@@ -170,6 +170,39 @@ TEST_CASE("from a second on, times are in seconds") {
   CHECK(duration_text(999'999'999) == "999.999999 ms");
 }
 
+TEST_CASE("a picture for a column is half as wide, with letters as large") {
+  ChartOptions options = over(0, 30 * ms + 100 * us, 35 * ms);
+  const SvgContent wide = read_svg(svg(long_work(), options));
+  options.narrow = true;
+  const SvgContent narrow = read_svg(svg(long_work(), options));
+  CHECK(wide.width == 9'400);
+  CHECK(narrow.width == 4'500);
+  for (const SvgContent* each : {&wide, &narrow}) {
+    REQUIRE(text_with(*each, "30.1 ms") != nullptr);
+    for (const SvgText& text : each->texts) CHECK(text.box.x1 <= each->width);
+  }
+  const auto height = [](const SvgContent& content) {
+    const Box& box = text_with(content, "30.1 ms")->box;
+    return box.y1 - box.y0;
+  };
+  CHECK(height(narrow) == height(wide));
+}
+
+TEST_CASE("the change that a sample has just missed has a sign, and the key says so") {
+  ChartOptions options = over(5 * ms, 30 * ms, -1);
+  const auto signs = [&] {
+    const SvgContent content = read_svg(svg(long_work(), options));
+    return std::count_if(content.elements.begin(), content.elements.end(),
+                         [](const SvgElement& element) { return element.style == "missed read"; });
+  };
+  CHECK(signs() == 0);
+  options.highlight->missed = true;
+  CHECK(signs() == 2);  // where it happens, and in the key
+  const SvgContent content = read_svg(svg(long_work(), options));
+  CHECK(text_with(content, "change just missed") != nullptr);
+  CHECK(text_with(content, "change that is just missed") != nullptr);
+}
+
 TEST_CASE("a message that was not taken is crossed out, and the key says so") {
   Timeline run = long_work();
   run.lanes.push_back({"camera", true, "", 0, {}, {}});

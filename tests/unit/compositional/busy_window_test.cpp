@@ -43,6 +43,32 @@ TEST_CASE("without preemption, work of lower priority blocks once") {
   CHECK(windows.finish(TransactionId{0}, TaskId{0}, 1, 3) == 4);
 }
 
+TEST_CASE("in a half-open window the release at its end does not count") {
+  const auto finish = [](WindowEnds ends, bool preemptive) {
+    BusyWindows windows({preemptive}, {}, ends);
+    windows.add(periodic(4, 2, 2));
+    windows.add(periodic(100, 2, 1));
+    const FinishBreakdown parts = windows.breakdown(TransactionId{1}, TaskId{0}, 2, 0);
+    Nanoseconds sum = 2 + parts.blocking - parts.done_before;
+    for (const Share& share : parts.others) sum += share.work;
+    const Nanoseconds found = windows.finish(TransactionId{1}, TaskId{0}, 2, 0);
+    CHECK(sum == found);
+    return found;
+  };
+  // 2 + 2: the next one comes at 4, as this ends.
+  CHECK(finish(WindowEnds::closed, true) == 6);
+  CHECK(finish(WindowEnds::half_open, true) == 4);
+  // Without preemption the one that comes as this would begin goes first: windows stay closed.
+  CHECK(finish(WindowEnds::half_open, false) == finish(WindowEnds::closed, false));
+}
+
+TEST_CASE("work that takes no time waits for what is released with it, also in a half-open window") {
+  BusyWindows windows({true}, {}, WindowEnds::half_open);
+  windows.add(periodic(10, 3, 2));
+  windows.add(periodic(20, 1, 1));
+  CHECK(windows.finish(TransactionId{1}, TaskId{0}, 0, 0) == 3);
+}
+
 TEST_CASE("an overloaded processor has no busy window") {
   BusyWindows windows({true});
   windows.add(periodic(4, 3, 2));

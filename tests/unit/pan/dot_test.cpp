@@ -83,6 +83,23 @@ TEST_CASE("with letters, equal statements have one letter and the key has all of
   CHECK_THAT(dot, Catch::Contains("label=\"not c1\""));
 }
 
+TEST_CASE("a key says what the colours and lines mean that a drawing has, and no others") {
+  for (const DotOptions& options : {DotOptions(), thesis}) {
+    const std::string skill_module = to_dot(touch_network(), sm1, options);
+    for (const char* meaning :
+         {">message<", ">condition<", ">activity<", ">diamond: CASE<", ">bold: back to REPEAT<"})
+      CHECK_THAT(skill_module, Catch::Contains(meaning));
+    CHECK_THAT(to_dot(touch_network(), mc1, options), !Catch::Contains(">condition<"));
+    CHECK_NOTHROW(svg(skill_module));
+  }
+}
+
+TEST_CASE("the ways out of an UNTIL are named TRUE and FALSE") {
+  const std::string dot = to_dot(touch_network(), sm1);
+  CHECK(all(dot, "label=\"  (TRUE)\"").size() == 1);
+  CHECK(all(dot, "label=\"  (FALSE)\"").size() == 1);
+}
+
 TEST_CASE("the picture has each statement as text and as title") {
   const Network network = touch_network();
   for (const ModuleId module : {sm1, mc1}) {

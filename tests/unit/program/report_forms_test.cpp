@@ -1,4 +1,5 @@
 // What was not checked is not green, in any form of a report.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/unit/program/program.hpp"
@@ -186,6 +187,92 @@ TEST_CASE("no text and no name of a file makes a form ill-formed") {
     CHECK_FALSE(has(answer.out, "\xFF\x01"));
     CHECK(has(answer.out, "&lt;.pal"));
   }
+}
+
+/// A low thread works until the high one is released again.
+const std::string two_rates = R"(MESSAGE off : SIGNAL
+DEVICE switch
+MESSAGE fast : SIGNAL
+DEVICE quick
+MESSAGE slow : SIGNAL
+DEVICE lazy
+SKILL rates
+  MACHINE CONTROLLER High, Low, Stopper
+  SKILL METHOD SM1
+  REQUIREMENT soon : RESPONSE FROM slow OF lazy TO work IN Low AT MOST 4 ms
+  COMPLETION 0 NORMAL
+  COMPLETION 1 ERROR
+END SKILL
+Machine Controller: High
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( fast from quick )
+    work
+  UNTIL( forever )
+END
+Machine Controller: Low
+  ACTIVITY work
+BEGIN
+  REPEAT
+    WTM( slow from lazy )
+    work
+  UNTIL( forever )
+END
+Machine Controller: Stopper
+BEGIN
+  WTM( off from switch )
+  TXM( off to SM1 )
+END
+Skill Module: SM1
+BEGIN
+  WTM( Coordinator )
+  WTM( off from Stopper )
+  TXM( Completion Protocol 0 )
+END
+ENVIRONMENT cell
+  PROCESSOR P0
+  PROCESSOR idle
+  DEVICE switch EVENT off SPORADIC 1 s
+  DEVICE quick EVENT fast EVERY 4 ms
+  DEVICE lazy EVENT slow EVERY 100 ms
+  PLACE High ON P0 PRIORITY 2
+  PLACE Low ON P0 PRIORITY 1
+  PLACE Stopper ON idle PRIORITY 2
+  PLACE SM1 ON idle PRIORITY 1
+  TIME work : 2 ms
+END ENVIRONMENT
+)";
+
+TEST_CASE("half-open bounds are named as such in every form, and closed ones are not") {
+  const Answer closed = check(two_rates, {"--analysis", "compositional"});
+  CHECK(closed.status == ExitStatus::not_met);  // PAL leaves the order at 4 ms open: 6 ms
+  CHECK_FALSE(has(closed.out, "half-open"));
+  const Answer text = check(two_rates, {"--analysis", "half-open"});
+  INFO(text.out << text.err);
+  CHECK(text.status == ExitStatus::all_hold);
+  CHECK(has(text.out, "<= 4 ms"));
+  CHECK(has(text.out, "half-open windows"));
+  const Json json = Json::parse(check(two_rates, {"--analysis", "half-open", "--format", "json"}).out);
+  CHECK(has(json.at("windows").get<std::string>(), "half-open"));
+  CHECK(json.at("requirements").at(0).at("bound_ns") == 4'000'000);
+  CHECK(has(check(two_rates, {"--analysis", "half-open", "--format", "junit"}).out, "half-open windows"));
+  const Json sarif = sarif_run(check(two_rates, {"--analysis", "half-open", "--format", "sarif"}));
+  const Json& told = sarif.at("invocations").at(0).at("toolExecutionNotifications");
+  CHECK(std::any_of(told.begin(), told.end(), [](const Json& each) {
+    return has(each.at("message").at("text").get<std::string>(), "half-open windows");
+  }));
+}
+
+TEST_CASE("an undecided row of losses that is too long to be followed is told as one") {
+  std::string text = project_file("tests/golden/check/loss_in_hundred.pal");
+  const auto begin = text.find("  REQUIREMENT");
+  text.replace(begin, text.find("END SKILL") - begin, "  REQUIREMENT late : LOSS OF robot AT MOST 7 IN 200\n");
+  const Answer answer = check(text, {"--max-states", "2000", "--max-errors", "1"});
+  INFO(answer.err);
+  CHECK(answer.status == ExitStatus::not_met);
+  CHECK(has(answer.err, "'late' is undecided"));
+  CHECK(has(answer.err, "hint: a row of more than 100 is only bounded by shorter ones"));
 }
 
 }  // namespace pal::test

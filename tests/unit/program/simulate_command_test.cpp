@@ -229,6 +229,16 @@ TEST_CASE("a thread at work when a run ends has its processor until then") {
   CHECK(load("110ms") == 272'727'272);
 }
 
+TEST_CASE("what a simulated load means beside a proved one is said, and only where there is a load") {
+  const pal::MemoryFileSystem files = in_memory(text_of("ends_at_work"));
+  const Answer with = pal::test::pal({"simulate", "s.pal", "--until", "80ms", "--runs", "3"}, files);
+  CHECK(with.out.find("A load here is that of one whole run") != std::string::npos);
+  CHECK(with.out.find("that of the long run") != std::string::npos);
+  const Answer without =
+      pal::test::pal({"simulate", "s.pal", "--runs", "3"}, in_memory(text_of("two_drivers")));
+  CHECK(without.out.find("A load here") == std::string::npos);
+}
+
 TEST_CASE("with all times at one end phases are drawn") {
   const auto skill = sound_skill(text_of("ends_at_work"));
   using Times = pal::analyzer::SimulationOptions::Times;
