@@ -30,6 +30,8 @@ const settings = {
   "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "pal.path": join(bin, "pal"), // the path is that of a login shell
 };
 writeFileSync(join(user, "User/settings.json"), JSON.stringify(settings));
+mkdirSync(join(user, "Machine"));
+writeFileSync(join(user, "Machine/settings.json"), JSON.stringify({ "pal.path": join(bin, "pal") })); // the settings of the server's machine
 
 const environment = { ...process.env, PATH: `${bin}:/usr/bin:/bin`, HOME: work, VSCODE_PROXY_URI: "" };
 const entry = join(codeServer, "out/node/entry.js");
