@@ -50,7 +50,7 @@ const server = spawn(node, [entry, ...shared, "--auth", "none", "--bind-addr", `
 let said = "";
 for (const stream of [server.stdout, server.stderr]) stream.on("data", (bytes) => (said += bytes));
 
-const patience = Number(process.env.PATIENCE ?? 1);
+const patience = Number(process.env.PATIENCE ?? 3);
 const long = 60000 * patience;
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] });
 let page;
