@@ -47,7 +47,7 @@ what a completion says is not so, and writes **false** in that row. A share of t
 | all others | the arm stands still, 0.8 s after the end |
 
 "5 of 5: 0": how many of the runs of a row ended with which code. The program runs five seeds a row if not told
-otherwise. Rows with "of 1" ran with one seed: those of touch, press and follow-edge, and most of rub. Force "at the
+otherwise. Rows with "of 1" ran with one seed: those of touch and follow-edge, and most of press and rub. Force "at the
 most" is what the tool or the fingers meet; "pressed" is how hard the sensor is pushed, also by what the fingers hold.
 Reasons are cut.
 
