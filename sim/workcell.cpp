@@ -100,7 +100,8 @@ struct Workcell::Parts {
     const Joints q = sensing.read(physics.joints());
     if (retreat > runtime::Time::zero()) {
       retreat -= physics_step;
-      if (trail.leads_back(stopped_at))
+      // In the end the arm stands where it came to, and its integral action pulls at nothing.
+      if (retreat > runtime::Time::zero() && trail.leads_back(stopped_at))
         motion.hold(trail.back(stopped_at, 1 - std::chrono::duration<double>(retreat) / back_off_time));
       else
         give_way();

@@ -46,9 +46,10 @@ what a completion says is not so, and writes **false** in that row. A share of t
 | place 0, palletize 0 | a part within 2 mm of the place, the fingers open |
 | all others | the arm stands still, 0.8 s after the end |
 
-"1 of 1: 0": how many of the runs ended with which code. The table below has one seed a row; the program runs
-five if not told otherwise. Rows of palletize, and of pick-at-location with heavy parts, are not complete. Reasons
-are cut.
+"5 of 5: 0": how many of the runs of a row ended with which code. The program runs five seeds a row if not told
+otherwise. Rows with "of 1" ran with one seed: those of touch, press and follow-edge, and most of rub. Force "at the
+most" is what the tool or the fingers meet; "pressed" is how hard the sensor is pushed, also by what the fingers hold.
+Reasons are cut.
 
 """
 

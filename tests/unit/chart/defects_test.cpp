@@ -193,7 +193,7 @@ TEST_CASE("the change that a sample has just missed has a sign, and the key says
   const auto signs = [&] {
     const SvgContent content = read_svg(svg(long_work(), options));
     return std::count_if(content.elements.begin(), content.elements.end(),
-                         [](const SvgElement& element) { return element.style == "missed"; });
+                         [](const SvgElement& element) { return element.style == "missed read"; });
   };
   CHECK(signs() == 0);
   options.highlight->missed = true;
