@@ -74,7 +74,7 @@ test("a breakpoint halts before its icon, and the list switches it off", () => w
   // It is in the drawing, so it is in the file.
   assert.deepEqual((await drawing(page)).icons.find((each) => each.id === "lift")!.break, {});
   await page.getByRole("button", { name: /^When the breakpoint/ }).click();
-  await page.locator(".break-when").getByRole("textbox", { name: "Each so manieth time" }).fill("3");
+  await page.locator(".break-when").getByRole("textbox", { name: "Halt once in" }).fill("3");
   await page.locator(".break .checkbox").click();
   await icon(page, "lift").locator(".mark-break[data-off]").waitFor();
   assert.deepEqual((await drawing(page)).icons.find((each) => each.id === "lift")!.break, { every: 3, enabled: false });

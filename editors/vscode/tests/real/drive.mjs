@@ -30,6 +30,8 @@ const settings = {
   "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "pal.path": join(bin, "pal"), // the path is that of a login shell
 };
 writeFileSync(join(user, "User/settings.json"), JSON.stringify(settings));
+mkdirSync(join(user, "Machine"));
+writeFileSync(join(user, "Machine/settings.json"), JSON.stringify({ "pal.path": join(bin, "pal") })); // the settings of the server's machine
 
 const environment = { ...process.env, PATH: `${bin}:/usr/bin:/bin`, HOME: work, VSCODE_PROXY_URI: "" };
 const entry = join(codeServer, "out/node/entry.js");
@@ -48,7 +50,7 @@ const server = spawn(node, [entry, ...shared, "--auth", "none", "--bind-addr", `
 let said = "";
 for (const stream of [server.stdout, server.stderr]) stream.on("data", (bytes) => (said += bytes));
 
-const patience = Number(process.env.PATIENCE ?? 1);
+const patience = Number(process.env.PATIENCE ?? 3);
 const long = 60000 * patience;
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] });
 let page;
