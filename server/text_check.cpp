@@ -236,10 +236,8 @@ Json tidied(const FileSystem& files, const std::string& main, const TidyOptions&
       const auto given = options.sizes.find(operations::name(icon.kind));
       return given == options.sizes.end() ? usual : given->second;
     };
-    // Lines are routed by the page. Graphviz fails at some among odd sizes, and crashes at a later drawing
-    // then.
     std::string dot = fmt::format(
-        "digraph tidy {{ rankdir=LR; splines=false; ranksep={}; nodesep={}; node [shape=box fixedsize=true "
+        "digraph tidy {{ rankdir=LR; ranksep={}; nodesep={}; node [shape=box fixedsize=true "
         "label=\"\"];\n",
         options.ranks_apart / points, options.apart / points);
     std::map<std::string, std::size_t> index;
