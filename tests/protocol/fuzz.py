@@ -197,8 +197,9 @@ try:
                     client.step()
                 assert time.monotonic() < patience, f"no answer to {[client.waiting[each] for each in waiting & client.waiting.keys()]}"
         except ConnectionError as problem:
-            # The server hangs up with a reason; without one it has ended.
-            assert str(problem).startswith("closed:") and server.process.poll() is None, f"{problem}; {sorted(client.waiting.values())}"
+            # The server hangs up on a client that has not answered a ping for 30 s, as one that is not drawn for long.
+            time.sleep(0.1)
+            assert server.process.poll() is None, f"{problem}; {sorted(client.waiting.values())}"
             clients.remove(client)
         for each in (client, watcher):
             each.events.clear()
