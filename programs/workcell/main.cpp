@@ -6,7 +6,12 @@
 #include "programs/workcell/options/command_line.hpp"
 
 int main(int count, char** arguments) {
-  return static_cast<int>(pal::workcell::main_program({arguments + 1, arguments + count},
-                                                      pal::workcell::linked_skills(), std::cout, std::cerr,
-                                                      ::isatty(STDOUT_FILENO) == 1, &std::cin));
+  using namespace pal::workcell;
+  try {
+    return static_cast<int>(main_program({arguments + 1, arguments + count}, installed_skills(), std::cout,
+                                         std::cerr, ::isatty(STDOUT_FILENO) == 1, &std::cin));
+  } catch (const Failure& failure) {
+    failure.print(std::cerr);
+    return static_cast<int>(failure.status());
+  }
 }
