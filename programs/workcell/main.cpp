@@ -8,7 +8,12 @@
 int main(int count, char** arguments) {
   // A full device and a closed output refuse even nothing.
   if (::write(STDOUT_FILENO, "", 0) < 0) std::cout.setstate(std::ios::badbit);
-  return static_cast<int>(pal::workcell::main_program({arguments + 1, arguments + count},
-                                                      pal::workcell::linked_skills(), std::cout, std::cerr,
-                                                      ::isatty(STDOUT_FILENO) == 1, &std::cin));
+  using namespace pal::workcell;
+  try {
+    return static_cast<int>(main_program({arguments + 1, arguments + count}, installed_skills(), std::cout,
+                                         std::cerr, ::isatty(STDOUT_FILENO) == 1, &std::cin));
+  } catch (const Failure& failure) {
+    failure.print(std::cerr);
+    return static_cast<int>(failure.status());
+  }
 }
