@@ -7,6 +7,7 @@
 #include "sim/arm/joint_sensing.hpp"
 #include "sim/controller/gripper_servo.hpp"
 #include "sim/controller/motion_controller.hpp"
+#include "sim/controller/trail.hpp"
 #include "sim/model/contacts.hpp"
 #include "sim/model/mujoco_physics.hpp"
 #include "sim/model/names.hpp"
@@ -14,8 +15,9 @@
 namespace pal::sim {
 namespace {
 
-// How long the drives let go after a fault: what the arm pressed on pushes it away.
-constexpr runtime::Time yield_time = std::chrono::milliseconds(300);
+// How long the arm backs off after a fault. If it cannot, its drives let go for as long: what it pressed on
+// pushes it away, as far as the friction of its gears allows.
+constexpr runtime::Time back_off_time = std::chrono::milliseconds(300);
 
 using FaultListener = std::function<void(const ArmFault&)>;
 using SampleListener = std::function<void(const Sample&)>;
@@ -73,6 +75,7 @@ struct Workcell::Parts {
       : physics(scene),
         tool(flange_to_tip_of(physics.loaded().tool)),
         motion(start_joints(physics, options.raise), alter_period, tool),
+        trail(tool),
         machine(machine_of(options, physics)),
         sensing(machine),
         keep_log(options.keep_log) {
@@ -94,14 +97,20 @@ struct Workcell::Parts {
   }
 
   void step(runtime::Time when) {
-    if (yielding > runtime::Time::zero()) {
-      yielding -= physics_step;
-      give_way();
+    const Joints q = sensing.read(physics.joints());
+    if (retreat > runtime::Time::zero()) {
+      retreat -= physics_step;
+      // In the end the arm stands where it came to, and its integral action pulls at nothing.
+      if (retreat > runtime::Time::zero() && trail.leads_back(stopped_at))
+        motion.hold(trail.back(stopped_at, 1 - std::chrono::duration<double>(retreat) / back_off_time));
+      else
+        give_way();
     }
     SetPoint wanted = motion.at(when);
     wanted.position = sensing.nearest(wanted.position);
-    const Joints torques = servos.torques(wanted, sensing.read(physics.joints()), physics.joint_speeds(),
-                                          physics.load(wanted.acceleration));
+    if (!fault) trail.note(q, wanted.position);
+    const Joints torques =
+        servos.torques(wanted, q, physics.joint_speeds(), physics.load(wanted.acceleration));
     sensing.advance(torques);
     physics.step(torques, finger_forces());
   }
@@ -162,20 +171,17 @@ struct Workcell::Parts {
     }
     const double error = (sample.tool - sample.set_point).norm();
     if (error * 1e3 <= greatest_following_error) return std::nullopt;
+    const std::string off = "the tool is " + millimetres(error) + " from where it was told to be";
+    // Something that was made to touch may be in the arm's way: that comes first, for reasons are cut.
+    if (const auto pressed = hardest_contact(physics))
+      return ArmFault{
+          ArmFault::Kind::following_error,
+          contact_words(physics.model(), pressed->first, "presses on", pressed->second) + "; " + off, now,
+          place_of(physics, *pressed)};
     Eigen::Index joint = 0;
     (sample.joints - sample.joint_set_point).cwiseAbs().maxCoeff(&joint);
     return ArmFault{ArmFault::Kind::following_error,
-                    "the tool is " + millimetres(error) +
-                        " from where it was told to be; the joint farthest off is joint " +
-                        std::to_string(joint + 1) + pressed_on(),
-                    now};
-  }
-
-  // What is in the arm's way, if it was made to touch: "; the gripper's left finger presses on part 2".
-  std::string pressed_on() const {
-    const auto pressed = hardest_contact(physics);
-    return pressed ? "; " + contact_words(physics.model(), pressed->first, "presses on", pressed->second)
-                   : "";
+                    off + "; the joint farthest off is joint " + std::to_string(joint + 1), now};
   }
 
   // The set-point is where the encoders show the arm to be: nothing but gears, brakes and friction holds it.
@@ -186,7 +192,8 @@ struct Workcell::Parts {
 
   void stop_with(ArmFault why) {
     give_way();
-    yielding = yield_time;
+    retreat = back_off_time;
+    stopped_at = sensing.read(physics.joints());
     fault = std::move(why);
     std::erase_if(listeners, [](const auto& listener) { return listener.expired(); });
     const auto told = listeners;  // a listener may add others
@@ -203,13 +210,15 @@ struct Workcell::Parts {
   Physics physics;
   Pose tool;  // from the flange to the tip
   MotionController motion;
+  Trail trail;
   MachineOptions machine;
   JointSensing sensing;
   JointServos servos;
   GripperServo gripper;
   CollisionWatch collisions;
   std::optional<ArmFault> fault;
-  runtime::Time yielding{};  // how long the arm still gives way
+  Joints stopped_at = Joints::Zero();
+  runtime::Time retreat{};  // how long the arm still backs off, or gives way
   std::vector<std::weak_ptr<FaultListener>> listeners;
   std::vector<std::weak_ptr<SampleListener>> sample_listeners;
   runtime::Time now{};
@@ -273,8 +282,9 @@ const std::optional<ArmFault>& Workcell::fault() const {
 
 void Workcell::reset_fault() {
   parts_->fault.reset();
-  parts_->yielding = runtime::Time::zero();
+  parts_->retreat = runtime::Time::zero();
   parts_->give_way();
+  parts_->trail.forget();
   parts_->collisions.forgive(parts_->physics);
 }
 

@@ -86,7 +86,8 @@ class Workcell final : public runtime::World {
   /// No motion is left to make.
   bool idle() const;
 
-  /// Why the arm stopped by itself, until reset_fault(). It stands where it was, and refuses to move.
+  /// Why the arm stopped by itself, until reset_fault(). It backs off within 0.3 s, up to 15 mm, stands, and
+  /// refuses to move.
   const std::optional<ArmFault>& fault() const;
   /// The arm takes motions again, from where it stands. What it touches then is forgiven until they have
   /// parted.

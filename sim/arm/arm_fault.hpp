@@ -19,7 +19,7 @@ struct ArmFault {
   Kind kind = Kind::collision;
   std::string text;  // "the forearm hit post 2"
   runtime::Time time{};
-  /// Where two parts met, in frame 0, m; nothing: they did not.
+  /// Where the arm meets something, in frame 0, m; nothing: it does not.
   std::optional<Eigen::Vector3d> place{};
 };
 

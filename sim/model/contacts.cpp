@@ -31,12 +31,21 @@ bool loose(const Physics& physics, int geom) {
   return joint >= 0 && model.jnt_type[joint] == mjJNT_FREE;
 }
 
-// A pad of the gripper at a loose part, or one finger at the other.
+// Whether a pad meets something the way that the fingers close, and not with an edge from above.
+bool closes_on(const Physics& physics, const mjContact& contact, int pad) {
+  constexpr double half_a_right_angle = 0.7;  // the cosine
+  const mjtNum* turn = physics.data().geom_xmat + 9 * static_cast<std::ptrdiff_t>(pad);
+  const Eigen::Vector3d closing(turn[1], turn[4], turn[7]);  // a pad's y axis
+  return std::abs(closing.dot(Eigen::Map<const Eigen::Vector3d>(contact.frame))) > half_a_right_angle;
+}
+
+// A pad of the gripper that closes on a loose part, or one finger at the other.
 bool is_grip(const Physics& physics, const mjContact& contact) {
   if (physics.loaded().tool != ToolKind::gripper) return false;
   for (const FingerIndex& finger : physics.index().fingers) {
     if (contact.geom1 != finger.pad_geom && contact.geom2 != finger.pad_geom) continue;
     const int other = contact.geom1 == finger.pad_geom ? contact.geom2 : contact.geom1;
+    if (!closes_on(physics, contact, finger.pad_geom)) continue;
     if (loose(physics, other) || role(physics, other) == Role::touch) return true;
   }
   return false;
@@ -65,6 +74,7 @@ Grip grip(const Physics& physics) {
     for (std::size_t side = 0; side < held.size(); ++side) {
       const int pad = physics.index().fingers[side].pad_geom;
       if (contact.geom1 != pad && contact.geom2 != pad) continue;
+      if (!closes_on(physics, contact, pad)) continue;
       const int other = contact.geom1 == pad ? contact.geom2 : contact.geom1;
       force[side] += normal_force(physics, i);
       if (loose(physics, other)) held[side] = physics.model().geom_bodyid[other];

@@ -11,7 +11,7 @@
 namespace pal::sim {
 
 /// Sum of the normal forces on the touching parts of the tool (Role::touch), N. The grip is not among them:
-/// what the gripper's pads do to a loose part, and to one another.
+/// what the gripper's pads do to a loose part on which they close, and to one another.
 double contact_force(const Physics& physics);
 
 /// How hard the two finger pads press on what is between them, N, and whether that is one loose part.

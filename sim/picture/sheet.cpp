@@ -183,14 +183,16 @@ void Sheet::describe(Canvas& canvas, const Box& box, const Snapshot& snapshot) c
     row("distance", nearest ? fmt::format("{:.1f} mm to the nearest point", *nearest) : "nothing in reach");
   } else if (stage_.tool() == ToolKind::gripper) {
     row("grip",
-        fmt::format("{:.1f} N    (fingers {:.1f} mm apart)", sample.grip_force, sample.gripper_width));
+        fmt::format("{:.1f} N    ({})", sample.grip_force,
+                    sample.contact_force > 0 ? fmt::format("a finger meets {:.1f} N", sample.contact_force)
+                                             : fmt::format("fingers {:.1f} mm apart", sample.gripper_width)));
   } else {
     row("force", fmt::format("{:.1f} N    (peak {:.1f} N)", sample.contact_force, history_.peak()));
   }
   if (snapshot.fault.empty())
     row("tool", fmt::format("{:.1f}  {:.1f}  {:.1f} mm", tool.x(), tool.y(), tool.z()));
   else
-    row("stopped", snapshot.fault, limit);
+    row("stopped", snapshot.fault.substr(0, snapshot.fault.find(';')), limit);
   y += 1.6 * size;
   const Box rest{box.x, y, box.width, box.y + box.height - y};
   if (stage_.tool() == ToolKind::range_finder) {

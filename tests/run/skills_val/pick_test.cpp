@@ -47,6 +47,17 @@ TEST_CASE(
   CHECK((shop.tip() - shop.location("PART") - Vector3d(0, 0, 50)).norm() < 0.2);
 }
 
+TEST_CASE("pick-at-location: 2, a finger comes down on a part beside the location, which the reason names") {
+  const ChangedScene beside("heavy-part", "part at 460 -160");
+  Workshop shop(beside.scene());
+  const auto outcome = shop.run("pick-at-location");
+  CHECK(end_of(outcome) == "pick-at-location 2");
+  CAPTURE(outcome.reason);
+  CHECK(outcome.reason.find("finger presses on the part") != std::string::npos);
+  // It has backed off.
+  CHECK(shop.cell().workcell().log().back().contact_force == 0);
+}
+
 TEST_CASE("pick-at-location: 2, a location that was never taught") {
   Workshop shop(scene("parts"));
   const Vector3d before = shop.tip();

@@ -48,6 +48,12 @@ double peak(const Ended& ended) {
   for (const sim::Sample& sample : ended.during()) most = std::max(most, sample.contact_force);
   return most;
 }
+// Also by what the fingers hold: the contact force is that of the tool alone.
+double pressed(const Ended& ended) {
+  double most = 0;
+  for (const sim::Sample& sample : ended.during()) most = std::max(most, ended.pressing(sample));
+  return most;
+}
 std::string reached(const Ended& ended, double force) {
   double most = 0;
   for (const sim::Sample& sample : ended.during())
@@ -310,15 +316,15 @@ Judgement place(const Ended& ended) {
   const double width = ended.shop.cell().workcell().gripper_width();
   switch (ended.outcome.code) {
     case 0:
-      return {"N at the most", peak(ended),
+      return {"N pressed at the most", pressed(ended),
               all({part_is_at(ended, ended.shop.location(location)),
                    unless(width > opened, "the fingers are not open"),
                    unless(!holds(ended), "the fingers hold a part"), above(ended, location), still(ended)})};
     case 1:
-      if (!ended.held_before) return {"N at the most", peak(ended), where_it_began(ended)};
-      return {"N at the most", peak(ended), held_above(ended, location)};
+      if (!ended.held_before) return {"N pressed at the most", pressed(ended), where_it_began(ended)};
+      return {"N pressed at the most", pressed(ended), held_above(ended, location)};
     default:
-      return {"N at the most", peak(ended), still(ended)};
+      return {"N pressed at the most", pressed(ended), still(ended)};
   }
 }
 
@@ -329,18 +335,18 @@ Judgement palletize(const Ended& ended) {
   const double width = ended.shop.cell().workcell().gripper_width();
   switch (ended.outcome.code) {
     case 0:
-      return {"N at the most", peak(ended),
+      return {"N pressed at the most", pressed(ended),
               all({part_is_at(ended, ended.shop.location(ended.text("corner")) +
                                          pitch * Eigen::Vector3d(placed % columns, placed / columns, 0)),
                    unless(width > opened, "the fingers are not open"),
                    unless(!holds(ended), "the fingers hold a part"), still(ended)})};
     case 1:
-      return {"N at the most", peak(ended), where_it_began(ended)};
+      return {"N pressed at the most", pressed(ended), where_it_began(ended)};
     case 3:
-      return {"N at the most", peak(ended),
+      return {"N pressed at the most", pressed(ended),
               all({unless(holds(ended), "the fingers hold nothing"), still(ended)})};
     default:
-      return {"N at the most", peak(ended), still(ended)};
+      return {"N pressed at the most", pressed(ended), still(ended)};
   }
 }
 
