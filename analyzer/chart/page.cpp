@@ -12,7 +12,7 @@ namespace pal::analyzer::chart {
 
 namespace {
 
-constexpr Length right_margin = 150;
+constexpr Length beyond_right = 150;
 
 std::string document(const std::string& body, Length page_width, Length height,
                      const std::vector<std::string>& caption) {
@@ -59,7 +59,7 @@ std::string page(const std::vector<Layer>& layers) {
   y = draw_explanation(layers, y, out);
   y = draw_statement_key(numbering, right, y, out);
   y = draw_sign_key(layers, y, out);
-  return document(out.str(), right + right_margin, (y + 9) / 10 * 10, caption_lines(layers));
+  return document(out.str(), right + beyond_right, (y + 9) / 10 * 10, caption_lines(layers));
 }
 
 }  // namespace pal::analyzer::chart
