@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "language_server/repair.hpp"
@@ -12,9 +13,6 @@
 namespace pal::language_server {
 
 namespace {
-
-/// One who asks for quick fixes waits so long for those that have to be tried.
-constexpr double seconds_of_repairs = 0.5;
 
 /// What these findings are about does nothing: editors fade it.
 bool is_unused(Code code) {
@@ -118,11 +116,30 @@ std::vector<std::string> Session::roots_of(const std::string& path) {
   return roots;
 }
 
+std::map<std::string, std::vector<std::string>> Session::roots_of_open() {
+  std::map<std::string, std::vector<std::string>> result;
+  for (const auto& [path, document] : workspace_.documents()) {
+    if (path.ends_with(".pal")) result[path] = index_.roots(path);
+  }
+  for (const auto& [root, known] : known_) {  // environments, as in roots_of()
+    for (std::size_t i = 0; known.analysis != nullptr && i < known.analysis->sources.size(); ++i) {
+      const auto open = result.find(known.analysis->path(FileId(i)));
+      if (open != result.end() &&
+          std::find(open->second.begin(), open->second.end(), root) == open->second.end())
+        open->second.push_back(root);
+    }
+  }
+  return result;
+}
+
 const Known& Session::known(const std::string& root) {
   Known& known = known_[root];
-  auto inputs = inputs_of(workspace_, root, environments_);
-  if (known.analysis == nullptr || !is_current(*known.analysis, workspace_, inputs)) {
-    known.analysis = analyze(workspace_, std::move(inputs), {});
+  if (const auto structure = workspace_.structure(); known.inputs_of != structure) {
+    known.inputs = inputs_of(workspace_, root, environments_);
+    known.inputs_of = structure;
+  }
+  if (known.analysis == nullptr || !is_current(*known.analysis, workspace_, known.inputs)) {
+    known.analysis = analyze(workspace_, known.inputs, {});
     if (!known.analysis->diagnostics.has_errors()) known.sound = known.analysis;
   }
   return known;
@@ -176,28 +193,76 @@ std::vector<Diagnostic> Session::causes(const Known& known, const std::string& p
 }
 
 void Session::publish() {
-  std::set<std::string> shown;
-  for (const auto& [path, document] : workspace_.documents()) {
+  std::map<std::string, Published> shown;
+  const auto add = [&](const Known& known, const std::string& path, Json& list) {
+    for (const auto& finding : findings(known, path)) {
+      Json made = diagnostic(finding, *known.analysis, workspace_, options_.documentation);
+      if (std::find(list.begin(), list.end(), made) == list.end()) list.push_back(std::move(made));
+    }
+  };
+  // What has neither another text nor other findings than the client shows is not sent again.
+  const auto publish = [&](const std::string& path, Published state, const Document* document,
+                           const auto& fill) {
+    const auto before = published_.find(path);
+    const bool same = before != published_.end() && before->second == state;
+    shown.emplace(path, std::move(state));
+    if (same) return;
     Json list = Json::array();
-    if (is_operation(path)) {
+    fill(list);
+    Json params{{"uri", workspace_.uri(path)}, {"diagnostics", std::move(list)}};
+    if (document != nullptr) params["version"] = document->version;
+    notify("textDocument/publishDiagnostics", std::move(params));
+  };
+  for (const auto& [path, roots] : roots_of_open()) {
+    const auto* document = workspace_.find(path);
+    Published state{document->version, {}};
+    std::vector<const Known*> all;
+    for (const auto& root : roots) {
+      const auto known = known_.find(root);
+      if (known == known_.end() || known->second.analysis == nullptr) continue;
+      all.push_back(&known->second);
+      for (const std::shared_ptr<const void>& each : {std::shared_ptr<const void>(known->second.analysis),
+                                                      std::shared_ptr<const void>(known->second.proofs),
+                                                      std::shared_ptr<const void>(known->second.proved),
+                                                      std::shared_ptr<const void>(known->second.advice)})
+        state.from.push_back(each);
+    }
+    publish(path, std::move(state), document, [&](Json& list) {
+      for (const auto* known : all) add(*known, path, list);
+    });
+  }
+  for (const auto& [path, document] : workspace_.documents()) {
+    if (!is_operation(path)) continue;
+    // Another file may be a part of it, or a skill of it.
+    publish(path, {document.version, {std::make_shared<const int>(0)}}, &document, [&](Json& list) {
       SourceManager sources;
       for (const auto& finding : operation_findings(path, sources))
         list.push_back(operation_diagnostic(finding, sources));
-    }
-    if (!path.ends_with(".pal") && !is_operation(path)) continue;
-    for (const auto& root : is_operation(path) ? std::vector<std::string>() : roots_of(path)) {
-      const auto known = known_.find(root);
-      if (known == known_.end() || known->second.analysis == nullptr) continue;
-      for (const auto& finding : findings(known->second, path)) {
-        Json made = diagnostic(finding, *known->second.analysis, workspace_, options_.documentation);
-        if (std::find(list.begin(), list.end(), made) == list.end()) list.push_back(std::move(made));
-      }
-    }
-    shown.insert(path);
-    notify("textDocument/publishDiagnostics",
-           {{"uri", document.uri}, {"version", document.version}, {"diagnostics", std::move(list)}});
+    });
   }
-  for (const auto& path : published_) {
+  // A mistake here may be a finding in a file that is not open.
+  std::map<std::string, std::vector<const Known*>> elsewhere;
+  for (const auto& [root, known] : known_) {
+    if (known.analysis == nullptr || (known.analysis->diagnostics.all().empty() && known.proofs == nullptr))
+      continue;
+    for (std::size_t i = 0; i < known.analysis->sources.size(); ++i) {
+      const auto& path = known.analysis->path(FileId(i));
+      if (workspace_.find(path) == nullptr && !findings(known, path).empty())
+        elsewhere[path].push_back(&known);
+    }
+  }
+  for (const auto& [path, all] : elsewhere) {
+    Published state;
+    for (const auto* known : all) {
+      state.from.push_back(known->analysis);
+      state.from.push_back(known->proofs);
+      state.from.push_back(known->proved);
+    }
+    publish(path, std::move(state), nullptr, [&](Json& list) {
+      for (const auto* known : all) add(*known, path, list);
+    });
+  }
+  for (const auto& [path, state] : published_) {
     if (!shown.contains(path))
       notify("textDocument/publishDiagnostics",
              {{"uri", workspace_.uri(path)}, {"diagnostics", Json::array()}});
@@ -208,10 +273,7 @@ void Session::publish() {
 bool Session::check(const std::function<bool()>& newer) {
   if (to_check_.empty()) return true;
   std::set<std::string> roots;
-  for (const auto& [path, document] : workspace_.documents()) {
-    if (!path.ends_with(".pal")) continue;
-    for (auto& root : roots_of(path)) roots.insert(std::move(root));
-  }
+  for (const auto& [path, of] : roots_of_open()) roots.insert(of.begin(), of.end());
   std::erase_if(known_, [&](const auto& each) { return !roots.contains(each.first); });
   for (const auto& root : roots) {
     if (newer && newer()) return false;
@@ -328,7 +390,7 @@ Json Session::code_action(const Json& params) {
     for (const auto& finding : found) {
       if (finding.fix.empty()) {
         if (finding.where.end < begin || finding.where.begin > end || !wants("quickfix")) continue;
-        for (const auto& repair : repairs(workspace_, analysis, finding, seconds_of_repairs))
+        for (const auto& repair : repairs(workspace_, analysis, finding, options_.repair_seconds))
           add({{"title", repair.title},
                {"kind", "quickfix"},
                {"diagnostics", {diagnostic(finding, analysis, workspace_, options_.documentation)}},

@@ -36,8 +36,18 @@ const syntax::Tree* Index::tree(const std::string& path) {
   return &entry.tree;
 }
 
-std::vector<std::string> Index::roots(const std::string& path) {
-  auto roots = check::skills_that_see(workspace_.project(), path);
+const std::vector<std::string>& Index::roots(const std::string& path) {
+  if (const auto structure = workspace_.structure(); structure != roots_of_) {
+    roots_.clear();
+    roots_of_ = structure;
+    // What skills_that_see() says of one file after the other, with each skill's files walked once.
+    const auto& project = workspace_.project();
+    for (const auto& file : project) {
+      if (!file.has_skill) continue;
+      for (const auto& seen : check::seen_by(project, file.path)) roots_[seen].push_back(file.path);
+    }
+  }
+  auto& roots = roots_[path];
   if (roots.empty()) roots.push_back(path);
   return roots;
 }

@@ -36,7 +36,7 @@ class Index {
   std::shared_ptr<const Family> family(const std::string& path);
 
   /// The files with skills by which `path` is looked at; itself if there are none.
-  std::vector<std::string> roots(const std::string& path);
+  const std::vector<std::string>& roots(const std::string& path);
 
  private:
   struct Parsed {
@@ -50,6 +50,8 @@ class Index {
   std::map<std::string, FileId> ids_;
   std::map<std::string, Parsed> parsed_;
   std::vector<std::shared_ptr<const Family>> families_;  // the last ones
+  std::map<std::string, std::vector<std::string>> roots_;
+  std::uint64_t roots_of_ = 0;  // the structure of the workspace that they are of
 };
 
 }  // namespace pal::language_server

@@ -162,12 +162,12 @@ class Flow {
           .push_back(range_of(analysis_.text(where.file), where.begin, where.end));
     });
     // A device sends without a statement: the waits for it show where.
-    if (incoming && !of_message) {
+    if (incoming) {
       visit_ends(network_, false, [&](pan::ChannelId id, const SourceSpan& where) {
         const auto& channel = network_.channels[id.index()];
-        if (!std::holds_alternative<pan::DeviceId>(channel.sender) || !where.valid() ||
-            pan::party_name(network_, channel.receiver) != item.name)
-          return;
+        const bool meant = of_message ? network_.messages[channel.message.index()].name == item.name
+                                      : pan::party_name(network_, channel.receiver) == item.name;
+        if (!std::holds_alternative<pan::DeviceId>(channel.sender) || !where.valid() || !meant) return;
         ranges[{"device", pan::party_name(network_, channel.sender)}].push_back(
             range_of(analysis_.text(where.file), where.begin, where.end));
       });

@@ -18,7 +18,7 @@ std::string in_dark(std::string svg) {
   if (const auto at = svg.find(paper); at != std::string::npos)
     svg.replace(at, paper.size(), "<polygon fill=\"transparent\"");
   const auto open = svg.find("<svg");
-  if (open != std::string::npos) svg.insert(open + 4, " style=\"filter:invert(.88) hue-rotate(180deg)\"");
+  if (open != std::string::npos) svg.insert(open + 4, " style=\"filter:invert(.94) hue-rotate(180deg)\"");
   return svg;
 }
 

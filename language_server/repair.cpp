@@ -81,7 +81,7 @@ class Search {
 
   std::vector<Repair> run() {
     const auto place = statement_at(analysis_.trees, finding_.where);
-    if (!place) return {};
+    if (!place || !before_.contains({finding_.code, finding_.message})) return {};
     std::vector<Found> places{*place};
     for (const auto& note : finding_.notes) {
       const auto other = statement_at(analysis_.trees, note.where);
@@ -94,6 +94,7 @@ class Search {
     ask_first(*place);
     for (const auto& each : places) exchange(each);
     take_elsewhere(*place);
+    send_elsewhere(*place);
     for (const auto& each : places) remove(each);
     return std::move(found_);
   }
@@ -169,14 +170,29 @@ class Search {
     if (send == nullptr) return;
     const std::string words = std::string("WTM( ") + (send->message.request ? "request " : "") +
                               send->message.name.text + " from " + at.module->name.text + " )";
+    insert_in(send->to.name.text, words);
+  }
+
+  /// What is waited for and never sent is sent: somewhere in the module that it is to come from.
+  void send_elsewhere(const Found& at) {
+    const auto* wait = std::get_if<syntax::Wait>(&at.statement().content);
+    if (wait == nullptr) return;
+    const bool request = wait->source.message.request;
+    const std::string words = std::string("TXM( ") + (request ? "request " : "") +
+                              wait->source.message.name.text + (request ? " from " : " to ") +
+                              at.module->name.text + " )";
+    insert_in(wait->source.from.name.text, words);
+  }
+
+  /// Before each statement of a module but the wait for its start.
+  void insert_in(const std::string& name, const std::string& words) {
     for (const auto& tree : analysis_.trees) {
       const rewrite::Placing put(analysis_.sources.text(tree.file));
       rewrite::visit_lists(tree, [&](const syntax::ModuleUnit& module, const syntax::Statements& list) {
-        if (module.name.text != send->to.name.text) return;
-        for (const auto& each : list) {
-          if (!std::holds_alternative<syntax::WaitForStart>(each.content))
-            attempt("in " + module.name.text + ": insert " + words + " before " + put.words(each),
-                    {put.before(each, words)});
+        for (std::size_t i = 0; module.name.text == name && i < list.size(); ++i) {
+          if (!std::holds_alternative<syntax::WaitForStart>(list[i].content))
+            attempt("in " + name + ": insert " + words + " before " + put.words(list[i]),
+                    {put.before(list[i], words)});
         }
       });
     }

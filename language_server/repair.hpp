@@ -15,9 +15,9 @@ struct Repair {
   std::vector<Edit> edits;
 };
 
-/// For a finding at a statement of a module, without a fix of its own. With each repair the finding is gone
-/// and no other has come; those that ask least of the text are first. The search takes about `seconds` at
-/// most. `files`: those that `analysis` was made from.
+/// For a finding of `analysis` at a statement of a module, without a fix of its own. With each repair the
+/// finding is gone and no other has come; those that ask least of the text are first. The search takes about
+/// `seconds` at most. `files`: those that `analysis` was made from.
 std::vector<Repair> repairs(const FileSystem& files, const Analysis& analysis, const Diagnostic& finding,
                             double seconds);
 

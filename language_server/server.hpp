@@ -13,6 +13,7 @@ struct Options {
   std::string version;             // of the program
   std::string documentation;       // URL of the folder docs; empty: findings get no links
   const Prover* prover = nullptr;  // none: nothing is proved
+  double repair_seconds = 0.5;     // one who asks for quick fixes waits so long for those that must be tried
 };
 
 /// Serves one client until it says `exit` or `in` ends. One thread reads, one answers, one proves. A message

@@ -172,6 +172,7 @@ void Session::configure(const Json& settings) {
   if (!settings.is_object()) return;
   if (const Json& files = member(settings, "environments"); files.is_array()) {
     environments_.clear();
+    for (auto& [root, known] : known_) known.inputs_of = 0;
     const std::string top = workspace_.folders().empty() ? std::string("/") : workspace_.folders().front();
     for (const Json& file : files) {
       if (file.is_string()) environments_.push_back(resolve_path(top + "/x", file.get<std::string>()));

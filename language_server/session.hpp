@@ -32,6 +32,8 @@ struct Known {
   std::shared_ptr<const Analysis> proved;    // the one that `proofs` are of
   std::shared_ptr<const Proofs> proofs;
   std::shared_ptr<const AllAdvice> advice;  // of `proved`; nullptr: not yet
+  std::vector<std::string> inputs;          // the files that an analysis begins with
+  std::uint64_t inputs_of = 0;              // the structure of the workspace that they are of
 };
 
 /// Whether the name is that of a file of operations.
@@ -100,6 +102,8 @@ class Session {
 
   // findings.cpp
   std::vector<std::string> roots_of(const std::string& path);
+  /// The same of all open texts of PAL at once.
+  std::map<std::string, std::vector<std::string>> roots_of_open();
   /// Up to date, also if it was not checked yet.
   const Known& known(const std::string& root);
   void publish();
@@ -184,8 +188,14 @@ class Session {
   int asked_ = 0;
 
   std::map<std::string, Known> known_;  // by root
-  std::set<std::string> published_;     // paths with findings that the client shows
-  std::set<std::string> to_check_;      // open files
+  /// What the client shows: by path the version, and what the findings are from.
+  struct Published {
+    std::int64_t version = -1;
+    std::vector<std::shared_ptr<const void>> from;
+    friend bool operator==(const Published&, const Published&) = default;
+  };
+  std::map<std::string, Published> published_;
+  std::set<std::string> to_check_;  // open files
   std::vector<ProofJob> jobs_;
   operations::Skills templates_;
   std::uint64_t templates_of_ = 0;  // the revision of the workspace that they are of

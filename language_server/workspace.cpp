@@ -1,5 +1,6 @@
 #include "language_server/workspace.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -24,6 +25,7 @@ void Workspace::set_folders(std::vector<std::string> folders) {
   listed_ = false;
   scanned_.clear();
   ++revision_;
+  ++structure_;
 }
 
 void Workspace::open(const std::string& path, Document document) {
@@ -88,8 +90,16 @@ const std::vector<check::ProjectFile>& Workspace::project() {
   for (const auto& [path, document] : documents_) {
     if (path.ends_with(".pal")) scan(path);
   }
-  project_.clear();
-  for (const auto& [path, file] : scanned_) project_.push_back(file);
+  const auto same = [](const check::ProjectFile& a, const auto& b) {
+    return a.path == b.first && a.uses == b.second.uses && a.has_skill == b.second.has_skill &&
+           a.has_environment == b.second.has_environment;
+  };
+  if (structure_ == 0 ||
+      !std::equal(project_.begin(), project_.end(), scanned_.begin(), scanned_.end(), same)) {
+    project_.clear();
+    for (const auto& [path, file] : scanned_) project_.push_back(file);
+    ++structure_;
+  }
   project_revision_ = revision_;
   return project_;
 }

@@ -45,6 +45,12 @@ class Workspace : public FileSystem {
   /// Differs if and only if the text of the file may differ.
   std::uint64_t revision(const std::string& path) const;
 
+  /// Grows whenever a file comes or goes, or says something else in project().
+  std::uint64_t structure() {
+    project();
+    return structure_;
+  }
+
   /// All PAL files of the folders, those that are open, and what they use; in the order of their paths.
   const std::vector<check::ProjectFile>& project();
   /// The folder that holds `path`, or else its own.
@@ -74,6 +80,7 @@ class Workspace : public FileSystem {
   bool listed_ = false;
   std::vector<check::ProjectFile> project_;
   std::uint64_t project_revision_ = 0;
+  std::uint64_t structure_ = 0;
 };
 
 }  // namespace pal::language_server

@@ -6,6 +6,7 @@
 #include "operations/check_skills.hpp"
 #include "operations/check_values.hpp"
 #include "operations/codes.hpp"
+#include "operations/cure.hpp"
 #include "operations/graph.hpp"
 #include "operations/suggestion.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -26,9 +27,11 @@ class KnownNames {
   const Sensor* find(const std::string& name, SourceSpan where, Code code, const std::string& missing) {
     const auto found = known_.find(name);
     if (found != known_.end()) return &found->second;
-    diagnostics_.report(code, where, missing,
-                        did_you_mean(suggestions_.nearest_to(name, names_),
-                                     list_.empty() ? std::string("there is none") : list_));
+    const auto near = suggestions_.nearest_to(name, names_);
+    diagnostics_
+        .report(code, where, missing,
+                did_you_mean(near, list_.empty() ? std::string("there is none") : list_))
+        .fix = renamed(where, near);
     return nullptr;
   }
 

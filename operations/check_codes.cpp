@@ -5,12 +5,16 @@
 
 #include <algorithm>
 
+#include "operations/cure.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::operations {
 namespace {
 
 std::string completion_text(const Skills& skills, const Icon& icon, int code) {
+  if (icon.kind == IconKind::planned)
+    for (const Way& each : icon.ways)
+      if (each.codes.front() == code) return fmt::format(": \"{}\"", each.text);
   const auto skill = skills.find(icon.skill);
   if (skill == skills.end()) return {};
   for (const pan::Completion& completion : skill->second.completions)
@@ -39,9 +43,11 @@ void check_endings(const Graph& graph, Place at, const Icon& icon, const Skills&
     const auto way = route(graph, at, ending.code, ending.normal());
     const std::string meaning = completion_text(skills, icon, ending.code);
     if (!way) {
-      diagnostics.report(Code::PAL1006, icon.where,
-                         fmt::format("no icon handles {} of '{}'{}", ending.text(), icon.id, meaning),
-                         "the operation ends there; connect 'error', or put a CASE behind it");
+      Diagnostic& finding =
+          diagnostics.report(Code::PAL1006, icon.where,
+                             fmt::format("no icon handles {} of '{}'{}", ending.text(), icon.id, meaning),
+                             "the operation ends there; connect 'error', or put a CASE behind it");
+      if (!icon.error.connected()) finding.fix = led_to_exit(graph, at, "error", false);
       continue;
     }
     if (!behind || !icon.error.connected() || !(way->where == icon.error.where)) continue;
@@ -56,13 +62,16 @@ void check_endings(const Graph& graph, Place at, const Icon& icon, const Skills&
   }
 }
 
-void check_ways(const Icon& icon, const CodeSet& here, Diagnostics& diagnostics) {
+void check_ways(const Graph& graph, Place at, const Icon& icon, const CodeSet& here,
+                Diagnostics& diagnostics) {
   for (const int code : here.list())
     if (!way_of(icon, code))
-      diagnostics.report(Code::PAL1006, icon.where,
-                         fmt::format("CASE '{}' has no way for {}, which can come", icon.id,
-                                     code == any_code ? "any other code" : fmt::format("code {}", code)),
-                         "the operation ends there; add a way for it, or a default");
+      diagnostics
+          .report(Code::PAL1006, icon.where,
+                  fmt::format("CASE '{}' has no way for {}, which can come", icon.id,
+                              code == any_code ? "any other code" : fmt::format("code {}", code)),
+                  "the operation ends there; add a way for it, or a default")
+          .fix = led_to_exit(graph, at, "default", false);
   if (here.empty() || here.contains(any_code)) return;
   for (const Way& way : icon.ways)
     if (std::none_of(way.codes.begin(), way.codes.end(), [&](int code) { return here.contains(code); }))
@@ -78,7 +87,8 @@ void check_codes(const Graph& graph, Place at, const Skills& skills, const Possi
                  Diagnostics& diagnostics) {
   const Icon& icon = graph.icon(at);
   if (has_completions(icon.kind)) check_endings(graph, at, icon, skills, codes, diagnostics);
-  if (icon.kind == IconKind::branch) check_ways(icon, codes.at[at.operation][at.icon], diagnostics);
+  if (icon.kind == IconKind::branch)
+    check_ways(graph, at, icon, codes.at[at.operation][at.icon], diagnostics);
 }
 
 }  // namespace pal::operations

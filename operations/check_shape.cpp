@@ -7,6 +7,7 @@
 
 #include "operations/check.hpp"
 #include "operations/check_values.hpp"
+#include "operations/cure.hpp"
 #include "operations/graph.hpp"
 #include "operations/suggestion.hpp"
 #include "pal/support/diagnostic_code.hpp"
@@ -63,9 +64,11 @@ class OperationShape {
   void check_start() {
     const auto first = graph_.start(index_);
     if (!first) {
-      diagnostics_.report(Code::PAL1015, operation_.where,
-                          fmt::format("operation '{}' has no START", operation_.name),
-                          R"(add {"id": "start", "kind": "start", "next": …})");
+      diagnostics_
+          .report(Code::PAL1015, operation_.where,
+                  fmt::format("operation '{}' has no START", operation_.name),
+                  R"(add {"id": "start", "kind": "start", "next": …})")
+          .fix = started(graph_, index_);
       return;
     }
     for (std::size_t i = *first + 1; i < operation_.icons.size(); ++i)
@@ -85,18 +88,22 @@ class OperationShape {
   void check_connection(const Icon& icon, const Connection& connection, const std::string& output,
                         bool needed) {
     if (!connection.connected()) {
-      if (needed)
-        diagnostics_.report(Code::PAL1004, icon.where,
-                            fmt::format("the output {} of '{}' leads nowhere", output, icon.id),
-                            "connect it; where the operation is to end, to an EXIT");
+      if (!needed) return;
+      Diagnostic& finding = diagnostics_.report(
+          Code::PAL1004, icon.where, fmt::format("the output {} of '{}' leads nowhere", output, icon.id),
+          "connect it; where the operation is to end, to an EXIT");
+      const auto at = graph_.find(index_, icon.id);
+      if (at && &icon.next == &connection) finding.fix = led_to_exit(graph_, {index_, *at}, "next", true);
       return;
     }
     const auto to = graph_.target(index_, connection);
     if (!to) {
-      diagnostics_.report(
-          Code::PAL1004, connection.where,
-          fmt::format("there is no icon '{}' in operation '{}'", connection.icon, operation_.name),
-          did_you_mean(suggestions_.nearest_to(connection.icon, ids()), "name an icon of this operation"));
+      const auto near = suggestions_.nearest_to(connection.icon, ids());
+      diagnostics_
+          .report(Code::PAL1004, connection.where,
+                  fmt::format("there is no icon '{}' in operation '{}'", connection.icon, operation_.name),
+                  did_you_mean(near, "name an icon of this operation"))
+          .fix = renamed(connection.where, near);
     } else if (operation_.icons[*to].kind == IconKind::start) {
       diagnostics_.report(Code::PAL1004, connection.where, "START has no input",
                           "lead to a RESTART instead, or to the icon behind START");
@@ -131,7 +138,7 @@ std::vector<bool> reached(const std::vector<std::vector<std::size_t>>& leads_to,
 bool takes_time(const Icon& icon) {
   return icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation ||
          icon.kind == IconKind::wait || icon.kind == IconKind::test || icon.kind == IconKind::question ||
-         icon.kind == IconKind::zero ||
+         icon.kind == IconKind::zero || icon.kind == IconKind::planned ||
          (icon.kind == IconKind::delay && icon.seconds->source.written() && icon.seconds->number > 0);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "operations/check_values.hpp"
+#include "operations/cure.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
 namespace pal::operations {
@@ -96,9 +97,11 @@ void SkillChecks::check(Place at, const Icon& icon) {
   }
   const auto found = cell_.skills->find(icon.skill);
   if (found == cell_.skills->end()) {
-    diagnostics_.report(Code::PAL1007, icon.subject, fmt::format("the cell has no skill '{}'", icon.skill),
-                        did_you_mean(suggestions_.nearest_to(icon.skill, skill_names_),
-                                     "name a skill of the cell, or give its file with --skills"));
+    const auto near = suggestions_.nearest_to(icon.skill, skill_names_);
+    diagnostics_
+        .report(Code::PAL1007, icon.subject, fmt::format("the cell has no skill '{}'", icon.skill),
+                did_you_mean(near, "name a skill of the cell, or give its file with --skills"))
+        .fix = renamed(icon.subject, near);
     return;
   }
   if (const auto why = cell_.unable.find(icon.skill); why != cell_.unable.end())
@@ -128,11 +131,13 @@ bool SkillChecks::check_given(const pan::Template& skill, const Parameter& given
     if (parameter.name == given.name)
       return check_fit(parameter, given, operation, fmt::format("skill '{}'", skill.name), diagnostics_);
   const auto names = names_of(skill.parameters);
-  diagnostics_.report(Code::PAL1008, given.name_where,
-                      fmt::format("skill '{}' has no parameter '{}'", skill.name, given.name),
-                      did_you_mean(suggestions_.nearest_to(given.name, names),
-                                   names.empty() ? std::string("it has none")
-                                                 : fmt::format("it has {}", fmt::join(names, ", "))));
+  const auto near = suggestions_.nearest_to(given.name, names);
+  diagnostics_
+      .report(Code::PAL1008, given.name_where,
+              fmt::format("skill '{}' has no parameter '{}'", skill.name, given.name),
+              did_you_mean(near, names.empty() ? std::string("it has none")
+                                               : fmt::format("it has {}", fmt::join(names, ", "))))
+      .fix = renamed(given.name_where, near);
   return false;
 }
 
@@ -148,9 +153,12 @@ void SkillChecks::check_location(const Icon& icon, const pan::Parameter& paramet
 
 void SkillChecks::check_taught(const std::string& location, SourceSpan where) {
   if (!cell_.locations || cell_.locations->contains(location)) return;
-  diagnostics_.report(Code::PAL1010, where, fmt::format("location '{}' is not taught", location),
-                      did_you_mean(suggestions_.nearest_to(location, location_names_),
-                                   "teach it, or name one that is taught"));
+  const auto near = suggestions_.nearest_to(location, location_names_);
+  Diagnostic& finding =
+      diagnostics_.report(Code::PAL1010, where, fmt::format("location '{}' is not taught", location),
+                          did_you_mean(near, "teach it, or name one that is taught"));
+  // A default has no text of its own at the icon.
+  if (where.end - where.begin == location.size() + 2) finding.fix = renamed(where, near);
 }
 
 }  // namespace pal::operations

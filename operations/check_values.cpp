@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "operations/cure.hpp"
 #include "operations/fields.hpp"
 #include "pal/support/diagnostic_code.hpp"
 
@@ -65,6 +66,8 @@ class ValueChecks {
       if (condition.at_least) check_number(*condition.at_least, "'at-least'");
       if (condition.at_most) check_number(*condition.at_most, "'at-most'");
     }
+    if (icon_.breakpoint && icon_.breakpoint->condition)
+      check_source(icon_.breakpoint->condition->source, icon_.breakpoint->where);
     if (icon_.kind == IconKind::sub_operation) check_arguments();
   }
 
@@ -97,7 +100,8 @@ class ValueChecks {
     const auto found = graph_.find(at_.operation, source.icon);
     const IconKind kind = found ? graph_.icon({at_.operation, *found}).kind : IconKind::merge;
     const bool counts = source.kind == Source::Kind::count;
-    if (kind == IconKind::skill || (counts && kind == IconKind::sub_operation)) return true;
+    if (kind == IconKind::skill || (counts && (kind == IconKind::sub_operation || kind == IconKind::planned)))
+      return true;
     report_no_icon(source, where, counts ? "skill or sub-operation" : "skill",
                    counts ? "name an icon of this operation that runs a skill or a sub-operation"
                           : "name an icon of this operation that runs a skill");
@@ -136,11 +140,13 @@ class ValueChecks {
       }
       std::vector<std::string> names;
       for (const pan::Parameter& each : inside.arguments) names.push_back(each.name);
-      diagnostics_.report(Code::PAL1008, given.name_where,
-                          fmt::format("operation '{}' has no argument '{}'", inside.name, given.name),
-                          did_you_mean(suggestions_.nearest_to(given.name, names),
-                                       names.empty() ? "it has none; declare it under its \"arguments\""
-                                                     : fmt::format("it has {}", fmt::join(names, ", "))));
+      const auto near = suggestions_.nearest_to(given.name, names);
+      diagnostics_
+          .report(Code::PAL1008, given.name_where,
+                  fmt::format("operation '{}' has no argument '{}'", inside.name, given.name),
+                  did_you_mean(near, names.empty() ? "it has none; declare it under its \"arguments\""
+                                                   : fmt::format("it has {}", fmt::join(names, ", "))))
+          .fix = renamed(given.name_where, near);
     }
   }
 

@@ -18,6 +18,8 @@ std::shared_ptr<const std::vector<int>> all_codes(const Program& program, const 
   for (const Operation& operation : program.operations) {
     for (const Icon& icon : operation.icons) {
       if (icon.code && icon.code->source.written()) codes.push_back(static_cast<int>(icon.code->number));
+      if (icon.kind == IconKind::planned)
+        for (const Way& each : icon.ways) codes.push_back(each.codes.front());
       const std::size_t most = std::max(icon.limits.size(), icon.ways.size());
       for (std::size_t i = 2; i <= most; ++i) codes.push_back(static_cast<int>(i));
     }
@@ -94,6 +96,7 @@ class Spread {
       case IconKind::test:
       case IconKind::question:
       case IconKind::zero:
+      case IconKind::planned:
       case IconKind::sub_operation:
         for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits))
           if (const auto way = route(graph_, at, ending.code, ending.normal())) send(at, *way, ending.code);
@@ -129,7 +132,8 @@ bool may_be_out_of_range(const std::optional<Amount>& amount) {
 
 /// Whether a sensor, a person, a figure of a skill, or a number within its range can be missing.
 bool can_lack_a_value(const Icon& icon) {
-  if (icon.kind == IconKind::question || icon.kind == IconKind::zero) return true;
+  if (icon.kind == IconKind::question || icon.kind == IconKind::zero || icon.kind == IconKind::planned)
+    return true;
   const auto reads = [](const Condition& each) {
     return !each.sensor.empty() || each.value.source.kind == Source::Kind::output ||
            may_be_missing(each.at_least) || may_be_missing(each.at_most);
@@ -151,7 +155,8 @@ bool can_lack_a_value(const Icon& icon) {
 
 bool has_completions(IconKind kind) {
   return kind == IconKind::skill || kind == IconKind::sub_operation || kind == IconKind::wait ||
-         kind == IconKind::test || kind == IconKind::question || kind == IconKind::zero;
+         kind == IconKind::test || kind == IconKind::question || kind == IconKind::zero ||
+         kind == IconKind::planned;
 }
 
 bool has_next(IconKind kind) {
@@ -249,6 +254,11 @@ std::vector<Ending> endings_of(const Graph& graph, Place at, const Skills& skill
       for (int code = 0; code < static_cast<int>(icon.ways.size()); ++code)
         result.push_back({code, EndingKind::normal});
       if (icon.timeout) result.push_back({time_over, EndingKind::contingency});
+      break;
+    case IconKind::planned:
+      for (const Way& each : icon.ways)
+        result.push_back(
+            {each.codes.front(), each.codes.front() == 0 ? EndingKind::normal : EndingKind::contingency});
       break;
     case IconKind::wait:
       result.push_back({0, EndingKind::normal});

@@ -262,6 +262,35 @@ bool Executor::remove_breakpoint(std::size_t number) {
   return std::erase_if(breakpoints_, [number](const Breakpoint& each) { return each.number == number; }) > 0;
 }
 
+bool Executor::add_kept_breakpoints(std::size_t most) {
+  // Only operations in which there are some, at whatever depth: others can be nested by the thousand.
+  std::vector<bool> has_some(program_.operations.size(), false);
+  for (const std::size_t o : inner_first(graph_))
+    for (std::size_t i = 0; i < program_.operations[o].icons.size(); ++i) {
+      const auto sub = graph_.sub_operation({o, i});
+      if (program_.operations[o].icons[i].breakpoint || (sub && has_some[*sub])) has_some[o] = true;
+    }
+  struct Part {
+    std::size_t operation = 0;
+    std::string prefix;
+  };
+  std::vector<Part> parts{{0, ""}};
+  for (std::size_t next = 0; next < parts.size(); ++next) {
+    const Part part = parts[next];
+    if (!has_some[part.operation]) continue;
+    const auto& icons = program_.operations[part.operation].icons;
+    for (std::size_t i = 0; i < icons.size(); ++i) {
+      if (const auto& kept = icons[i].breakpoint) {
+        if (most-- == 0) return false;
+        add_breakpoint({part.prefix + icons[i].id, kept->code, kept->condition, kept->every, kept->enabled});
+      }
+      const auto sub = graph_.sub_operation({part.operation, i});
+      if (sub && has_some[*sub]) parts.push_back({*sub, part.prefix + icons[i].id + "/"});
+    }
+  }
+  return true;
+}
+
 /// The cell is readied once, before the first thing that happens, wherever the token starts.
 bool Executor::begin() {
   if (initialised_) return true;

@@ -123,12 +123,6 @@ class StepObserver {
   virtual void done(const Step& step) = 0;
 };
 
-/// What must hold of a value that is known when it runs. A value that is missing does not meet it.
-struct BreakCondition {
-  Source source;  // not `written`; its icon is one of the operation in which the breakpoint lies
-  std::optional<double> at_least{}, at_most{};
-};
-
 /// Halts the token when it arrives at the icon; with a code, only when that was the last completion code.
 struct Breakpoint {
   std::string icon;  // with the icons around it: "rub-in-square/side-1"
@@ -195,6 +189,9 @@ class Executor {
   Breakpoint add_breakpoint(Breakpoint breakpoint);
   /// False: there is none of this number.
   bool remove_breakpoint(std::size_t number);
+  /// Adds those that the file keeps, on each path to their icons: at most so many, as the answer says whether
+  /// all were added. Operations on stop have none.
+  bool add_kept_breakpoints(std::size_t most);
   void clear_breakpoints() { breakpoints_.clear(); }
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
   /// The value of a parameter as it is set; nothing: it has its default. Throws ExecutionError if there is no

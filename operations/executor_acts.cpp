@@ -53,6 +53,8 @@ void Executor::act() {
         return act_test();
       case IconKind::question:
         return act_question();
+      case IconKind::planned:
+        return act_question();
       case IconKind::zero:
         return act_zero();
       case IconKind::sub_operation:
@@ -74,9 +76,9 @@ void Executor::act() {
 
 Step Executor::new_step() const {
   const Icon& here = icon();
-  Step step{steps_ + 1, token(), here.skill, {}, {}, runner_.now(), {}};
+  Step step{steps_ + 1, token(), here.kind == IconKind::planned ? "" : here.skill, {}, {}, runner_.now(), {}};
   step.sensor = subjects_text(here);
-  step.question = here.text;
+  step.question = question_text(here);
   return step;
 }
 
@@ -390,13 +392,14 @@ void Executor::act_wait() {
   leave_with(step.result.code, step.result.kind == ResultKind::normal, step.result.reason);
 }
 
+/// Also of a planned skill: a person does it, and says how it ended.
 void Executor::act_question() {
   const Icon& here = icon();
   std::optional<Duration> timeout;
   if (here.timeout) timeout = duration_of(number_of(*here.timeout, 0, longest_time, "a time"));
   Step step = new_step();
   announce(step);
-  Question question{step.icon, here.text, {}};
+  Question question{step.icon, step.question, {}};
   for (const Way& answer : here.ways) question.answers.push_back(answer.text);
   runner_.ask(question);
   for (bool over = false; !over;) {
@@ -408,7 +411,9 @@ void Executor::act_question() {
     }
     if (reply.choice && *reply.choice < here.ways.size()) {
       step.answer = question.answers[*reply.choice];
-      step.result = {ResultKind::normal, static_cast<int>(*reply.choice), {}};
+      const int code = here.ways[*reply.choice].codes.front();
+      const bool normal = here.kind == IconKind::question || code == 0;
+      step.result = {normal ? ResultKind::normal : ResultKind::contingency, code, {}};
     } else if (!reply.problem.empty()) {
       step.result = {ResultKind::error, no_value, reply.problem};
     } else if (timeout && runner_.now() - step.begin >= *timeout) {
@@ -422,7 +427,9 @@ void Executor::act_question() {
   }
   runner_.withdraw();
   finish(step);
-  leave_with(step.result.code, step.result.kind == ResultKind::normal, step.result.reason);
+  const bool normal = step.result.kind == ResultKind::normal;
+  if (normal && here.kind == IconKind::planned) ++counts_[icon_name()];
+  leave_with(step.result.code, normal, step.result.reason);
 }
 
 }  // namespace pal::operations

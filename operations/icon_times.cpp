@@ -11,6 +11,7 @@ namespace pal::operations {
 
 Longest longest_of(const Icon& icon, int code, const SkillTimes& times) {
   if (icon.kind == IconKind::question) return {std::nullopt, "the person who answers " + icon.id};
+  if (icon.kind == IconKind::planned) return {std::nullopt, "the person who does " + icon.id};
   if (icon.kind != IconKind::skill) {
     const bool reads =
         !icon.sensor.empty() || std::any_of(icon.conditions.begin(), icon.conditions.end(),

@@ -14,8 +14,9 @@ namespace {
 
 // In the order of IconKind.
 const std::vector<std::string>& kind_names() {
-  static const std::vector<std::string> names{"start", "skill",    "case", "merge",     "delay",   "wait",
-                                              "test",  "question", "zero", "operation", "restart", "exit"};
+  static const std::vector<std::string> names{"start",     "skill",   "case",     "merge", "delay",
+                                              "wait",      "test",    "question", "zero",  "planned",
+                                              "operation", "restart", "exit"};
   return names;
 }
 
@@ -117,6 +118,21 @@ std::string subjects_text(const Icon& icon) {
   std::string text = icon.sensor;
   for (const Condition& each : icon.conditions) text += (text.empty() ? "" : ", ") + subject_text(each);
   return text;
+}
+
+std::string question_text(const Icon& icon) {
+  if (icon.kind != IconKind::planned) return icon.text;
+  std::string values;
+  for (const pan::Parameter& each : icon.planned) {
+    const std::string value = each.type == pan::ScalarType::text ? each.default_text
+                              : each.type == pan::ScalarType::boolean
+                                  ? std::string(each.default_value != 0 ? "true" : "false")
+                                  : fmt::format("{:g}", each.default_value);
+    values += fmt::format("{}{} = {}{}{}", values.empty() ? "" : ", ", each.name, value,
+                          each.unit.empty() ? "" : " ", each.unit);
+  }
+  return icon.skill + (values.empty() ? "" : fmt::format(" ({})", values)) +
+         (icon.note.empty() ? "" : ": " + icon.note);
 }
 
 const char* name(IconKind kind) {

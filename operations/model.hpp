@@ -73,19 +73,36 @@ struct OperatorMaySet {
   SourceSpan where{};
 };
 
-/// One output of a CASE, or an answer to a question, whose code is its place among the answers, from 0.
+/// One output of a CASE; or an answer to a question, whose code is its place among the answers, from 0; or a
+/// code of a planned skill, which leads nowhere by itself.
 struct Way {
   std::vector<int> codes;
   Connection to;
   SourceSpan where;
-  std::string text{};  // of an answer
+  std::string text{};  // of an answer and a code
+};
+
+/// What must hold of a value that is known when it runs. A value that is missing does not meet it.
+struct BreakCondition {
+  Source source;  // not `written`; its icon is one of the operation in which the breakpoint lies
+  std::optional<double> at_least{}, at_most{};
+};
+
+/// A breakpoint that the file keeps at its icon. It halts whatever path the token came on.
+struct KeptBreakpoint {
+  std::optional<int> code{};  // only if that was the last completion code
+  std::optional<BreakCondition> condition{};
+  std::size_t every = 1;  // at each so manieth arrival that fits
+  bool enabled = true;
+  SourceSpan where{};
 };
 
 struct Point {
   double x = 0, y = 0;
 };
 
-/// `branch` is the CASE icon; `test` the test of a sensor; `sub_operation` the hierarchical icon.
+/// `branch` is the CASE icon; `test` the test of a sensor; `planned` stands for a skill that nobody has
+/// written yet; `sub_operation` is the hierarchical icon.
 enum class IconKind {
   start,
   skill,
@@ -96,6 +113,7 @@ enum class IconKind {
   test,
   question,
   zero,
+  planned,
   sub_operation,
   restart,
   exit
@@ -107,11 +125,12 @@ enum class Combination { one, all, any };
 struct Icon {
   std::string id;
   IconKind kind = IconKind::merge;
-  Connection next;        // of all but CASE, question, RESTART and EXIT
-  Connection error;       // of what ends with a code: for codes that no CASE handles
-  Connection otherwise;   // of a CASE: its default
-  std::vector<Way> ways;  // of a CASE and a question
-  std::string skill;
+  Connection next;                               // of all but CASE, question, RESTART and EXIT
+  Connection error;                              // of what ends with a code: for codes that no CASE handles
+  Connection otherwise;                          // of a CASE: its default
+  std::vector<Way> ways;                         // of a CASE, a question and a planned skill
+  std::string skill;                             // also of a planned one: what it is to be called
+  std::vector<pan::Parameter> planned;           // the parameters that a planned skill is to have
   std::vector<Parameter> parameters;             // of a skill and a hierarchical icon
   std::vector<OperatorMaySet> operator_may_set;  // likewise
   std::optional<Amount> repeat{};  // of these: how often it runs; it ends early by a code that is not normal
@@ -129,6 +148,7 @@ struct Icon {
   std::string operation;            // of a hierarchical icon: the sub-operation's name
   std::string file;                 // … and the file it stands in; empty: this one
   std::optional<Point> at{};        // on a canvas
+  std::optional<KeptBreakpoint> breakpoint{};
   std::string note;
   SourceSpan where;    // its id
   SourceSpan subject;  // its skill, sensor, operation or file
@@ -214,6 +234,9 @@ std::string subject_text(const Condition& condition);
 std::string conditions_text(const Icon& icon);
 /// What a wait, a test or a zero is about: "force-z", "force-z, gripper-width".
 std::string subjects_text(const Icon& icon);
+/// What a person is asked. Of a planned skill its name, its parameters and its note: "insert-pin (depth = 5
+/// mm): Push it in." Empty: the icon asks nobody.
+std::string question_text(const Icon& icon);
 
 /// "start", "skill", "case", …, as in a file.
 const char* name(IconKind kind);

@@ -10,6 +10,7 @@
 
 #include "operations/codes.hpp"
 #include "operations/fields.hpp"
+#include "operations/parse_argument.hpp"
 
 namespace pal::operations {
 namespace {
@@ -232,6 +233,77 @@ void read_question(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
   icon.timeout = read_amount("timeout", any_time, fields, diagnostics);
 }
 
+/// {"code": 1, "text": "The pin does not fit."}
+Way read_code(const JsonValue& value, Diagnostics& diagnostics) {
+  Way code;
+  code.where = value.where;
+  Fields fields(value, diagnostics);
+  if (value.kind != Kind::object) {
+    fields.report(value.where, "a code of a planned skill is an object",
+                  "write {\"code\": 0, \"text\": \"It is done.\"} here");
+    return code;
+  }
+  constexpr Range range{0, 1e6, true, "a completion code", ""};
+  if (const auto number = read_number("code", range, fields, diagnostics)) {
+    code.codes = {static_cast<int>(*number)};
+  } else {
+    fields.missing("code");
+  }
+  code.text = fields.needed_text("text", &code.where);
+  fields.refuse_the_rest();
+  return code;
+}
+
+void read_planned(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  icon.skill = fields.needed_text("skill", &icon.subject);
+  constexpr std::size_t most_parameters = 64, most_codes = 8;
+  icon.planned = read_arguments("arguments", most_parameters, "a planned skill", fields, diagnostics);
+  const JsonValue* codes = fields.find("codes", Kind::array, "a list of completion codes");
+  if (codes == nullptr) fields.missing("codes");
+  for (const JsonValue& each : codes == nullptr ? std::vector<JsonValue>{} : codes->items) {
+    Way code = read_code(each, diagnostics);
+    const bool twice = std::any_of(icon.ways.begin(), icon.ways.end(), [&](const Way& before) {
+      return (!code.codes.empty() && before.codes == code.codes) ||
+             (!code.text.empty() && before.text == code.text);
+    });
+    if (twice)
+      fields.report(code.where, "this code, or its text, is given twice",
+                    "write codes that a person can tell apart");
+    if (!twice && !code.codes.empty()) icon.ways.push_back(std::move(code));
+  }
+  if (codes != nullptr && (codes->items.empty() || codes->items.size() > most_codes))
+    fields.report(
+        codes->where,
+        fmt::format("a planned skill has one to {} codes, this one has {}", most_codes, codes->items.size()),
+        "write {\"code\": 0, \"text\": \"It is done.\"}, and one for each other end");
+}
+
+/// "break": {"code": 1, "count-of": "put", "at-least": 3, "every": 2, "enabled": false}; {} halts always.
+void read_breakpoint(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
+  const JsonValue* given = fields.find("break", Kind::object, "an object: when the token halts here");
+  if (given == nullptr) return;
+  KeptBreakpoint result;
+  result.where = given->where;
+  Fields inside(*given, diagnostics);
+  constexpr Range codes{-1e6, 1e6, true, "a completion code", ""};
+  if (const auto code = read_number("code", codes, inside, diagnostics))
+    result.code = static_cast<int>(*code);
+  constexpr Range times{1, 1e6, true, "a whole number", ""};
+  result.every = static_cast<std::size_t>(read_number("every", times, inside, diagnostics).value_or(1));
+  const JsonValue* enabled = inside.find("enabled", Kind::boolean, "true or false");
+  result.enabled = enabled == nullptr || enabled->truth;
+  if (const JsonValue* value = inside.find("value", Kind::object, "a count, an argument or an output")) {
+    BreakCondition condition{read_source(*value, diagnostics), {}, {}};
+    condition.at_least = read_number("at-least", any_number, inside, diagnostics);
+    condition.at_most = read_number("at-most", any_number, inside, diagnostics);
+    const bool refused = inside.refused("at-least") || inside.refused("at-most");
+    if (!refused && !condition.at_least && !condition.at_most) inside.missing("at-least");
+    if (!condition.source.written()) result.condition = std::move(condition);
+  }
+  inside.refuse_the_rest();
+  icon.breakpoint = std::move(result);
+}
+
 void read_parameters_and_repeat(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
   icon.parameters = read_parameters(
       fields.find("parameters", Kind::object, "an object with a value a parameter"), fields, diagnostics);
@@ -341,6 +413,9 @@ std::optional<Icon> read_icon(const JsonValue& value, std::string& id, Diagnosti
     case IconKind::zero:
       icon.sensor = fields.needed_text("sensor", &icon.subject);
       break;
+    case IconKind::planned:
+      read_planned(icon, fields, diagnostics);
+      break;
     case IconKind::sub_operation:
       icon.subject = icon.where;
       icon.file = fields.text("file", &icon.subject);
@@ -361,6 +436,7 @@ std::optional<Icon> read_icon(const JsonValue& value, std::string& id, Diagnosti
   if (icon.kind == IconKind::skill || icon.kind == IconKind::sub_operation)
     read_operator(icon, fields, diagnostics);
   read_position(icon, fields);
+  read_breakpoint(icon, fields, diagnostics);
   icon.note = fields.text("note");
   fields.refuse_the_rest();
   return icon;

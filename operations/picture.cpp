@@ -66,6 +66,8 @@ std::string label(const Icon& icon) {
       return icon.id + "\n" + icon.text;
     case IconKind::zero:
       return "zero\n" + icon.sensor;
+    case IconKind::planned:
+      return icon.id + "\n" + icon.skill + " (planned)";
     case IconKind::skill:
       return (icon.id == icon.skill ? icon.id : icon.id + "\n" + icon.skill) + runs(icon);
     case IconKind::sub_operation:
@@ -89,6 +91,8 @@ const char* look(IconKind kind) {
       return "shape=box style=dashed";
     case IconKind::zero:
       return "shape=box style=dashed";
+    case IconKind::planned:
+      return "shape=box style=\"dashed,filled\" fillcolor=\"#ead1dc\"";
     case IconKind::question:
       return "shape=hexagon style=filled fillcolor=\"#ead1dc\"";
     case IconKind::test:

@@ -109,6 +109,11 @@ class Teller {
             fmt::format("What the sensor {} shows now counts as zero from now on.", icon.sensor));
         tell_branches(at, icon, scene);
         break;
+      case IconKind::planned:
+        scene.sentences.push_back(fmt::format(
+            "A person does what the skill {} will do one day, and says how it ended.", icon.skill));
+        tell_branches(at, icon, scene);
+        break;
       default:
         scene.sentences.push_back(fmt::format("The robot waits for {} s.", in_words(*icon.seconds)));
         scene.branches.push_back(destination(icon.next, 0));
@@ -197,6 +202,11 @@ class Teller {
       return ": " + (code < 0 ? "Nobody can be asked."
                               : fmt::format("The answer is \"{}\".",
                                             icon.ways[static_cast<std::size_t>(code)].text));
+    if (icon.kind == IconKind::planned) {
+      for (const Way& each : icon.ways)
+        if (each.codes.front() == code) return fmt::format(": The person says \"{}\".", each.text);
+      return ": Nobody can be asked.";
+    }
     if (icon.kind == IconKind::zero) return code == 0 ? ": It is zero." : ": It cannot be zeroed.";
     if (!icon.conditions.empty()) return ": " + meaning_of_reading(icon, code);
     if (code == no_value) return ": A value that it needs is missing.";

@@ -146,6 +146,7 @@ class Walk {
       case IconKind::test:
       case IconKind::question:
       case IconKind::zero:
+      case IconKind::planned:
         for (const Ending& ending : endings_of(graph_, at, skills_, exits_))
           if (const auto way = route(graph_, at, ending.code, ending.normal()))
             after(at, icon, *way, ending, times);

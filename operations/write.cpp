@@ -61,12 +61,51 @@ void put_what_is_read(Json& out, const Icon& icon) {
   for (const Amount& limit : icon.limits) out["limits"].push_back(json(limit));
 }
 
+Json json(const pan::Parameter& argument) {
+  Json result;
+  if (argument.type == pan::ScalarType::text) {
+    result["default"] = argument.default_text;
+  } else if (argument.type == pan::ScalarType::boolean) {
+    result["default"] = argument.default_value != 0;
+  } else {
+    result["default"] = number(argument.default_value);
+    result["from"] = number(argument.low);
+    result["to"] = number(argument.high);
+    if (argument.type == pan::ScalarType::integer) result["whole"] = true;
+    put(result, "unit", argument.unit);
+  }
+  put(result, "note", argument.description);
+  return result;
+}
+
 void put_answers(Json& out, const Icon& icon) {
   for (const Way& answer : icon.ways) {
     Json& each = out["answers"].emplace_back();
     each["text"] = answer.text;
     put(each, "to", answer.to.icon);
   }
+}
+
+void put_codes(Json& out, const Icon& icon) {
+  for (const pan::Parameter& each : icon.planned) out["arguments"][each.name] = json(each);
+  for (const Way& code : icon.ways) {
+    Json& each = out["codes"].emplace_back();
+    each["code"] = code.codes.front();
+    each["text"] = code.text;
+  }
+}
+
+Json json(const KeptBreakpoint& breakpoint) {
+  Json result = Json::object();
+  if (breakpoint.code) result["code"] = *breakpoint.code;
+  if (breakpoint.condition) {
+    result["value"] = json(breakpoint.condition->source);
+    if (breakpoint.condition->at_least) result["at-least"] = number(*breakpoint.condition->at_least);
+    if (breakpoint.condition->at_most) result["at-most"] = number(*breakpoint.condition->at_most);
+  }
+  if (breakpoint.every != 1) result["every"] = breakpoint.every;
+  if (!breakpoint.enabled) result["enabled"] = false;
+  return result;
 }
 
 /// By name: two editors that set them in different order write the same.
@@ -102,9 +141,10 @@ Json content(const Icon& icon) {
   put_what_is_read(result, icon);
   put(result, "text", icon.text);
   if (icon.kind == IconKind::question) put_answers(result, icon);
+  if (icon.kind == IconKind::planned) put_codes(result, icon);
   put(result, "timeout", icon.timeout);
   for (const Way& way : icon.ways) {
-    if (icon.kind == IconKind::question) break;
+    if (icon.kind != IconKind::branch) break;
     Json each;
     each["codes"] = way.codes;
     put(each, "to", way.to.icon);
@@ -123,23 +163,6 @@ Json json(const OnStop& on_stop) {
   Json result;
   result["file"] = on_stop.file;
   put(result, "operation", on_stop.operation);
-  return result;
-}
-
-Json json(const pan::Parameter& argument) {
-  Json result;
-  if (argument.type == pan::ScalarType::text) {
-    result["default"] = argument.default_text;
-  } else if (argument.type == pan::ScalarType::boolean) {
-    result["default"] = argument.default_value != 0;
-  } else {
-    result["default"] = number(argument.default_value);
-    result["from"] = number(argument.low);
-    result["to"] = number(argument.high);
-    if (argument.type == pan::ScalarType::integer) result["whole"] = true;
-    put(result, "unit", argument.unit);
-  }
-  put(result, "note", argument.description);
   return result;
 }
 
@@ -162,12 +185,13 @@ std::string spaced(const Json& json) {
 }
 
 /// Where an icon stands has a line of its own, and its name is between that and its content. So a merge joins
-/// the work of one person who moves it and of another one who sets it.
+/// the work of one person who moves it and of another one who sets it. A breakpoint is no content, either.
 void write_icon(const Icon& icon, const std::string& indent, std::string& out) {
   const std::string inner = indent + "  ";
   out += indent + "{\n";
   if (icon.at) out += inner + "\"at\": " + spaced(Json{number(icon.at->x), number(icon.at->y)}) + ",\n";
   out += inner + "\"id\": " + spaced(Json(icon.id)) + ",\n";
+  if (icon.breakpoint) out += inner + "\"break\": " + spaced(json(*icon.breakpoint)) + ",\n";
   const std::string all = spaced(content(icon));
   out += inner + all.substr(1, all.size() - 2) + "\n";
   out += indent + "}";

@@ -125,9 +125,11 @@ Desk::Parts::Result Desk::Parts::load(Asked& asked, LoadOperation command, const
       LoadedFiles{std::move(command.files), std::move(command.main), std::move(command.stored)});
   changes.clear();
   forget_icons();
+  executor->add_kept_breakpoints(most_breakpoints);
   look_at_executor();
   asked.done.operation = status.operation;
   publish(OperationLoaded{status.operation, name_of(asked.client)});
+  if (!breakpoints.empty()) publish(BreakpointsChanged{breakpoints, name_of(asked.client)});
   return std::nullopt;
 }
 

@@ -321,7 +321,7 @@ RunPage RunHistory::list(std::optional<std::uint64_t> before, std::size_t limit,
   const std::lock_guard lock(parts_->on_database);
   if (parts_->problem) throw StoreProblem{*parts_->problem};
   RunPage page;
-  const std::string text = fmt::format("SELECT {} FROM runs WHERE run < ?{} ORDER BY run DESC LIMIT ?",
+  const std::string text = fmt::format("SELECT {} FROM runs WHERE run < ?1{} ORDER BY run DESC LIMIT ?2",
                                        run_columns, name.empty() ? "" : " AND name = ?3");
   Query query(parts_->database, text.c_str());
   query.put(1, before ? static_cast<std::int64_t>(*before) : std::numeric_limits<std::int64_t>::max());

@@ -168,7 +168,7 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
         "loss");
   });
   sign(out.has_drawn("missed"), "change that is just missed", [&out](Length x, Length y) {
-    out.path(missed_change_sign({x + 150, y + 50}), "missed");
+    out.path(missed_change_sign({x + 150, y + 50}), "missed read");
   });
   sign(out.has_drawn("broken"), "promise broken", [&out](Length x, Length y) {
     draw_promise_sign({x + 150, y}, 1, "broken", "", out);

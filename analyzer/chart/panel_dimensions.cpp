@@ -136,10 +136,9 @@ void Panel::draw_missed_change(const Layer& layer) {
   const std::int64_t from = layer.options->highlight->from_ns;
   if (!touches(layer, from, from)) return;
   const Length place = x(layer, from);
-  out_.path(missed_change_sign({place, lanes_top_ - 20}), "missed",
+  out_.path(missed_change_sign({place, lanes_top_ - 20}), "missed read",
             "a change that the sample of this instant has just missed\n" + at(from + layer.shift_ns));
   labels_.take({place - 50, lanes_top_ - 130, place + 50, lanes_top_ - 10});
-  label_mark("change just missed", place);
 }
 
 void Panel::draw_deadlines() {

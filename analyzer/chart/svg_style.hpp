@@ -32,7 +32,6 @@ text { font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 90px; fill: #
 .wave { stroke: #000; stroke-width: 16px; fill: none } .wave.backdrop { stroke: #aaa; stroke-dasharray: 40 20 }
 .set { fill: #000; stroke: #000; stroke-width: 8px } .read { fill: #fff; stroke: #000; stroke-width: 12px }
 .set.backdrop { fill: #aaa; stroke: #aaa } .read.backdrop { stroke: #aaa }
-.missed { fill: #fff; stroke: #000; stroke-width: 12px }
 .event { fill: #000 } .event.backdrop { fill: #fff; stroke: #888; stroke-width: 8px }
 .loss { stroke: #d55e00; stroke-width: 25px; fill: none }
 .overrun { stroke: #d55e00; stroke-width: 25px; fill: none } .cancelled { stroke: #000; stroke-width: 25px }

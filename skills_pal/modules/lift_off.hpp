@@ -15,6 +15,7 @@ inline constexpr double most_lift = 60;     // mm
 // Moving shakes the tool, the more the faster: a force that is a contact, while it moves and when it stands.
 inline constexpr double felt_moving = 2.5;    // N
 inline constexpr double felt_standing = 0.5;  // N
+inline constexpr double felt_aside = 1;       // N, along any axis: a tool beside a step leans on it
 
 template <class Interface>
 class LiftOff final : public Interface {
@@ -30,7 +31,8 @@ class LiftOff final : public Interface {
   }
   Motion lift(const Zforce& force) override {
     // A soft surface follows the tool for some way.
-    felt_ = force.value >= (last_.felt_reach() ? felt_standing : felt_moving);
+    felt_ = last_.felt_reach() ? force.value >= felt_standing || force.greatest >= felt_aside
+                               : force.greatest >= felt_moving;
     if (felt_) begin_last();
     Motion motion;
     motion.dz = -last_.step_forward();

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""Times `pal check` on systems of many steps, beside the time of the bounds alone: steps.py [--pal PAL] [--print STEPS].
+"""Times `pal check` on systems of many steps, beside the time of the bounds alone: steps.py [--pal PAL …] [--print STEPS] [STEPS …].
 
 A system has chains of four threads, each started by the message of the one before, the first by a timer. The chains share
-16 processors at 60 % load, and each has a requirement on its response. `--print` writes the system of so many steps.
+16 processors at 60 % load, and each has a requirement on its response. Times are processor times, the best of three. Several programs are
+timed in turn. `--print` writes the system of so many steps.
 """
 import argparse
 import json
 import pathlib
 import random
+import resource
 import subprocess
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROCESSORS = 16
@@ -18,6 +19,7 @@ LOAD = 0.6
 STAGES = 4
 PERIODS_MS = (50, 100, 200, 250, 400, 500, 1000, 2000)
 MICROSECONDS = 1000
+TURNS = 3
 
 
 def system(steps, processors=PROCESSORS, seed=1):
@@ -64,43 +66,55 @@ def system(steps, processors=PROCESSORS, seed=1):
 
 
 def check(pal, files, *options):
-    """The reports of `pal check`, and the wall-clock time of all of them in seconds."""
-    begin = time.monotonic()
+    """The reports of `pal check`, and the processor time of all of them in seconds."""
+    def used():
+        children = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return children.ru_utime + children.ru_stime
+    begin = used()
     runs = [subprocess.run([pal, "check", file, "--format", "json", "--statistics", *options], capture_output=True, text=True,
                            check=False) for file in files]
-    return [json.loads(run.stdout) for run in runs], time.monotonic() - begin
+    return [json.loads(run.stdout) for run in runs], used() - begin
 
 
-def row(pal, name, texts, folder):
+def row(pals, name, texts, folder):
     files = []
     for number, text in enumerate(texts):
         files.append(str(folder / f"{number}.pal"))
         pathlib.Path(files[-1]).write_text(text)
-    times = []
-    for analysis in ("auto", "compositional"):
-        reports, seconds = check(pal, files, "--analysis", analysis)
-        times.append(f"{seconds:.2f} s")
+    best = {}
+    for _ in range(TURNS):
+        for analysis in ("auto", "compositional"):
+            for pal in pals:
+                reports, seconds = check(pal, files, "--analysis", analysis)
+                proofs = sum(report["statistics"]["seconds"] for report in reports)
+                best[pal, analysis] = min(best.get((pal, analysis), (seconds, proofs)), (seconds, proofs))
     rows = [each for report in reports for each in report["requirements"]]
-    proofs = sum(report["statistics"]["seconds"] for report in reports)
     held = sum(1 for each in rows if each["verdict"] == "holds")
-    print(f"| {name} | {times[0]} | {times[1]} | {proofs:.2f} s | {held} of {len(rows)} |", flush=True)
+    for pal in pals:
+        (default, _), (bounds, proofs) = best[pal, "auto"], best[pal, "compositional"]
+        print(f"| {name} | {default:.2f} s | {bounds:.2f} s | {proofs:.2f} s | {held} of {len(rows)} |" + (f" {pal} |" if len(pals) > 1 else ""),
+              flush=True)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--pal", default=str(ROOT / "build/release/bin/pal"))
+    parser.add_argument("sizes", nargs="*", type=int, metavar="STEPS")
+    parser.add_argument("--pal", action="append")
     parser.add_argument("--print", type=int, metavar="STEPS", dest="steps")
     options = parser.parse_args()
     if options.steps:
         print(system(options.steps), end="")
         return
-    print("| steps | default | compositional | of it the bounds | hold |\n| --- | --- | --- | --- | --- |")
+    pals = options.pal or [str(ROOT / "build/release/bin/pal")]
+    print("| steps | default | compositional | of it the bounds, by the clock | hold |\n| --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for steps in (400, 2000, 10000):
-            row(options.pal, steps, [system(steps)], folder)
-        row(options.pal, "60 × 400", [system(400, seed=seed) for seed in range(1, 61)], folder)
-        row(options.pal, "60 × 40, 4 processors", [system(40, 4, seed) for seed in range(1, 61)], folder)
+        for steps in options.sizes or (400, 2000, 10000):
+            row(pals, steps, [system(steps)], folder)
+        if options.sizes:
+            return
+        row(pals, "60 × 400", [system(400, seed=seed) for seed in range(1, 61)], folder)
+        row(pals, "60 × 40, 4 processors", [system(40, 4, seed) for seed in range(1, 61)], folder)
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ LAYERS = {
     "runtime/drivers": KERNEL + ["trace"] + PROTOCOLS,
     "skills_pal": RUNTIME + PROTOCOLS,  # VAL's verbs and errors, ALTER's period
     "sim": RUNTIME + ["runtime/drivers"] + PROTOCOLS,
-    **rooms("workcell", COMPILER + RUNTIME + [f"programs/pal/{room}" for room in ROOMS["pal"]] + ["sim", "runtime/drivers", "skills_pal", "server"] + PROTOCOLS),
+    **rooms("workcell", COMPILER + RUNTIME + [f"programs/pal/{room}" for room in ROOMS["pal"]] + ["sim", "runtime/drivers", "runtime/watch", "skills_pal", "server"] + PROTOCOLS),
 }
 # The namespace of a file is that of the longest prefix here. Folders that are not named add none.
 NAMESPACES = {

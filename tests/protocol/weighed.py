@@ -12,10 +12,15 @@ server = Server(sys.argv[1], "--scene", "parts", "--fast")
 try:
     cell = server.client()
     cell.call("watch")
-    cell.call("operation.load", main="w", files={"w": pathlib.Path(sys.argv[2]).read_text()})
+    text = pathlib.Path(sys.argv[2]).read_text()
+    # The part goes back to where it was.
+    cell.call("operation.load", main="w", files={"w": text.replace('{"place": "PLACE"}', '{"place": "PART"}')})
     for _ in range(2):
         cell.call("operation.run")
-        assert cell.until(event="state", state="ended")["last_code"] == 0
+        cell.until(event="ends", icon="weigh")
+        while (state := cell.until(event="state"))["state"] == "running":
+            pass
+        assert state["state"] == "ended", state
     readings = []
     for run in cell.call("history.list", name="weigh-and-sort")["runs"]:
         steps = [each["step"] for each in cell.call("history.read", run=run["run"])["steps"]]

@@ -1,4 +1,4 @@
-// Runs tests: test.mjs unit|browser [--page FOLDER] [--workcell PROGRAM] [FILTER]. They are bundled first, so that
+// Runs tests, or prints the figures: test.mjs unit|browser|long|figures [--page FOLDER] [--workcell PROGRAM] [FILTER]. They are bundled first, so that
 // Node 18, which reads no TypeScript, runs them.
 import { buildSync } from "esbuild";
 import { spawnSync } from "node:child_process";

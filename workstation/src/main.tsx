@@ -7,6 +7,7 @@ import "./look/base.css";
 import "./look/controls.css";
 import "./look/page.css";
 import "./storage/storage.css";
+import { keepBreakpoints } from "./state/breakpoints";
 import { keepBackup, restore } from "./state/backup";
 import { connect, useCell } from "./state/cell";
 import { keepChecking } from "./state/checks";
@@ -20,6 +21,7 @@ applyTheme();
 const restored = restore();
 keepBackup();
 keepChecking();
+keepBreakpoints();
 
 // Who comes late sees what runs, unless a drawing of one's own is under way.
 const stop = useCell.subscribe((now) => {

@@ -103,7 +103,6 @@ export class Requirements implements vscode.Disposable {
     const run = this.tests.createTestRun(request);
     for (const file of files) {
       if (token.isCancellationRequested) break;
-      run.started(file);
       await vscode.workspace.openTextDocument(file.uri!); // what is open is proved
       const seconds = vscode.workspace.getConfiguration("pal").get<number>("proofTimeSeconds") ?? 2;
       const last = Date.now() + (seconds + 5) * 1000;

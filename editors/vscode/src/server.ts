@@ -45,7 +45,8 @@ export class Server implements vscode.Disposable {
     const version = found === undefined ? undefined : await versionOf(found);
     await vscode.commands.executeCommand("setContext", "pal.found", version !== undefined);
     if (found === undefined || version === undefined) {
-      this.say(found === undefined ? "pal is not on the path" : `${found} is no pal of PAL`, vscode.LanguageStatusSeverity.Error);
+      const set = settings().get<string>("path") ?? "";
+      this.say(found === undefined ? (set === "" ? "pal is not on the path" : `there is no program ${set}`) : `${found} is no pal of PAL`, vscode.LanguageStatusSeverity.Error);
       void this.offer(found);
       return;
     }
@@ -101,7 +102,8 @@ export class Server implements vscode.Disposable {
 
   private async offer(found: string | undefined): Promise<void> {
     const choose = "Choose Where pal Is", how = "How to Get It";
-    const text = found === undefined ? "The program pal is not on the path, so nothing is checked." : `${found} is another program of that name, so nothing is checked.`;
+    const set = settings().get<string>("path") ?? "";
+    const text = found === undefined ? (set === "" ? "The program pal is not on the path, so nothing is checked." : `The setting pal.path names no program: ${set}. So nothing is checked.`) : `${found} is another program of that name, so nothing is checked.`;
     const answer = await vscode.window.showErrorMessage(text, choose, how);
     if (answer === choose) await vscode.commands.executeCommand("pal.choosePal");
     if (answer === how) await vscode.commands.executeCommand("workbench.action.openWalkthrough", "pal.pal#first-skill", false);

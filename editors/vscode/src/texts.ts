@@ -40,7 +40,7 @@ export class Texts implements vscode.TextDocumentContentProvider {
   async whatIf(file: vscode.Uri, skill: string, environment: vscode.Uri | undefined): Promise<void> {
     const pal = program("pal");
     if (pal === undefined) return;
-    await vscode.workspace.saveAll(false);
+    for (const document of vscode.workspace.textDocuments) if (document.isDirty && document.languageId === "pal") await document.save();
     const args = ["whatif", file.fsPath, ...(skill === "" ? [] : ["--skill", skill])];
     if (environment !== undefined && environment.fsPath !== file.fsPath) args.push("--environment", environment.fsPath);
     const text = await vscode.window.withProgress({ location: vscode.ProgressLocation.Notification, title: `What if: ${skill}` }, () => output(pal, args, dirname(file.fsPath)));

@@ -92,3 +92,28 @@ test("the language has the words that the server's layout has", () => {
   assert.ok(more.test("  REPEAT") && more.test("BEGIN") && !more.test("  TXM( a to B )"));
   assert.ok(less.test("  END CASE") && less.test("  UNTIL( forever )") && !less.test("  ENDLESS"));
 });
+
+test("labels can be read in dark pictures", () => {
+  const source = process.env.SOURCE!;
+  const invert = Number(/invert\(([.\d]+)\)/.exec(readFileSync(join(source, "language_server/proof_view.cpp"), "utf8"))![1]);
+  const colours = readFileSync(join(source, "analyzer/chart/svg_style.hpp"), "utf8") + readFileSync(join(source, "pal/pan/dot_look.cpp"), "utf8");
+  const channels = (colour: string) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255);
+  /** CSS filter effects: invert(), then hue-rotate(180deg). */
+  const dark = (colour: string) => {
+    const [r, g, b] = channels(colour).map((each) => invert + each * (1 - 2 * invert)) as [number, number, number];
+    const rows = [[-0.574, 1.43, 0.144], [0.426, 0.43, 0.144], [0.426, 1.43, -0.856]];
+    return rows.map(([x, y, z]) => Math.min(1, Math.max(0, x! * r + y! * g + z! * b)));
+  };
+  const luminance = (of: number[]) => {
+    const [r, g, b] = of.map((each) => (each <= 0.03928 ? each / 12.92 : ((each + 0.055) / 1.055) ** 2.4)) as [number, number, number];
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const contrast = (a: string, b: string) => {
+    const [low, high] = [luminance(dark(a)), luminance(dark(b))].sort((x, y) => x - y) as [number, number];
+    return (high + 0.05) / (low + 0.05);
+  };
+  for (const [text, ground] of [["#ffffff", "#0072b2"], ["#000000", "#56b4e9"], ["#000000", "#f0e442"], ["#000000", "#cfe8f8"], ["#000000", "#fbf5b7"], ["#000000", "#ffffff"]] as const) {
+    assert.ok(ground === "#ffffff" || colours.includes(ground), `${ground} is no colour of a picture any more`);
+    assert.ok(contrast(text, ground) >= 4.5, `${text} on ${ground}: ${contrast(text, ground).toFixed(2)}`);
+  }
+});

@@ -119,9 +119,10 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     if (console.terminal && options.format == Format::text && !options.quiet) {
       CheckDisplay display(console.out, terminal_size());
       proofs = prove(session, limits,
-                     [&display](const auto& problem, const auto& known) { display.show(problem, known); });
+                     [&display](const auto& problem, const auto& known) { display.show(problem, known); },
+                     input.session);
     } else {
-      proofs = prove(session, limits);
+      proofs = prove(session, limits, {}, input.session);
     }
   }
   const std::vector<Unchecked> not_checked = unchecked(session, proofs, why_unproved(input, options));

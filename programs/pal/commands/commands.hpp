@@ -164,7 +164,7 @@ struct OperationOptions {
   ProofLimits limits;
   Format format = Format::text;
   std::size_t max_errors = default_max_errors;
-  std::string output;  // of a storyboard, .html or .md; empty: Markdown to console.out
+  std::string output;  // of a storyboard, .html or .md; of skeletons, a folder; empty: to console.out
   std::string run;     // of a storyboard: the log of a run that it tells, too
   bool check = false;  // of the format: change nothing
 };
@@ -173,6 +173,8 @@ struct OperationOptions {
 ExitStatus check_operation(const OperationOptions& options, const Console& console);
 /// Tells an operation as a story.
 ExitStatus tell_operation(const OperationOptions& options, const Console& console);
+/// Writes a PAL file of each skill that the operations only plan. A file that is there is not written over.
+ExitStatus skeleton_of_operation(const OperationOptions& options, const Console& console);
 /// Gives operations their canonical form.
 ExitStatus format_operation(const OperationOptions& options, const Console& console);
 

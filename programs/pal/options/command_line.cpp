@@ -15,10 +15,11 @@ namespace pal::program {
 namespace {
 
 ExitStatus run_operation(const CLI::App& operation, const OperationOptions& check,
-                         const OperationOptions& tell, const OperationOptions& format,
-                         const Console& console) {
+                         const OperationOptions& tell, const OperationOptions& skeleton,
+                         const OperationOptions& format, const Console& console) {
   if (operation.got_subcommand("check")) return check_operation(check, console);
   if (operation.got_subcommand("storyboard")) return tell_operation(tell, console);
+  if (operation.got_subcommand("skeleton")) return skeleton_of_operation(skeleton, console);
   return format_operation(format, console);
 }
 
@@ -100,8 +101,8 @@ ExitStatus run(const std::vector<std::string>& given, const Console& console) {
   add_resources(app, resources_options);
   LanguageServerOptions language_server_options;
   add_language_server(app, language_server_options);
-  OperationOptions operation_check, operation_tell, operation_format;
-  add_operation(app, operation_check, operation_tell, operation_format);
+  OperationOptions operation_check, operation_tell, operation_skeleton, operation_format;
+  add_operation(app, operation_check, operation_tell, operation_skeleton, operation_format);
 
   std::string shell;
   add_completion(app, shell);
@@ -126,8 +127,8 @@ ExitStatus run(const std::vector<std::string>& given, const Console& console) {
   if (app.got_subcommand("resources")) return show_resources(resources_options, console);
   if (app.got_subcommand("doc")) return write_doc(doc_options, console);
   if (app.got_subcommand("operation"))
-    return run_operation(*app.get_subcommand("operation"), operation_check, operation_tell, operation_format,
-                         console);
+    return run_operation(*app.get_subcommand("operation"), operation_check, operation_tell,
+                         operation_skeleton, operation_format, console);
   if (app.got_subcommand("completion")) {
     console.out << completion_script(app, shell);
     return ExitStatus::all_hold;

@@ -17,7 +17,8 @@ void add_operation_files(CLI::App& command, OperationOptions& options) {
 
 }  // namespace
 
-void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& format) {
+void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& skeleton,
+                   OperationOptions& format) {
   CLI::App* operation =
       app.add_subcommand("operation", "Checks, tells and formats operations: connected skills");
   operation->require_subcommand(1);
@@ -59,6 +60,17 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command->add_option("--run", tell.run, "also tell the run of this log (workcell operation run --log)")
       ->type_name("LOG");
   command->footer(statuses_of_results);
+
+  command =
+      operation->add_subcommand("skeleton", "Writes PAL files to begin with, of skills that are planned");
+  command->add_option("files", skeleton.files, "operations, .op.json")->required()->type_name("FILE");
+  command->add_option("-o,--output", skeleton.output, "the folder; without it the PAL is printed")
+      ->type_name("FOLDER");
+  add_max_errors(*command, skeleton.max_errors);
+  command->footer(
+      "Exit status: 0 written; 1 a file is wrong, or plans no skill; 2 bad usage, or a file could not be "
+      "read "
+      "or written, or is there already.");
 
   command =
       operation->add_subcommand("format", "Gives operations their canonical form: one icon in each line");

@@ -25,6 +25,7 @@ void add_explain(CLI::App& app, ExplainOptions& options);
 void add_language_server(CLI::App& app, LanguageServerOptions& options);
 
 /// `operation` with its own commands: check, storyboard and format.
-void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& format);
+void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tell, OperationOptions& skeleton,
+                   OperationOptions& format);
 
 }  // namespace pal::program

@@ -30,11 +30,28 @@ std::string what_of(const analyzer::Reason& reason) {
   return (reason.actor.empty() ? "" : reason.actor + " ") + reason.what;
 }
 
+/// Parts that have parts of their own by the same actor give way to these: not that a value ages, but the
+/// wait that it ages in.
+void add_leaves(const std::vector<analyzer::Reason>& reasons, std::vector<analyzer::Reason>& leaves) {
+  for (const auto& reason : reasons) {
+    const bool own = !reason.inside.empty() &&
+                     std::all_of(reason.inside.begin(), reason.inside.end(), [&](const auto& each) {
+                       return each.actor == reason.actor && each.line != 0;
+                     });
+    if (own) {
+      add_leaves(reason.inside, leaves);
+    } else {
+      leaves.push_back(reason);
+    }
+  }
+}
+
 /// The shares of the worst run; of those the greatest is the cause.
 void add_shares(const Proof& proof, std::size_t index, language_server::ProvedRequirement& made) {
-  const auto& verdict = proof.analysis.verdicts[index];
+  std::vector<analyzer::Reason> leaves;
+  add_leaves(proof.analysis.verdicts[index].reasons, leaves);
   std::int64_t longest = 0;
-  for (const auto& reason : verdict.reasons) {
+  for (const auto& reason : leaves) {
     const auto where = place_of(proof, reason);
     const auto time = reason.to - reason.from;
     if (!where.valid() || time <= 0) continue;

@@ -109,13 +109,14 @@ std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan
 
 /// The same, given up soon after Ctrl-C: then the session is as it was.
 std::optional<analyzer::Problem> problem_in_patience(const pan::Network& skill,
-                                                     const pan::Environment& environment, Session& session) {
+                                                     const pan::Environment& environment, Session& session,
+                                                     const std::shared_ptr<const Session>& alive) {
   struct Made {
     std::optional<analyzer::Problem> problem;
     Diagnostics diagnostics;
   };
   const auto made = std::make_shared<Made>();
-  const auto build = [made, &skill, &environment, &sources = session.sources] {
+  const auto build = [made, alive, &skill, &environment, &sources = session.sources] {
     made->problem = problem_of(skill, environment, sources, made->diagnostics);
   };
   if (!done_in_patience(build)) return std::nullopt;
@@ -187,7 +188,8 @@ std::string file_of(const pan::Network& skill, const Session& session) {
 
 }  // namespace
 
-std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer) {
+std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer,
+                         const std::shared_ptr<const Session>& alive) {
   const Interruption interruption;
   const analyzer::Options options = options_of(limits);
   std::vector<Proof> proofs;
@@ -195,7 +197,8 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
     for (const pan::Environment& environment : session.specification.environments) {
       if (!is_of(skill, environment, session.specification)) continue;
       if (is_work_left()) return proofs;
-      auto problem = problem_in_patience(skill, environment, session);
+      auto problem = alive ? problem_in_patience(skill, environment, session, alive)
+                           : problem_of(skill, environment, session);
       if (!problem) continue;
       const bool explored = limits.analysis != analyzer::AnalysisChoice::compositional &&
                             limits.analysis != analyzer::AnalysisChoice::half_open &&

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,8 +68,10 @@ using ProofObserver = std::function<void(const analyzer::Problem&, const analyze
 
 /// Proves every skill of the session in each of its environments. After Ctrl-C the rest stays undecided, or
 /// has no proof if not even its model was built. A proof that does not end soon then is left alone
-/// (is_work_left). Reasons why a model cannot be built are added to the session's findings.
-std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer = {});
+/// (is_work_left). Reasons why a model cannot be built are added to the session's findings. `alive` is the
+/// session, for work that is left alone; without it no model is given up while it is built.
+std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer = {},
+                         const std::shared_ptr<const Session>& alive = {});
 
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analyzer/exact/zeno_run.hpp"
+#include "analyzer/machine/loss_rows.hpp"
 #include "analyzer/verdict/sentence.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
@@ -79,9 +80,14 @@ const analyzer::Reason* wait_between_set_and_read(const analyzer::Verdict& verdi
 }
 
 /// What may decide a requirement that is undecided.
-std::string hint_of_undecided(const Proof& proof, const analyzer::Verdict& verdict) {
+std::string hint_of_undecided(const Proof& proof, std::size_t index) {
+  const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
+  const int row = proof.problem.requirements[index].in;
   if (proof.analysis.zeno_run) return "give something in the loop a time";
   if (proof.ended_by_user) return "ended by you; let the proof go on, or limit it with --timeout";
+  if (verdict.measure == Measure::loss && row > analyzer::longest_followed_row)
+    return "a row of more than " + std::to_string(analyzer::longest_followed_row) +
+           " is only bounded by shorter ones: require what these show, or a shorter row";
   if (proof.explored)
     return "allow more with --max-states, --max-memory or --timeout, or make the skill or its times simpler";
   if (analyzer::fits_exploration(proof.problem)) return "ask the exact analysis too, with --analysis auto";
@@ -107,7 +113,7 @@ std::string hint_of_growth(const analyzer::Verdict& verdict) {
 
 std::string hint_of(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  if (verdict.state == State::undecided) return hint_of_undecided(proof, verdict);
+  if (verdict.state == State::undecided) return hint_of_undecided(proof, index);
   if (verdict.loop_growth) return hint_of_growth(verdict);
   switch (verdict.measure) {
     case Measure::load:

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <ostream>
 
@@ -56,6 +57,7 @@ ExitStatus execute(const OperationCommand& command, operations::Executor& execut
   for (const std::string& text : command.breakpoints) executor.add_breakpoint(breakpoint_of(text));
   if (!command.from.empty()) executor.start_from(command.from);
   if (command.interactive && in != nullptr) {
+    executor.add_kept_breakpoints(std::numeric_limits<std::size_t>::max());
     operations::debug(executor, *in, out);
   } else if (command.steps > 0) {
     executor.run(command.steps);

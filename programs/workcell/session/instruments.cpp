@@ -29,8 +29,8 @@ void ProfileWatcher::passed(runtime::Time, const runtime::Device& device, std::s
                             std::span<const double> fields) {
   // y, z and valid of each point, then when the scan began (docs/workcell/range-finder.md).
   constexpr std::size_t count = skills::sensing::most_points;
-  if (!sink_.wanted() || device.name() != "range-finder" || device.ports()[port].message != "profile" ||
-      fields.size() != 3 * count + 1)
+  if (!(sink_.wanted() || sink_.watched()) || device.name() != "range-finder" ||
+      device.ports()[port].message != "profile" || fields.size() != 3 * count + 1)
     return;
   server::Profile profile;
   for (std::size_t i = 0; i < count; ++i) {

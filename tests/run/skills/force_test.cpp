@@ -227,6 +227,17 @@ TEST_CASE("rub hits a step and lifts off, completion 1") {
   CHECK((result.log.back().tool.z() - lowest) * 1e3 > 4);
 }
 
+TEST_CASE("rub that has met a step lifts off until the tool leans on nothing, completion 1") {
+  // Another machine, another height: here the tool leaned on the side of the block with 22 N.
+  sim::CellOptions options;
+  options.seed = 5;
+  options.machine_seed = 5;
+  options.raise = 0.52;
+  Workshop shop(scene("step"), options);
+  CHECK(end_of(shop.run("rub")) == "rub 1");
+  CHECK(shop.log().back().contact_force == 0);
+}
+
 TEST_CASE("rub meets the error force and stands still, completion 2") {
   const auto result =
       run({.skill = "rub",

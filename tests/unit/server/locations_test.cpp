@@ -15,9 +15,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-struct Folder {
+struct LocationFolder {
   std::string path = std::filesystem::temp_directory_path() / ("pal-locations-" + make_token());
-  ~Folder() { std::filesystem::remove_all(path); }
+  ~LocationFolder() { std::filesystem::remove_all(path); }
 };
 
 const std::map<std::string, PoseFigures> made{{"HOME", {0, 0, 0, 0, 0, 0}},
@@ -75,7 +75,7 @@ TEST_CASE("each change of a location counts its version, and an old version is r
 }
 
 TEST_CASE("what was taught is kept with the cell; what the cell is made with later comes in") {
-  const Folder folder;
+  const LocationFolder folder;
   {
     Locations book(made, folder.path);
     book.teach("SIDE", at(11), 0, "ann");
@@ -96,7 +96,7 @@ TEST_CASE("what was taught is kept with the cell; what the cell is made with lat
 }
 
 TEST_CASE("a file that is no such file is refused and left as it is") {
-  const Folder folder;
+  const LocationFolder folder;
   std::filesystem::create_directories(folder.path);
   const std::string path = folder.path + "/locations.json";
   for (const char* text :

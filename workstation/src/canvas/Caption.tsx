@@ -16,7 +16,7 @@ interface Props {
 export const Caption = memo(function Caption({ icon, operation, path, run }: Props) {
   const times = useChecks((state) => state.times.get(`${operation}/${icon.id}`));
   const reason = useCell((cell) => cell.present?.runs.get(path)?.reason ?? "");
-  const acts = icon.kind === "skill" || icon.kind === "operation" || icon.kind === "delay" || icon.kind === "wait" || icon.kind === "test" || icon.kind === "zero";
+  const acts = icon.kind === "skill" || icon.kind === "operation" || icon.kind === "delay" || icon.kind === "wait" || icon.kind === "test" || icon.kind === "zero" || icon.kind === "planned";
   if (!acts) return null;
   const longest = times?.longest_s;
   const proved = !times ? "" : longest === null || longest === undefined ? t("time.unknown") : t("time.most", { time: duration(longest) });

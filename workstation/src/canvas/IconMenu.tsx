@@ -3,7 +3,8 @@ import { useRef } from "react";
 import { Menu, MenuItem, Popover, Separator } from "react-aria-components";
 import { iconOf } from "../model/operation";
 import { outputs } from "../model/ports";
-import { runFrom, toggleBreakpoint } from "../state/acts";
+import { runFrom } from "../state/acts";
+import { toggleBreakpoint } from "../state/breakpoints";
 import { useCell } from "../state/cell";
 import { select, shownOperation, useDrawing } from "../state/drawing";
 import { collapseSelected, copySelected, expandIcon, pasteClip, popOpen, removeSelected } from "../state/edits";
@@ -33,7 +34,7 @@ export function IconMenu() {
   const selected = useDrawing((state) => state.selected);
   const icon = menu && iconOf(operation, menu.icon);
   const path = [...trail, menu?.icon].join("/");
-  const hasBreak = useCell((cell) => cell.present?.snapshot.breakpoints.some((each) => each.icon === path) ?? false);
+  const hasBreak = useCell((cell) => cell.present?.snapshot.breakpoints.some((each) => each.icon === path) ?? false) || icon?.break !== undefined;
   const close = () => useView.setState({ menu: undefined });
   const act = (key: string) => {
     if (!icon) return;
@@ -44,7 +45,7 @@ export function IconMenu() {
     if (key === "help" && icon.skill) openWindow("skill", icon.skill);
     if (key === "connect") useView.setState({ connecting: { icon: icon.id, port: undefined } });
     if (key === "run") void runFrom(path);
-    if (key === "break") void toggleBreakpoint(path);
+    if (key === "break") toggleBreakpoint(path);
     if (key === "collapse") refused(collapseSelected(t("collapse.name")));
     if (key === "expand") refused(expandIcon(icon.id));
     if (key === "copy") copySelected();

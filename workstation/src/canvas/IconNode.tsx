@@ -16,6 +16,7 @@ import { inputSpot, outputSpots } from "./ports";
 import { useRunState } from "./runState";
 import { outline, sizeOf } from "./shape";
 import { summary, title } from "./summary";
+import { useView } from "./view";
 
 export interface IconData extends Record<string, unknown> {
   icon: Icon;
@@ -33,6 +34,7 @@ export const IconNode = memo(function IconNode({ data, selected }: NodeProps<Ico
   const sensors = useCell((state) => state.sensors);
   const focused = useDrawing((state) => state.focus === icon.id);
   const run = useRunState(path);
+  const lineFrom = useView((view) => (view.lineFrom?.icon === icon.id ? view.lineFrom.port : undefined));
   const family = familyOf(icon, skill);
   const size = sizeOf(icon);
   const rows = icon.kind === "case" || icon.kind === "question";
@@ -64,7 +66,7 @@ export const IconNode = memo(function IconNode({ data, selected }: NodeProps<Ico
         const port = outputs(icon)[i]!;
         return (
           <Handle key={spot.name} type="source" position={Position.Right} id={spot.name} className="connector out"
-            data-port={spot.name.split(":")[0]} data-open={port.to === undefined || undefined} style={{ left: spot.x, top: spot.y }} />
+            data-line-from={lineFrom === spot.name || undefined} data-port={spot.name.split(":")[0]} data-open={port.to === undefined || undefined} style={{ left: spot.x, top: spot.y }} />
         );
       })}
       <Marks icon={icon} operation={operation} path={path} run={run} />

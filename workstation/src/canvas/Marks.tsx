@@ -7,6 +7,7 @@ import { useDrawing } from "../state/drawing";
 import { openFindings } from "../state/windows";
 import { Symbol } from "../symbols/Symbol";
 import { t } from "../words/words";
+import { breakText } from "./summary";
 import { isLoaded, type RunState } from "./runState";
 
 interface Props {
@@ -19,7 +20,7 @@ interface Props {
 export const Marks = memo(function Marks({ icon, operation, path, run }: Props) {
   return (
     <>
-      <BreakMark path={path} />
+      <BreakMark icon={icon} path={path} />
       <FindingMark icon={icon} operation={operation} />
       <RunMark path={path} run={run} />
       {icon.note && <span className="mark-note" title={icon.note}><Symbol name="note" size={14} /></span>}
@@ -27,21 +28,17 @@ export const Marks = memo(function Marks({ icon, operation, path, run }: Props) 
   );
 });
 
-function BreakMark({ path }: { path: string }) {
+function BreakMark({ icon, path }: { icon: Icon; path: string }) {
   const name = useDrawing((state) => state.drawing.name);
-  const kind = useCell((cell) => {
-    if (!isLoaded(cell, name)) return undefined;
-    const here = cell.present?.snapshot.breakpoints.filter((each) => each.icon === path) ?? [];
-    if (here.length === 0) return undefined;
-    const text = here.find((each) => each.code !== undefined);
-    return `${here.some((each) => each.enabled) ? "on" : "off"}:${text?.code ?? ""}`;
-  });
-  if (kind === undefined) return null;
-  const [state, code] = kind.split(":");
+  // Set in the cell by somebody else: the drawing does not have it.
+  const others = useCell((cell) => icon.break === undefined && isLoaded(cell, name) ? cell.present?.snapshot.breakpoints.find((each) => each.icon === path) : undefined);
+  const kept = icon.break ?? others;
+  if (kept === undefined) return null;
+  const on = kept.enabled ?? true, text = breakText(icon.break ?? { ...(others?.code === undefined ? {} : { code: others.code }) });
   return (
-    <span className="mark-break" data-off={state === "off" || undefined}>
-      <Symbol name={state === "on" ? "breakpoint" : "breakpoint-off"} size={16} />
-      {code !== "" && <span className="mark-code">{t("break.code", { code: Number(code) })}</span>}
+    <span className="mark-break" data-off={!on || undefined} title={text}>
+      <Symbol name={on ? "breakpoint" : "breakpoint-off"} size={16} />
+      {text !== "" && <span className="mark-code">{text}</span>}
     </span>
   );
 }

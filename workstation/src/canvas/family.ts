@@ -25,7 +25,7 @@ export function familyOf(icon: Icon, skill: Skill | undefined): Family {
     case "skill": return familyOfSkill(icon.skill ?? "", skill);
     case "operation": return "super";
     case "start": case "exit": case "restart": return "end";
-    case "case": case "merge": case "question": return "other";
+    case "case": case "merge": case "question": case "planned": return "other";
     default: return "flow";
   }
 }

@@ -35,6 +35,7 @@ export function summary(icon: Icon, sensors: readonly Sensor[]): string {
   const repeat = icon.repeat === undefined ? "" : ` × ${amountText(icon.repeat)}`;
   switch (icon.kind) {
     case "skill": return (icon.skill ?? "") + repeat;
+    case "planned": return t("summary.planned", { skill: icon.skill ?? "" });
     case "operation": return (icon.file ?? icon.operation ?? "") + repeat;
     case "delay": return amountText(icon.seconds, "s");
     case "wait": case "test": {
@@ -54,4 +55,13 @@ export function title(icon: Icon): string {
   if (icon.kind === "start") return t("kind.start");
   if (icon.kind === "restart") return t("kind.restart");
   return icon.id;
+}
+
+/** When a breakpoint halts: "code 1, count of put ≥ 3, each 2nd time". Empty: always. */
+export function breakText(kept: NonNullable<Icon["break"]>): string {
+  const condition = kept.value ? conditionText({ value: kept.value, ...(kept["at-least"] === undefined ? {} : { "at-least": kept["at-least"] }), ...(kept["at-most"] === undefined ? {} : { "at-most": kept["at-most"] }) }, []) : "";
+  return [
+    kept.code === undefined ? "" : t("break.code", { code: kept.code }), condition,
+    (kept.every ?? 1) > 1 ? t("break.every", { count: kept.every ?? 1 }) : "",
+  ].filter(Boolean).join(", ");
 }

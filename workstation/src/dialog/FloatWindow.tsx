@@ -51,7 +51,7 @@ export function FloatWindow({ window: own, title, wide = false, footer, children
   };
   return (
     <section ref={box} className={wide ? "window wide" : "window"} role="dialog" aria-labelledby={id} tabIndex={-1} data-window={own.kind}
-      style={{ left: own.x, top: own.y }} onKeyDown={pressed} onPointerDownCapture={() => raise(own.id)}>
+      style={{ left: own.x, top: own.y, maxHeight: `calc(100vh - ${Math.min(own.y, innerHeight - 240) + 12}px)` }} onKeyDown={pressed} onPointerDownCapture={() => raise(own.id)}>
       <div className="window-head" onPointerDown={held} onPointerMove={dragged} onPointerUp={() => (grip.current = undefined)}>
         <h2 id={id}>{title}</h2>
         <Button className="button quiet only" aria-label={t("window.close", { title })} onPress={close}><Symbol name="cross" size={18} /></Button>

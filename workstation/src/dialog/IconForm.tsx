@@ -17,6 +17,7 @@ import { Choose } from "./Choose";
 import { NextField } from "./NextField";
 import { NumberBox } from "./NumberBox";
 import { ParameterFields } from "./ParameterFields";
+import { PlannedFields } from "./PlannedFields";
 import { QuestionFields } from "./QuestionFields";
 import { ReadingFields } from "./ReadingFields";
 import { TextBox } from "./TextBox";
@@ -74,6 +75,7 @@ function Fields({ icon, operation }: { icon: Icon; operation: string }) {
       );
     case "case": return <CaseFields icon={icon} operation={operation} />;
     case "question": return <QuestionFields icon={icon} operation={operation} />;
+    case "planned": return <PlannedFields icon={icon} operation={operation} />;
     case "delay":
       return <AmountBox label={t("form.seconds")} operation={operation} value={icon.seconds} onChange={(value) => value !== undefined && put("seconds", value)} unit="s" low={0} high={86400} />;
     case "wait":

@@ -60,7 +60,7 @@ function Field({ icon, operation, parameter, findings }: FieldProps) {
   const hint = [parameter.description, range].filter(Boolean).join(" · ");
   return (
     <div className="parameter" data-changed={changed || undefined}>
-      <Control {...{ parameter, value, set, hint, operation, locations: locations?.map((each) => each.location) ?? [], ...(refusal ? { refusal } : {}) }} />
+      <Control {...{ parameter, value, set, hint, operation, locations: locations?.map((each) => each.location), ...(refusal ? { refusal } : {}) }} />
       {changed && (
         <Button className="button quiet small reset" onPress={() => set(undefined)}>
           <Symbol name="undo" size={14} /><span className="hidden">{parameter.name}</span>{t("parameters.default", { value: amountText(parameter.default, parameter.unit) })}
@@ -76,7 +76,8 @@ interface ControlProps {
   set(value: Value | Source | undefined): void;
   hint: string;
   operation: string;
-  locations: readonly string[];
+  /** Undefined: the cell does not tell, so a name is typed. */
+  locations: readonly string[] | undefined;
   refusal?: string;
 }
 
@@ -90,7 +91,7 @@ function Control({ parameter, value, set, hint, operation, locations, refusal }:
         <span className="hint">{hint}</span>
       </div>
     );
-  if (parameter.type === "text" && parameter.location && !isSource(value))
+  if (parameter.type === "text" && parameter.location && locations && !isSource(value))
     return <Choose label={parameter.name} value={String(value ?? parameter.default)} onChange={set} hint={refusal ?? hint} options={locations.map((id) => ({ id, name: id }))} />;
   if (parameter.type === "text" && !isSource(value))
     return <TextBox label={parameter.name} value={String(value ?? parameter.default)} onChange={set} hint={refusal ?? hint} />;

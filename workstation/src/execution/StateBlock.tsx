@@ -19,6 +19,9 @@ interface Told {
   detail: string;
 }
 
+/** An icon within others: "rub-in-square › side-1". */
+const nested = (path: string): string => path.replaceAll("/", " › ");
+
 function useTold(): Told {
   const link = useCell((cell) => cell.link);
   const snapshot = useCell((cell) => cell.present?.snapshot);
@@ -30,16 +33,16 @@ function useTold(): Told {
   if (snapshot.activity === "skill") return { look: "acting", symbol: "run", headline: t("state.skill"), detail: snapshot.running?.skill ?? "" };
   if (snapshot.operation === "" || snapshot.operation !== name) {
     const other = snapshot.operation !== "" && (snapshot.state === "running" || snapshot.state === "paused" || snapshot.state === "stopped");
-    if (!other) return { look: "idle", symbol: "minus", headline: t("state.idle"), detail: snapshot.cell };
+    if (!other) return { look: "idle", symbol: "minus", headline: t("state.idle"), detail: t("state.cell", { name: snapshot.cell }) };
   }
   const other = snapshot.operation === name ? "" : `${snapshot.operation}: `;
   switch (snapshot.state) {
-    case "running": return { look: "acting", symbol: "run", headline: t(snapshot.pausing ? "state.pausing" : "state.running"), detail: other + (snapshot.here?.icon ?? snapshot.token) };
-    case "paused": return { look: "halted", symbol: "pause", headline: t("state.paused"), detail: other + t("state.before", { icon: snapshot.token }) };
-    case "stopped": return { look: "stopped", symbol: "stop", headline: t("state.stopped"), detail: other + snapshot.token };
+    case "running": return { look: "acting", symbol: "run", headline: t(snapshot.pausing ? "state.pausing" : "state.running"), detail: other + nested(snapshot.here?.icon ?? snapshot.token) };
+    case "paused": return { look: "halted", symbol: "pause", headline: t("state.paused"), detail: other + t("state.before", { icon: nested(snapshot.token) }) };
+    case "stopped": return { look: "stopped", symbol: "stop", headline: t("state.stopped"), detail: other + nested(snapshot.token) };
     case "failed": return { look: "failed", symbol: "error", headline: t("state.failed"), detail: snapshot.reason || snapshot.token };
     case "ended": return { look: "ended", symbol: "tick", headline: t("state.ended"), detail: t("state.code", { code: snapshot.last_code }) };
-    default: return { look: "idle", symbol: "minus", headline: t("state.ready"), detail: snapshot.cell };
+    default: return { look: "idle", symbol: "minus", headline: t("state.ready"), detail: t("state.cell", { name: snapshot.cell }) };
   }
 }
 
@@ -78,7 +81,8 @@ function Bounds() {
   if (!result) return null;
   if (result.errors > 0)
     return <Button className="button quiet small state-findings" data-error onPress={() => openWindow("findings", "/")}><Symbol name="error" size={16} />{t("state.errors", { count: result.errors })}</Button>;
-  if (result.shortest_s === null || result.ways.length === 0) return null;
+  // Nothing is proved yet: a time would say nothing.
+  if (result.shortest_s === null || result.ways.length === 0 || (result.shortest_s < 0.005 && result.longest_s === null)) return null;
   return (
     <Button className="button quiet small state-bounds" onPress={() => openWindow("ways")}>
       {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}

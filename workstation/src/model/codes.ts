@@ -53,15 +53,37 @@ function testMeanings(icon: Icon): CodeMeaning[] {
   ];
 }
 
-function exitMeanings(drawing: Drawing, icon: Icon): CodeMeaning[] {
+/** With which codes a hierarchical icon ends: those of its EXITs; an EXIT without one passes the last code on. */
+function exitMeanings(drawing: Drawing, icon: Icon, skills: ReadonlyMap<string, Skill>, around: ReadonlySet<string>): CodeMeaning[] {
   const operation = icon.file ? undefined : operationNamed(drawing, icon.operation ?? "");
-  return (operation?.icons ?? []).filter((each) => each.kind === "exit" && typeof each.code === "number").map((each): CodeMeaning => ({
-    code: each.code as number, kind: each.code === 0 ? "normal" : "error", from: icon.id,
-    ...(each.note ? { text: each.note } : { word: "code.exit" as const, values: { name: each.id } }),
+  if (!operation || around.has(operation.name)) return [];
+  const within = new Set(around).add(operation.name);
+  return operation.icons.filter((each) => each.kind === "exit").flatMap((each): CodeMeaning[] => {
+    if (each.code === undefined) return passedOn(drawing, operation, each.id, skills, within).map((one) => ({ ...one, from: icon.id }));
+    if (typeof each.code !== "number") return [];
+    return [{
+      code: each.code, kind: each.code === 0 ? "normal" : "error", from: icon.id,
+      ...(each.note ? { text: each.note } : { word: "code.exit" as const, values: { name: each.id } }),
+    }];
+  });
+}
+
+/** The codes that reach an EXIT: of the lines that lead there, those that such a line carries. */
+function passedOn(drawing: Drawing, operation: Operation, exit: string, skills: ReadonlyMap<string, Skill>, around: ReadonlySet<string>): CodeMeaning[] {
+  return operation.icons.flatMap((icon) => outputs(icon).filter((port) => port.to === exit).flatMap((port): CodeMeaning[] => {
+    if (icon.kind === "case") {
+      const codes = icon.ways?.[Number(port.name.split(":")[1])]?.codes;
+      const all = actorsBefore(operation, icon.id).flatMap((each) => meaningsOf(drawing, each, skills, around));
+      const named = new Set(icon.ways?.flatMap((way) => way.codes));
+      return all.filter((each) => (port.name === "default" ? !named.has(each.code) : codes?.includes(each.code)));
+    }
+    if (icon.kind === "merge" || icon.kind === "delay") return actorsBefore(operation, icon.id).flatMap((each) => meaningsOf(drawing, each, skills, around));
+    if (icon.kind === "start") return [];
+    return meaningsOf(drawing, icon, skills, around).filter((each) => (port.name === "error") === (each.kind !== "normal"));
   }));
 }
 
-export function meaningsOf(drawing: Drawing, icon: Icon, skills: ReadonlyMap<string, Skill>): CodeMeaning[] {
+export function meaningsOf(drawing: Drawing, icon: Icon, skills: ReadonlyMap<string, Skill>, around: ReadonlySet<string> = new Set()): CodeMeaning[] {
   const from = icon.id;
   switch (icon.kind) {
     case "skill":
@@ -69,8 +91,9 @@ export function meaningsOf(drawing: Drawing, icon: Icon, skills: ReadonlyMap<str
     case "test": return testMeanings(icon);
     case "wait": return [{ code: 0, word: "code.shown", kind: "normal", from }, { code: 1, word: "code.timeOver", kind: "contingency", from }];
     case "zero": return [{ code: 0, word: "code.zeroed", kind: "normal", from }];
+    case "planned": return (icon.codes ?? []).map((each) => ({ code: each.code, text: each.text, kind: each.code === 0 ? "normal" : "contingency", from }));
     case "question": return (icon.answers ?? []).map((each, code) => ({ code, text: each.text, kind: "normal", from }));
-    case "operation": return exitMeanings(drawing, icon);
+    case "operation": return exitMeanings(drawing, icon, skills, around);
     default: return [];
   }
 }
@@ -78,5 +101,7 @@ export function meaningsOf(drawing: Drawing, icon: Icon, skills: ReadonlyMap<str
 /** For a CASE, all codes that may come, in ascending order; two icons may give one code two meanings. */
 export function meaningsBefore(drawing: Drawing, operation: Operation, id: string, skills: ReadonlyMap<string, Skill>): CodeMeaning[] {
   if (!iconOf(operation, id)) return [];
-  return actorsBefore(operation, id).flatMap((icon) => meaningsOf(drawing, icon, skills)).sort((a, b) => a.code - b.code);
+  const all = actorsBefore(operation, id).flatMap((icon) => meaningsOf(drawing, icon, skills)).sort((a, b) => a.code - b.code);
+  const said = (each: CodeMeaning) => JSON.stringify([each.code, each.text, each.word, each.values, each.from]);
+  return [...new Map(all.map((each) => [said(each), each])).values()];
 }

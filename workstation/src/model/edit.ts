@@ -40,6 +40,7 @@ export function newIcon(kind: Kind, id: string, at: Point, more: Partial<Icon> =
     test: { sensor: "", limits: [0] },
     zero: { sensor: "force-z" },
     question: { text: "", answers: [{ text: "" }] },
+    planned: { skill: id, codes: [{ code: 0, text: "OK" }] },
   };
   return { id, kind, ...least[kind], ...more, at } as Icon;
 }

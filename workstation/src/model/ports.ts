@@ -9,8 +9,8 @@ export interface Port {
   to: string | undefined;
 }
 
-const withNext = new Set<Kind>(["start", "skill", "merge", "delay", "wait", "test", "zero", "operation"]);
-const withError = new Set<Kind>(["skill", "wait", "test", "zero", "operation", "question"]);
+const withNext = new Set<Kind>(["start", "skill", "merge", "delay", "wait", "test", "zero", "planned", "operation"]);
+const withError = new Set<Kind>(["skill", "wait", "test", "zero", "planned", "operation", "question"]);
 
 export const hasInput = (icon: Icon): boolean => icon.kind !== "start";
 

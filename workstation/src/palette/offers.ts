@@ -25,10 +25,11 @@ export interface Group {
 
 const control = ["start", "exit", "restart", "case", "merge"] as const;
 const sensing = ["test", "wait", "zero", "delay", "question"] as const;
+const absent = ["planned"] as const;
 
-const ofKind = (kind: (typeof control)[number] | (typeof sensing)[number]): Offered => ({
+const ofKind = (kind: (typeof control)[number] | (typeof sensing)[number] | (typeof absent)[number]): Offered => ({
   key: kind, name: t(`kind.${kind}`), text: t(`about.${kind}`), offer: { kind }, symbol: kind, unable: "",
-  family: kind === "start" || kind === "exit" || kind === "restart" ? "end" : kind === "case" || kind === "merge" || kind === "question" ? "other" : "flow",
+  family: kind === "start" || kind === "exit" || kind === "restart" ? "end" : kind === "case" || kind === "merge" || kind === "question" || kind === "planned" ? "other" : "flow",
 });
 
 const ofSkill = (skill: Skill): Offered => {
@@ -53,7 +54,7 @@ export function groups(skills: ReadonlyMap<string, Skill>, drawing: Drawing, sho
     group("group.move", family("move")),
     group("group.sense", family("sense")),
     group("group.grip", family("grip")),
-    group("group.other", family("other")),
+    group("group.other", [...family("other"), ...absent.map(ofKind)]),
     group("group.wait", sensing.map(ofKind)),
     group("group.operations", operations),
   ].filter((each) => each.offers.length > 0);

@@ -60,10 +60,10 @@ function differs(drawing: Drawing): boolean {
   }
 }
 
-/** The same text whatever the order of fields. */
+/** The same text whatever the order of fields, and wherever the icons lie. */
 function canonical(value: unknown): string {
-  return JSON.stringify(value, (_, each) =>
-    each && typeof each === "object" && !Array.isArray(each) ? Object.fromEntries(Object.entries(each).sort(([a], [b]) => (a < b ? -1 : 1))) : each);
+  return JSON.stringify(value, (key, each) =>
+    key === "at" || key === "note" ? undefined : each && typeof each === "object" && !Array.isArray(each) ? Object.fromEntries(Object.entries(each).sort(([a], [b]) => (a < b ? -1 : 1))) : each);
 }
 
 export const differsFromLoaded = (): boolean => {
@@ -71,15 +71,12 @@ export const differsFromLoaded = (): boolean => {
   return useCell.getState().present?.snapshot.operation === drawing.name && differs(drawing);
 };
 
-/** Loads the drawing, if the cell has another one. Breakpoints stay at icons that are still there. */
+/** Loads the drawing with its breakpoints, if the cell has another one. */
 async function load(): Promise<boolean> {
   const { drawing } = useDrawing.getState();
   if (useCell.getState().present?.snapshot.operation === drawing.name && !differs(drawing)) return true;
-  const before = useCell.getState().present?.snapshot;
-  const kept = before?.operation === drawing.name ? before.breakpoints : [];
   if (!(await ask("operation.load", { main: mainFile, files: { [mainFile]: textOf(drawing) } }))) return false;
   loaded = drawing;
-  for (const { breakpoint: _, hits: __, ...each } of kept) await call("operation.break", each).catch(() => {});
   return true;
 }
 
@@ -128,16 +125,4 @@ export async function setWhilePaused(operation: string, icon: string, parameter:
   let all = true;
   for (const prefix of pathsTo(drawing, operation)) all = (await ask("operation.set", { icon: prefix + icon, parameter, value })) !== undefined && all;
   if (same && all) loaded = useDrawing.getState().drawing;
-}
-
-export async function toggleBreakpoint(path: string): Promise<void> {
-  const here = useCell.getState().present?.snapshot.breakpoints.filter((each) => each.icon === path) ?? [];
-  if (useCell.getState().present?.snapshot.operation === useDrawing.getState().drawing.name && here.length > 0) {
-    for (const each of here) await ask("operation.unbreak", { breakpoint: each.breakpoint });
-    return;
-  }
-  const snapshot = useCell.getState().present?.snapshot;
-  // While it runs or is paused, what is loaded stays.
-  const busy = snapshot?.operation === useDrawing.getState().drawing.name && ["running", "paused", "stopped"].includes(snapshot.state);
-  if (busy || (await load())) await ask("operation.break", { icon: path });
 }

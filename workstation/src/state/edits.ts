@@ -22,10 +22,11 @@ function partsOf(offer: Offer): Partial<Icon> {
     ...(offer.skill === undefined ? {} : { skill: offer.skill }),
     ...(offer.operation === undefined ? {} : { operation: offer.operation }),
     ...(offer.file === undefined ? {} : { file: offer.file }),
+    ...(offer.kind === "planned" ? { codes: [{ code: 0, text: t("planned.done") }, { code: 1, text: t("planned.notDone") }] } : {}),
   };
 }
 
-const nameFor = (offer: Offer): string => offer.skill ?? offer.operation ?? offer.file?.replace(/\.op\.json$/, "") ?? (offer.kind === "exit" ? "done" : offer.kind);
+const nameFor = (offer: Offer): string => offer.skill ?? offer.operation ?? offer.file?.replace(/\.op\.json$/, "") ?? (offer.kind === "exit" ? "done" : offer.kind === "planned" ? "new-skill" : offer.kind);
 
 /** Puts a new icon on the canvas, at the end of a line if one is given. Its id; undefined: a second START. */
 export function insertIcon(offer: Offer, at: Point, from?: { icon: string; port: PortName }): string | undefined {

@@ -78,7 +78,7 @@ export function happened(present: Present, event: Event, now: number): Present {
       return { ...next, snapshot: { ...snapshot, hold: event.hold } };
     case "loaded":
       return { ...next, runs: new Map(), taken: new Set(), snapshot: { ...snapshot, operation: event.operation, state: "ready",
-        token: "", reason: "", steps: 0, here: null, running: null, question: null, changed: [], icons: [] } };
+        token: "", reason: "", steps: 0, here: null, running: null, question: null, changed: [], icons: [], breakpoints: [] } };
     case "state": {
       const begins = event.state === "running" && (past.state === "ready" || past.state === "ended" || past.state === "failed");
       const running = event.state === "running";

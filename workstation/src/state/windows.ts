@@ -22,7 +22,7 @@ interface Windows {
   inspector: boolean;
 }
 
-const wide = typeof innerWidth === "undefined" || innerWidth >= 1180;
+const wide = typeof innerWidth === "undefined" || innerWidth >= 1400;
 
 export const useWindows = create<Windows>()(() => ({ open: [], palette: typeof innerWidth === "undefined" || innerWidth >= 900, inspector: wide }));
 

@@ -60,11 +60,23 @@ function Changes({ difference }: { difference: Difference }) {
 
 const shown = (value: unknown) => (value === undefined ? "–" : typeof value === "object" && value !== null ? JSON.stringify(value) : amountText(value));
 
+type FieldChange = Change["fields"][number];
+const members = (value: unknown): Record<string, unknown> | undefined => (typeof value === "object" && value !== null && !Array.isArray(value) ? (value as Record<string, unknown>) : undefined);
+
+/** Of parameters only those that differ, by name. */
+function spread(each: FieldChange): FieldChange[] {
+  const before = members(each.before), after = members(each.after);
+  if (!before && !after) return [each];
+  const names = [...new Set([...Object.keys(before ?? {}), ...Object.keys(after ?? {})])];
+  return names.filter((name) => JSON.stringify(before?.[name]) !== JSON.stringify(after?.[name]))
+    .map((field) => ({ field, ...(before?.[field] === undefined ? {} : { before: before[field] }), ...(after?.[field] === undefined ? {} : { after: after[field] }) }));
+}
+
 function ChangeRow({ change }: { change: Change }) {
   return (
     <li className="change" data-change={change.change}>
       <b>{change.icon || change.operation}</b> <span>{t(`versions.${change.change}`)}</span>
-      {change.change === "changed" && <ul>{change.fields.map((each) => <li key={each.field}><span>{each.field}</span> <s>{shown(each.before)}</s> → <b>{shown(each.after)}</b></li>)}</ul>}
+      {change.change === "changed" && <ul>{change.fields.flatMap(spread).map((each) => <li key={each.field}><span>{each.field}</span> <s>{shown(each.before)}</s> → <b>{shown(each.after)}</b></li>)}</ul>}
     </li>
   );
 }

@@ -56,8 +56,20 @@ export async function insert(page: Page, name: string): Promise<void> {
   await page.locator(".floating").waitFor({ state: "detached" });
 }
 
+/** Opens an operation as a person imports its file. */
+export async function imported(page: Page, text: string, shown = true): Promise<void> {
+  await page.locator(".file").click();
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("menuitem", { name: "Import a file…" }).click()]);
+  await chooser.setFiles({ name: "operation.op.json", mimeType: "application/json", buffer: Buffer.from(text) });
+  const discard = page.getByRole("button", { name: "Go on without saving" });
+  await page.waitForTimeout(150);
+  if (await discard.isVisible()) await discard.click();
+  if (shown) await page.locator(".icon").first().waitFor();
+  await page.waitForTimeout(300);
+}
+
 /** What the page keeps of the drawing. */
-export async function drawing(page: Page): Promise<{ name: string; icons: { id: string; kind: string; next?: string; error?: string; parameters?: Record<string, unknown> }[] }> {
+export async function drawing(page: Page): Promise<{ name: string; icons: { id: string; kind: string; skill?: string; break?: Record<string, unknown>; next?: string; error?: string; parameters?: Record<string, unknown> }[] }> {
   await page.waitForTimeout(260);
   return page.evaluate(() => JSON.parse(localStorage.getItem("workcell-drawing")!).drawing);
 }

@@ -12,6 +12,8 @@ export interface Cell {
   folder: string;
   url: string;
   port: number;
+  /** What its program has used of the processor, in seconds. */
+  processorTime(): number;
   /** Its own end, as when the machine fails. */
   kill(): Promise<void>;
   end(): Promise<void>;
@@ -63,6 +65,10 @@ export async function cell(scene: string, options: readonly string[] = ["--fast"
   const { token } = await announced(file, child, () => text);
   const address = `http://127.0.0.1:${port}`;
   const made: Cell = {
+    processorTime: () => {
+      const fields = readFileSync(`/proc/${child.pid}/stat`, "utf8").replace(/^.*\) /, "").split(" ");
+      return (Number(fields[11]) + Number(fields[12])) / 100;
+    },
     address, token, folder, port, url: `${address}/#token=${token}`,
     kill: async () => (child.kill("SIGKILL"), gone),
     end: async () => {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { act, browser, field, icon, openPage, shot, state, untilState } from "./browser";
+import { act, browser, drawing, drop, field, icon, line, openPage, shot, state, untilState } from "./browser";
 import { cell, type Cell } from "./cell";
 
 let chromium: Browser;
@@ -71,11 +71,37 @@ test("a breakpoint halts before its icon, and the list switches it off", () => w
   assert.equal(await icon(page, "lift").getAttribute("data-run"), "halted");
   await page.getByRole("button", { name: "Settings" }).click();
   await page.getByRole("menuitem", { name: "Breakpoints" }).click();
+  // It is in the drawing, so it is in the file.
+  assert.deepEqual((await drawing(page)).icons.find((each) => each.id === "lift")!.break, {});
+  await page.getByRole("button", { name: /^When the breakpoint/ }).click();
+  await page.locator(".break-when").getByRole("textbox", { name: "Halt once in" }).fill("3");
   await page.locator(".break .checkbox").click();
   await icon(page, "lift").locator(".mark-break[data-off]").waitFor();
+  assert.deepEqual((await drawing(page)).icons.find((each) => each.id === "lift")!.break, { every: 3, enabled: false });
   await shot(page, "breakpoints");
   await act(page, "resume").click();
   await untilState(page, "Ended");
+}));
+
+test("a skill that nobody has written yet is done by a person", () => within("touch", ["--fast"], async (page) => {
+  await page.locator('[data-offer="planned"]').waitFor();
+  await drop(page, "start", 40, 120);
+  await drop(page, "planned", 260, 120);
+  await icon(page, "new-skill").dblclick({ position: { x: 60, y: 8 } });
+  await page.locator('[data-window="icon"]').getByRole("textbox", { name: "Name of the skill" }).fill("insert-pin");
+  await page.locator('[data-window="icon"]').getByRole("button", { name: "Add a parameter" }).click();
+  await shot(page, "planned");
+  await page.locator('[data-window="icon"] .window-head button').click();
+  await drop(page, "exit", 260, 320);
+  await line(page, "start", "next", "new-skill");
+  await line(page, "new-skill", "next", "done");
+  await line(page, "new-skill", "error", "done");
+  await act(page, "run").click();
+  await page.locator(".asks", { hasText: "insert-pin (parameter-1 = 0 mm)" }).waitFor();
+  await shot(page, "planned-asked");
+  await page.locator(".asks").getByRole("button", { name: "It could not be done." }).click();
+  await untilState(page, "Ended");
+  assert.match((await page.locator(".state-detail").textContent())!, /code 1/);
 }));
 
 test("two browsers see the same, a late one sees the present, and the controls are handed over", () => within("seam", ["--paced", "3"], async (page, served) => {

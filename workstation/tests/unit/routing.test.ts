@@ -61,7 +61,7 @@ test("a way is kept until something comes near it", () => {
   assert.equal(router.routes(wanted, icons).get("a/next")!.length, 2);
 });
 
-test("600 lines among 500 icons within a second", () => {
+test("600 lines among 500 icons within seconds of the processor", () => {
   const icons = new Map<string, Rect>();
   for (let i = 0; i < 500; ++i) icons.set(`i${i}`, rect((i % 25) * 264, Math.floor(i / 25) * 120));
   const ids = [...icons.keys()], random = randomOf(7);
@@ -70,9 +70,10 @@ test("600 lines among 500 icons within a second", () => {
     const a = icons.get(ids[from]!)!, b = icons.get(ids[near]!)!;
     return { key: `l${i}`, group: ids[near]!, from: { x: a.right, y: a.top + 20 }, to: { x: b.left, y: b.top + 20 } };
   });
-  const began = performance.now();
+  // Time of the processor: others may work on this machine.
+  const began = process.cpuUsage();
   new Router().routes(wanted, icons);
-  const took = performance.now() - began;
+  const took = process.cpuUsage(began).user / 1000;
   console.log(`600 lines: ${Math.round(took)} ms`);
   assert.ok(took < 3000);
 });

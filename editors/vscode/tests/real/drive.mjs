@@ -30,6 +30,8 @@ const settings = {
   "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "pal.path": join(bin, "pal"), // the path is that of a login shell
 };
 writeFileSync(join(user, "User/settings.json"), JSON.stringify(settings));
+mkdirSync(join(user, "Machine"));
+writeFileSync(join(user, "Machine/settings.json"), JSON.stringify({ "pal.path": join(bin, "pal") })); // the settings of the server's machine
 
 const environment = { ...process.env, PATH: `${bin}:/usr/bin:/bin`, HOME: work, VSCODE_PROXY_URI: "" };
 const entry = join(codeServer, "out/node/entry.js");
@@ -48,7 +50,7 @@ const server = spawn(node, [entry, ...shared, "--auth", "none", "--bind-addr", `
 let said = "";
 for (const stream of [server.stdout, server.stderr]) stream.on("data", (bytes) => (said += bytes));
 
-const patience = Number(process.env.PATIENCE ?? 1);
+const patience = Number(process.env.PATIENCE ?? 3);
 const long = 60000 * patience;
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] });
 let page;
@@ -72,6 +74,24 @@ const command = async (words) => {
   const row = page.locator(".quick-input-list .monaco-list-row").filter({ hasText: words }).first();
   await row.waitFor({ timeout: long });
   await row.click();
+};
+/** Lenses are drawn again when a proof ends, which may be between the press and the release of a button. */
+const lens = async (title, opened) => {
+  for (let i = 0; i < 20; ++i) {
+    await page.locator(".codelens-decoration a", { hasText: title }).first().click();
+    if (await page.locator(".tab").filter({ hasText: opened }).first().waitFor({ timeout: 5000 * patience }).then(() => true, () => false)) return;
+  }
+  throw new Error(`the lens '${title}' opens nothing`);
+};
+/** The menu of cures at the cursor, once it has this one: what is tried or proved comes later. */
+const cures = async (title) => {
+  const offered = page.locator(".action-widget").getByText(title).first();
+  for (let i = 0; i < 30; ++i) {
+    await page.keyboard.press("Control+.");
+    if (await offered.waitFor({ timeout: 2000 * patience }).then(() => true, () => false)) return offered;
+    await page.keyboard.press("Escape");
+  }
+  throw new Error(`no cure '${title}' is offered`);
 };
 const hint = (text) => page.locator(".view-lines").getByText(text).first();
 /** The document of a picture: VS Code has it in a frame in a frame. */
@@ -109,8 +129,7 @@ try {
   });
 
   await step("its cure is applied", async () => {
-    await page.keyboard.press("Control+.");
-    await page.locator(".action-widget").getByText("replace 'Guage' by 'Gauge'").first().waitFor();
+    await cures("replace 'Guage' by 'Gauge'");
     await shot("editor-cure");
     await page.keyboard.press("Enter");
     await page.locator(".squiggly-error").first().waitFor({ state: "detached" }).catch(() => undefined);
@@ -124,7 +143,7 @@ try {
   });
 
   await step("the worst run is drawn beside the text", async () => {
-    await page.locator(".codelens-decoration a", { hasText: "chart" }).first().click();
+    await lens("chart", "ATC");
     await picture("ATC").locator("svg .place").first().waitFor();
     await page.waitForTimeout(500);
     await shot("editor-chart");
@@ -153,12 +172,7 @@ try {
     const line = readFileSync(join(folder, "dip.pal"), "utf8").split("\n").findIndex((each) => each.includes("REQUIREMENT fresh-level")) + 1;
     await page.locator(".quick-input-widget input").first().fill(`:${line}:5`);
     await page.keyboard.press("Enter");
-    const offered = page.locator(".action-widget").getByText("wait for tick before sensing wet").first();
-    for (let i = 0; i < 30 * patience; ++i) {
-      await page.keyboard.press("Control+.");
-      if (await offered.waitFor({ timeout: 1500 }).then(() => true, () => false)) break;
-      await page.keyboard.press("Escape");
-    }
+    const offered = await cures("wait for tick before sensing wet");
     await shot("editor-remedy");
     await offered.click();
     await page.keyboard.press("Control+Home");
@@ -174,7 +188,13 @@ try {
     await command("Test: Run All Tests");
     await page.locator(".test-explorer .monaco-list-row").first().waitFor();
     await page.locator(".test-explorer .codicon-testing-passed-icon").first().waitFor();
+    await page.locator(".test-explorer .monaco-list-row").first().click();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    await page.waitForTimeout(500);
     await shot("editor-tests");
+    await page.keyboard.press("Control+j"); // the panel with results goes
     assert.equal(await page.locator(".test-explorer .codicon-testing-failed-icon").count(), 0);
   });
 
@@ -187,7 +207,7 @@ try {
 
   await step("what if", async () => {
     await page.locator(".tab").filter({ hasText: "dip.pal" }).first().click();
-    await page.locator(".codelens-decoration a", { hasText: "what if" }).first().click();
+    await lens("what if", "What if dip");
     await page.locator(".view-lines").getByText("all together").first().waitFor();
     await shot("editor-what-if");
   });

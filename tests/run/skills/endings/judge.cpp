@@ -113,8 +113,10 @@ Judgement rub(const Ended& ended) {
           ended.before.tool_turn * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
       const double gone = 1e3 * (ended.after().tool - ended.before.tool).dot(way);
       int in_air = 0, longest = 0;
+      bool landed = false;  // on its way down the tool may leave its line by more than 0.1 mm, too
       for (const sim::Sample& sample : ended.during()) {
-        const bool slides = 1e3 * std::abs((sample.tool - ended.before.tool).dot(way)) > 0.1;
+        landed = landed || sample.contact_force > touching;
+        const bool slides = landed && 1e3 * std::abs((sample.tool - ended.before.tool).dot(way)) > 0.1;
         in_air = slides && sample.contact_force < 0.01 ? in_air + 1 : 0;
         longest = std::max(longest, in_air);
       }

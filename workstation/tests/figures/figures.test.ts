@@ -1,0 +1,142 @@
+// Prints the figures of the page, with the machine: npm run figures -- --page FOLDER --workcell PROGRAM. It asserts nothing:
+// a figure depends on the machine, and on what else it does.
+import { readFileSync, readdirSync } from "node:fs";
+import { cpus, loadavg } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { gzipSync } from "node:zlib";
+import type { Browser, Page } from "playwright-core";
+import { act, browser, imported, openPage, untilState } from "../browser/browser";
+import { cell, type Cell } from "../browser/cell";
+
+const example = readFileSync(join(process.env.WORKSTATION!, "../examples/operations/rub_in_square.op.json"), "utf8");
+const say = (what: string, value: string, wanted: string) => console.log(`${what.padEnd(52)} ${value.padStart(20)}   wanted: ${wanted}`);
+const at = (sorted: number[], part: number) => sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * part))] ?? NaN;
+
+function bundle(): void {
+  const folder = process.env.WORKSTATION_PAGE!, html = readFileSync(join(folder, "index.html"), "utf8");
+  const first = [...html.matchAll(/(?:src|href)="([^"]+\.(?:js|css))"/g)].map((each) => each[1]!);
+  const size = first.reduce((sum, each) => sum + gzipSync(readFileSync(join(folder, each)), { level: 9 }).length, 0);
+  const later = readdirSync(folder).filter((each) => /\.(js|css)$/.test(each) && !first.includes(each)).length;
+  say("first bundle, compressed", `${Math.round(size / 1000)} kB, ${later} later`, "under 400 kB");
+}
+
+async function ready(from: Browser, served: Cell): Promise<void> {
+  const times: number[] = [];
+  for (let i = 0; i < 5; ++i) {
+    const page = await openPage(from, "about:blank");
+    await page.addInitScript(() => new MutationObserver((_, it) => {
+      if (!document.querySelector('[data-offer="skill:touch"]')) return;
+      it.disconnect();
+      requestAnimationFrame(() => ((window as unknown as { ready: number }).ready = performance.now()));
+    }).observe(document, { childList: true, subtree: true }));
+    await page.goto(served.url);
+    await page.waitForFunction(() => (window as unknown as { ready?: number }).ready !== undefined);
+    times.push(await page.evaluate(() => (window as unknown as { ready: number }).ready));
+    await page.context().close();
+  }
+  say("page ready with the skills of the cell, median of 5", `${Math.round(at(times.sort((a, b) => a - b), 0.5))} ms`, "under 1000 ms");
+}
+
+/** From the message with the event to the first frame after the canvas has changed. */
+async function colours(from: Browser, served: Cell): Promise<void> {
+  const page = await openPage(from, "about:blank");
+  await page.addInitScript(() => {
+    const scope = window as unknown as { delays: number[]; came?: number | undefined };
+    scope.delays = [];
+    const Socket = WebSocket;
+    window.WebSocket = class extends Socket {
+      constructor(address: string | URL) {
+        super(address);
+        this.addEventListener("message", (message) => {
+          if (/"event":\s*"icon"/.test(String(message.data))) scope.came ??= performance.now();
+        });
+      }
+    };
+    addEventListener("DOMContentLoaded", () => new MutationObserver(() => {
+      const { came } = scope;
+      scope.came = undefined;
+      if (came !== undefined) requestAnimationFrame(() => scope.delays.push(performance.now() - came));
+    }).observe(document.body, { subtree: true, attributes: true, attributeFilter: ["data-run"] }));
+  });
+  await page.goto(served.url);
+  await imported(page, example);
+  for (let i = 0; i < 5; ++i) {
+    await act(page, "run").click();
+    await page.waitForTimeout(300);
+    await untilState(page, "Ended", 60000);
+  }
+  const delays = (await page.evaluate(() => (window as unknown as { delays: number[] }).delays)).sort((a, b) => a - b);
+  say(`event → colour, median of ${delays.length}`, `${at(delays, 0.5).toFixed(1)} ms`, "under 30 ms");
+  say("event → colour, 99 %", `${at(delays, 0.99).toFixed(1)} ms`, "under 100 ms");
+  await page.context().close();
+}
+
+async function panning(from: Browser, served: Cell): Promise<void> {
+  const icons: Record<string, unknown>[] = [{ id: "start", kind: "start", next: "i0", at: [-160, 0] }];
+  for (let i = 0; i < 499; ++i) icons.push({ id: `i${i}`, kind: "skill", skill: "touch", ...(i < 498 ? { next: `i${i + 1}` } : {}), at: [(i % 25) * 264, Math.floor(i / 25) * 136] });
+  const page = await openPage(from, served.url);
+  await imported(page, JSON.stringify({ "operation-format": 1, name: "many", icons }));
+  await page.waitForTimeout(1500);
+  const client = await page.context().newCDPSession(page);
+  await client.send("Performance.enable");
+  const scripting = async () => (await client.send("Performance.getMetrics")).metrics.find((each) => each.name === "ScriptDuration")!.value;
+  const gap = await page.evaluate(() => {
+    for (let y = 200; y < 700; y += 3) for (let x = 400; x < 900; x += 3) if (document.elementFromPoint(x, y)?.classList.contains("react-flow__pane")) return [x, y] as const;
+    return [400, 200] as const;
+  });
+  const rounds: number[] = [];
+  for (let round = 0; round < 3; ++round) {
+    await page.mouse.move(...gap);
+    await page.mouse.down();
+    const began = await scripting();
+    for (let i = 1; i <= 40; ++i) await page.mouse.move(gap[0] - i * 4, gap[1] - i * 2);
+    rounds.push(((await scripting()) - began) / 40 * 1000);
+    await page.mouse.up();
+    await page.mouse.move(gap[0] - 160, gap[1] - 80);
+    await page.mouse.down();
+    await page.mouse.move(...gap, { steps: 10 });
+    await page.mouse.up();
+  }
+  say("500 icons: scripting for a frame of panning", `${at(rounds.sort((a, b) => a - b), 0.5).toFixed(1)} ms`, "under 8 ms");
+  await page.context().close();
+}
+
+/** Processor time of the cell's program for one run of the operation: what a page costs the simulation. */
+async function slowed(from: Browser): Promise<void> {
+  const cost = async (pages: number): Promise<number> => {
+    const served = await cell("touch", ["--fast"]);
+    const driver = await openPage(from, served.url);
+    await imported(driver, example);
+    const others: Page[] = [];
+    for (let i = 1; i < pages; ++i) others.push(await openPage(from, served.url));
+    const took: number[] = [];
+    for (let i = 0; i < 5; ++i) {
+      await act(driver, "run").click();
+      await driver.waitForTimeout(200);
+      await untilState(driver, "Ended", 60000);
+      took.push(served.processorTime());
+    }
+    for (const each of [driver, ...others]) await each.context().close();
+    await served.end();
+    return (took.at(-1)! - took[0]!) / 4;
+  };
+  const one = await cost(1), three = await cost(3);
+  say("processor time of the cell, two pages more", `${((three / one - 1) * 100).toFixed(1)} %`, "under 1 %");
+}
+
+test("figures", async () => {
+  console.log(`${cpus()[0]?.model ?? "?"}, ${cpus().length} processors, load ${loadavg()[0]!.toFixed(1)}, node ${process.version}`);
+  const [chromium, served] = await Promise.all([browser(), cell("touch")]);
+  console.log(`chromium ${chromium.version()}`);
+  try {
+    bundle();
+    await ready(chromium, served);
+    await colours(chromium, served);
+    await panning(chromium, served);
+    await slowed(chromium);
+  } finally {
+    await chromium.close();
+    await served.end();
+  }
+});

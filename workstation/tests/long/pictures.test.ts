@@ -1,0 +1,67 @@
+// The pictures of docs/workstation/figures.md: PICTURES=FOLDER npm run test:long -- pictures, with --page and --workcell.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import type { Browser, Locator, Page } from "playwright-core";
+import { act, browser, icon, imported, openPage, shot, untilState } from "../browser/browser";
+import { cell, type Cell } from "../browser/cell";
+
+let chromium: Browser;
+before(async () => void (chromium = await browser()));
+after(() => chromium.close());
+
+const example = (name: string) => readFileSync(join(process.env.WORKSTATION!, "../examples/operations", `${name}.op.json`), "utf8");
+const folder = process.env.PICTURES;
+const part = async (of: Locator, name: string) => void (folder && (await of.screenshot({ path: join(folder, `${name}.png`) })));
+
+async function at(scene: string, options: readonly string[], what: (page: Page, served: Cell) => Promise<void>): Promise<void> {
+  const served = await cell(scene, options);
+  const page = await openPage(chromium, served.url, { viewport: { width: 1280, height: 800 } });
+  try {
+    await page.locator('[data-offer="start"]').waitFor();
+    await what(page, served);
+  } finally {
+    await page.context().close();
+    await served.end();
+  }
+}
+
+test("the cell touch", () => at("touch", ["--paced", "2"], async (page) => {
+  await imported(page, example("rub_in_square"));
+  await shot(page, "figure-5-7-operation");
+  await part(page.locator(".palette"), "figure-4-9-palette");
+  await icon(page, "found").dblclick({ position: { x: 60, y: 8 } });
+  await part(page.locator('[data-window="icon"]'), "figure-4-6-case");
+  await page.locator('[data-window="icon"] .window-head button').click();
+  await icon(page, "rub-in-square").click();
+  await page.keyboard.press("Control+ArrowDown");
+  await icon(page, "side-1").waitFor();
+  await page.waitForTimeout(400);
+  await shot(page, "figure-5-8-inside");
+  await part(icon(page, "side-2"), "figure-4-3-icon");
+  await icon(page, "side-1").locator('.connector.out[data-handleid="next"]').hover();
+  await icon(page, "side-1").dblclick({ position: { x: 60, y: 8 } });
+  await part(page.locator('[data-window="icon"]'), "figure-4-7-dialog");
+  await page.locator('[data-window="icon"] .window-foot button').first().click();
+  await page.locator('[data-window="skill"] table').first().waitFor();
+  await shot(page, "figure-5-9-stacked");
+  await part(page.locator('[data-window="skill"]'), "figure-4-8-help");
+  await page.keyboard.press("Escape");
+  await page.locator('[data-window="icon"] .window-head button').click();
+  await act(page, "run").click();
+  await untilState(page, "Running");
+  await page.waitForFunction(() => document.querySelector('.icon[data-id="side-2"]')?.getAttribute("data-run") === "acting", undefined, { timeout: 60000 });
+  await shot(page, "figure-4-16-running");
+  await act(page, "stop").click();
+  await untilState(page, "Stopped");
+  await page.locator(".go-on .choices li").first().waitFor();
+  await shot(page, "stopped");
+}));
+
+test("the cell delivery", () => at("delivery-middle", ["--fast"], async (page) => {
+  await page.getByRole("button", { name: "Show or hide the palette" }).click();
+  await imported(page, example("pick_by_identity"));
+  await shot(page, "figure-4-14-pick-by-identity");
+  await imported(page, example("pick_and_place"));
+  await shot(page, "figure-4-13-pick-and-place");
+}));
