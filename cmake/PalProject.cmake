@@ -90,30 +90,19 @@ function(pal_warnings target)
   endif()
 endfunction()
 
-# pal_add_precompiled_headers(NAME FILE [HEADER …]): with PAL_PRECOMPILE, the standard library's headers and others, read once.
-# FILE is there because a target must have one.
-function(pal_add_precompiled_headers name file)
-  if(NOT PAL_PRECOMPILE)
-    return()
-  endif()
-  add_library(${name} OBJECT ${file})
-  target_precompile_headers(${name} PRIVATE <algorithm> <chrono> <cstdint> <functional> <iostream> <map> <memory> <optional>
-    <set> <sstream> <string> <variant> <vector> ${ARGN})
-  pal_warnings(${name})
-endfunction()
-
-# pal_precompiled(TARGET [HEADERS]): with PAL_PRECOMPILE its files begin with what HEADERS has read; by default that is the
-# standard library. All that use the same HEADERS have the same options.
+# pal_precompiled(TARGET): with PAL_PRECOMPILE its files are read with the standard library's headers as they
+# were read before. All that use it have the same options.
 function(pal_precompiled target)
   if(NOT PAL_PRECOMPILE)
     return()
   endif()
-  set(headers pal_precompiled_headers ${ARGN})
-  list(GET headers -1 headers)
   if(NOT TARGET pal_precompiled_headers)
-    pal_add_precompiled_headers(pal_precompiled_headers "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
+    add_library(pal_precompiled_headers OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
+    target_precompile_headers(pal_precompiled_headers PRIVATE <algorithm> <chrono> <cstdint> <functional> <iostream> <map>
+      <memory> <optional> <set> <sstream> <string> <variant> <vector>)
+    pal_warnings(pal_precompiled_headers)
   endif()
-  target_precompile_headers(${target} REUSE_FROM ${headers})
+  target_precompile_headers(${target} REUSE_FROM pal_precompiled_headers)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # ccache cannot tell otherwise what a file depends on. The standard library's own warnings are not held back here.
     target_compile_options(${target} PRIVATE -fpch-preprocess

@@ -28,10 +28,10 @@ class KnownNames {
     const auto found = known_.find(name);
     if (found != known_.end()) return &found->second;
     const auto near = suggestions_.nearest_to(name, names_);
-    diagnostics_
-        .report(code, where, missing,
-                did_you_mean(near, list_.empty() ? std::string("there is none") : list_))
-        .fix = renamed(where, near);
+    auto& finding = diagnostics_.report(
+        code, where, missing, did_you_mean(near, list_.empty() ? std::string("there is none") : list_));
+    // A figure's name stands within the value that the place is of.
+    if (where.end - where.begin == name.size() + 2) finding.fix = renamed(where, near);
     return nullptr;
   }
 

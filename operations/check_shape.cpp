@@ -79,9 +79,11 @@ class OperationShape {
   }
 
  private:
+  /// Those to which a line can lead.
   const std::vector<std::string>& ids() {
     if (ids_.empty())
-      for (const Icon& icon : operation_.icons) ids_.push_back(icon.id);
+      for (const Icon& icon : operation_.icons)
+        if (icon.kind != IconKind::start) ids_.push_back(icon.id);
     return ids_;
   }
 

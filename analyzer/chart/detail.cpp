@@ -65,6 +65,8 @@ std::vector<Window> merged(const std::vector<Window>& sorted, std::int64_t pad_n
                            const Window& within) {
   std::vector<Window> result;
   for (const Window& it : sorted) {
+    // An end of a long action that the window shows the middle of.
+    if (it.to_ns < within.from_ns || it.from_ns > within.to_ns) continue;
     const Window padded{std::max(within.from_ns, it.from_ns - pad_ns),
                         std::min(within.to_ns, it.to_ns + pad_ns)};
     if (!result.empty() && padded.from_ns - result.back().to_ns <= gap_ns) {

@@ -1,6 +1,7 @@
 // The only file that knows Graphviz.
 #include <graphviz/gvc.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -25,9 +26,9 @@ struct CloseGraph {
   throw std::runtime_error(text.empty() ? what : what + ": " + text);
 }
 
-/// Calls `use` with the graph, laid out; Graphviz keeps its complaints meanwhile.
-template <class Use>
-void with_layout(const std::string& dot, const Use& use) {
+/// Calls `use` with the graph, laid out; Graphviz keeps its complaints meanwhile. It is no template: all uses
+/// share one mutex and one context.
+void with_layout(const std::string& dot, const std::function<void(GVC_t*, Agraph_t*)>& use) {
   // Graphviz has globals, and draws in one thread at a time.
   static std::mutex mutex;
   const std::lock_guard lock(mutex);

@@ -14,6 +14,7 @@ namespace pal::workcell {
 namespace {
 
 constexpr runtime::Time rest = std::chrono::milliseconds(400);
+constexpr runtime::Time rest_after_fault = std::chrono::milliseconds(800);  // the arm backs off first
 // Events of a run in real time, 16 MB: a trace that had to grow would hold the kernel for milliseconds.
 constexpr std::size_t real_time_trace = 1U << 19U;
 
@@ -181,7 +182,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   result.slow = session.slow;
   result.faults_to_come = cell.faults_to_come();
 
-  cell.rest(rest);
+  cell.rest(cell.workcell().fault() ? rest_after_fault : rest);
   // Before the picture: OpenGL is drawn with by one thread at a time.
   result.video_problem = world->observers.end();
   if (events) take_events(result, events);

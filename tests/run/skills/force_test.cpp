@@ -13,7 +13,7 @@ double way_along_z(const workcell::SessionResult& result) {
   return (result.log.front().tool - result.log.back().tool).z() * 1e3;
 }
 
-// At the end of the log, which goes on for 0.4 s after the skill.
+// At the end of the log, which goes on for 0.4 s after the skill, or 0.8 s after a fault of the arm.
 bool stands_still(const workcell::SessionResult& result) {
   const auto& last = result.log.back();
   const auto& before = result.log[result.log.size() - 100];

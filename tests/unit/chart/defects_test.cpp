@@ -62,6 +62,18 @@ TEST_CASE("of a long action only its ends are enlarged") {
   CHECK(windows[1].to_ns >= 30 * ms + 100 * us);
 }
 
+TEST_CASE("an end of a long action that lies outside of the picture is not enlarged") {
+  const Timeline run = long_work();
+  const ChartOptions options = over(5 * ms, 30 * ms, -1);
+  const Layer layer{&run, &options, Role::only, 0, {0}, {}};
+  const Window whole = overview_window({layer});
+  REQUIRE(whole.from_ns > 200 * us);
+  for (const Window& part : detail_windows({layer}, whole, 8'000, 300)) {
+    CHECK(part.from_ns >= whole.from_ns);
+    CHECK(part.to_ns > part.from_ns);
+  }
+}
+
 TEST_CASE("a crowded instant in the middle is enlarged before a long quiet stretch") {
   Timeline run = long_work();
   ChartOptions options = over(0, 39 * ms, -1);

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <regex>
 #include <stdexcept>
+#include <thread>
 
 #include "pal/pan/dot.hpp"
 #include "pal/pan/dump.hpp"
@@ -129,6 +130,19 @@ TEST_CASE("quotes in names stay inside the quotes of DOT") {
   Network network = touch_network();
   network.activities[2].name = "say \"obey\"";
   CHECK_NOTHROW(svg(to_dot(network, mc1)));
+}
+
+// Graphviz has globals: drawings and layouts of two threads at once crashed.
+TEST_CASE("two threads draw and lay out, one after the other") {
+  const std::string dot = "digraph g { a -> b -> c -> d; a -> c; b -> d; e -> f; a -> f; }\n";
+  std::size_t drawn = 0, laid_out = 0;
+  std::thread other([&] {
+    for (int i = 0; i < 200; ++i) drawn += svg(dot).find("<svg") != std::string::npos ? 1U : 0U;
+  });
+  for (int i = 0; i < 400; ++i) laid_out += lay_out(dot).size();
+  other.join();
+  CHECK(drawn == 200);
+  CHECK(laid_out == 400 * 6);
 }
 
 }  // namespace
