@@ -163,9 +163,13 @@ clients = []
 try:
     watcher = server.client(seen)
     watcher.call("watch")
-    first_size, size = resident(server.process), 0
-    end = time.monotonic() + given.seconds
-    while time.monotonic() < end and len(problems) < 20:
+    first_size, size, spent, told, last = resident(server.process), 0, 0, 0, time.monotonic()
+    while spent < given.seconds and len(problems) < 20:
+        now = time.monotonic()
+        spent, last = spent + min(now - last, 5), now  # the time in which a signal held this program up does not count
+        if spent >= told + 60:
+            told += 60
+            print(f"{spent / 60:.0f} min, {sent} requests, {len(problems)} problems, memory {resident(server.process):.0f} MiB", flush=True)
         if len(clients) < 4:
             client = server.client(seen, draw.choice(["viewer", "operator", "programmer", "programmer"]), "fuzzer")
             client.socket.settimeout(60)
