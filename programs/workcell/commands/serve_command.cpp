@@ -217,7 +217,9 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
       continue;
     }
     if (command.paced > 0) {
+      cell.workcell().let_rest(true);
       cell.station().idle(10ms);
+      cell.workcell().let_rest(false);
       desk.tell_time(runner.now());
     } else {
       desk.wait(100ms);

@@ -306,6 +306,21 @@ TEST_CASE("closings have a reason, and the server's end is told") {
   CHECK(Json::parse(last)["params"]["event"] == "ending");
 }
 
+TEST_CASE("what is no request of HTTP is told so") {
+  Served served;
+  const auto answer = [&](const std::string& bytes) {
+    Raw raw(served.server.port());
+    raw.write(bytes);
+    return raw.read_until("<never>");
+  };
+  using Catch::Contains;
+  CHECK_THAT(answer("hello?\r\n\r\n"), Contains(" 400 ") && Contains("no request of HTTP"));
+  CHECK_THAT(answer("POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 2\r\n\r\n{}"),
+             Contains(" 413 ") && Contains("JSON-RPC"));
+  CHECK_THAT(answer("GET / HTTP/1.1\r\nLong: " + std::string(9000, 'a') + "\r\n\r\n"),
+             Contains(" 431 ") && Contains("too long"));
+}
+
 TEST_CASE("a client that is killed leaves the cell to another") {
   Served served;
   auto ann = served.enter("ann");
