@@ -19,8 +19,7 @@ Duration seconds_of(double seconds) {
 std::optional<ValueRange> range_of(const pan::Parameter& parameter) {
   if (parameter.type == pan::ScalarType::text) return std::nullopt;
   if (parameter.type == pan::ScalarType::boolean) return ValueRange{0, 1};
-  if (!parameter.low || !parameter.high) return std::nullopt;
-  return ValueRange{*parameter.low, *parameter.high};
+  return ValueRange{parameter.low, parameter.high};
 }
 
 /// What the parameter of an icon may be.
@@ -29,8 +28,8 @@ std::optional<ValueRange> values_of(const pan::Parameter& wanted, const std::vec
   const auto given = std::find_if(parameters.begin(), parameters.end(),
                                   [&](const Parameter& each) { return each.name == wanted.name; });
   if (given == parameters.end()) {
-    if (wanted.type == pan::ScalarType::text || !wanted.default_value) return std::nullopt;
-    return ValueRange{*wanted.default_value, *wanted.default_value};
+    if (wanted.type == pan::ScalarType::text) return std::nullopt;
+    return ValueRange{wanted.default_value, wanted.default_value};
   }
   if (given->source.kind == Source::Kind::argument && operation != nullptr) {
     const pan::Parameter* argument = find_argument(*operation, given->source.name);
