@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "operations/icon_times.hpp"
+#include "pal/support/duration_text.hpp"
 #include "programs/workcell/session/needed_tool.hpp"
 #include "sim/cell/sensor_range.hpp"
 
@@ -99,6 +102,15 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
   return result;
 }
 
+operations::DeclaredTimes longest_of(const std::vector<KnownSkill>& skills) {
+  operations::DeclaredTimes result;
+  for (const KnownSkill& known : skills)
+    for (const auto& [code, text] : known.longest)
+      if (auto formula = operations::Formula::parse(text))
+        result.emplace(std::pair(known.name, code), std::move(*formula));
+  return result;
+}
+
 operations::Sensors sensors_of(const sim::Cell& cell) {
   operations::Sensors result;
   for (const sim::SensorSpec& sensor : cell.sensors())
@@ -114,8 +126,8 @@ std::set<std::string> locations_of(sim::Cell& cell) {
 
 operations::Cell cell_of(sim::Cell& cell, const std::vector<KnownSkill>& skills, const sim::Scene& scene,
                          const std::vector<std::string>& folders) {
-  operations::Cell result{
-      templates_of(skills), sensors_of(cell), figures_of_skills(), locations_of(cell), {}};
+  operations::Cell result{templates_of(skills), sensors_of(cell), figures_of_skills(), locations_of(cell), {},
+                          longest_of(skills)};
   for (const KnownSkill& known : skills)
     if (const auto why = lacking_tool(*known.make(), scene, folders)) result.unable.emplace(known.name, *why);
   return result;
@@ -125,6 +137,8 @@ CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, r
                        std::uint64_t seed, OnInterrupt on_interrupt, runtime::MessageObserver* messages)
     : cell_(cell),
       known_(skills),
+      templates_(templates_of(skills)),
+      longest_(longest_of(skills)),
       times_(times),
       seed_(seed),
       on_interrupt_(on_interrupt),
@@ -164,6 +178,12 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
   if (margins_ != nullptr) margins_->end();
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
+  const auto longest =
+      operations::declared_longest(templates_.at(name), outcome.code, parameters, nullptr, longest_);
+  if (longest && outcome.duration > *longest)
+    result.reason +=
+        fmt::format("{}broken promise: {} took {}, at most {} is declared", result.reason.empty() ? "" : "; ",
+                    name, to_text(outcome.duration), to_text(*longest));
   if (outcome.fault && control_.load()->stopping()) {
     result.kind = SkillResult::Kind::stopped;
   } else if (outcome.fault && limit && outcome.duration >= *limit) {
