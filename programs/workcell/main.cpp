@@ -6,6 +6,8 @@
 #include "programs/workcell/options/command_line.hpp"
 
 int main(int count, char** arguments) {
+  // A full device and a closed output refuse even nothing.
+  if (::write(STDOUT_FILENO, "", 0) < 0) std::cout.setstate(std::ios::badbit);
   using namespace pal::workcell;
   try {
     return static_cast<int>(main_program({arguments + 1, arguments + count}, installed_skills(), std::cout,

@@ -468,9 +468,10 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
 
 ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
                         std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
-  const ExitStatus status = run_program(arguments, skills, out, error, terminal, in);
+  // A report that cannot be written is no success. That is said before a run of minutes, where it is known.
+  const ExitStatus status =
+      out ? run_program(arguments, skills, out, error, terminal, in) : ExitStatus::usage;
   if (out.flush()) return status;
-  // A report that could not be written is no success.
   error << "workcell: error: the standard output cannot be written: is it open, and is there space?\n";
   return status == ExitStatus::done ? ExitStatus::usage : status;
 }

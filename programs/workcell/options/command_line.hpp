@@ -154,7 +154,8 @@ ExitStatus new_skill(const NewSkillCommand& command, const std::vector<KnownSkil
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control, std::ostream& out);
 
 /// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is a
-/// terminal, so a line on it can be rewritten. `in`: for commands that are given while an operation runs.
+/// terminal, so a line on it can be rewritten. Runs nothing if `out` has failed already. `in`: for commands
+/// that are given while an operation runs.
 ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
                         std::ostream& out, std::ostream& error, bool terminal = false,
                         std::istream* in = nullptr);
