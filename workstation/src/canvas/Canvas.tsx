@@ -2,7 +2,7 @@
 // mouse or finger. The keyboard is in keys.ts.
 import { Background, BackgroundVariant, ConnectionMode, MiniMap, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
 import "@xyflow/react/dist/base.css";
-import { useCallback, useEffect, useMemo, useRef, type DragEvent } from "react";
+import { useCallback, useEffect, useMemo, useRef, type DragEvent, type MouseEvent } from "react";
 import type { Point } from "../model/operation";
 import { useCell } from "../state/cell";
 import { select, shownOperation, useDrawing } from "../state/drawing";
@@ -17,7 +17,7 @@ import { FlowNodes } from "./flow";
 import { IconMenu } from "./IconMenu";
 import { IconNode, type IconNodeType } from "./IconNode";
 import { InsertList } from "./InsertList";
-import { everywhere, onCanvas, openMenu } from "./keys";
+import { besides, everywhere, onCanvas, openMenu } from "./keys";
 import { Lines } from "./Lines";
 import { runStateOf } from "./runState";
 import { useView } from "./view";
@@ -68,13 +68,13 @@ export function Canvas() {
     if (text === "") return;
     event.preventDefault();
     const at = flow.screenToFlowPosition({ x: event.clientX, y: event.clientY });
-    insertIcon(JSON.parse(text) as Offer, [at.x - 92, at.y - 28]);
+    insertIcon(JSON.parse(text) as Offer, besides(shownOperation(useDrawing.getState()), [at.x - 92, at.y - 28]));
   }, [flow]);
 
   return (
     <div className="canvas" role="application" aria-label={t("canvas.label", { name: operation.name })} tabIndex={operation.icons.length === 0 ? 0 : -1}
       onDrop={onDrop} onDragOver={(event) => event.dataTransfer.types.includes(offerType) && event.preventDefault()}
-      onFocus={(event) => focused(event.target as HTMLElement)}>
+      onFocus={(event) => focused(event.target as HTMLElement)} onMouseDownCapture={toNearestConnector}>
       <ReactFlow<IconNodeType> nodes={nodes} edges={[]} nodeTypes={nodeTypes} onNodesChange={onNodesChange} onConnect={onConnect} onConnectEnd={onConnectEnd}
         onNodeDoubleClick={(_, node) => openIcon(node.data.operation, node.id)} zoomOnDoubleClick={false}
         onNodeContextMenu={(event, node) => (event.preventDefault(), openMenu(node.id, [event.clientX, event.clientY]))}
@@ -115,6 +115,22 @@ function changed(changes: NodeChange<IconNodeType>[]): void {
   }
   if (moves.size > 0) useView.setState({ dragged: moves });
   if (selects) select(chosen);
+}
+
+/** Of connectors that lie close together the nearest one is meant, whichever lies on top. */
+function toNearestConnector(event: MouseEvent): void {
+  const pressed = (event.target as Element).closest(".connector");
+  if (!pressed) return;
+  const away = (each: Element) => {
+    const box = each.getBoundingClientRect();
+    return Math.hypot(box.left + box.width / 2 - event.clientX, box.top + box.height / 2 - event.clientY);
+  };
+  const near = [...event.currentTarget.querySelectorAll(".connector")].reduce((best, each) => (away(each) < away(best) ? each : best), pressed);
+  if (near === pressed) return;
+  event.stopPropagation();
+  event.preventDefault();
+  const { clientX, clientY, button, buttons } = event;
+  near.dispatchEvent(new globalThis.MouseEvent("mousedown", { bubbles: true, cancelable: true, view: window, clientX, clientY, button, buttons }));
 }
 
 /** A drag is one entry of the history, from its beginning to its end. */

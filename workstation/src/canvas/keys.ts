@@ -136,15 +136,29 @@ function insertBeside(text: string): void {
   useView.setState({ insert: { at: freePlace(operation, at), screen, text, from: beside && open ? { icon: beside.id, port: open.name } : undefined } });
 }
 
+const room = 32;
+
+/** The icons that a new one at this place would lie on or touch. */
+function inTheWay(operation: Operation, [x, y]: Point): Icon[] {
+  return operation.icons.filter((icon) => {
+    const [left, top] = icon.at ?? [0, 0], { width, height } = sizeOf(icon);
+    return left < x + 184 + room && x < left + width + room && top < y + 48 + room && y < top + height + room;
+  });
+}
+
 /** Down from `at`, the first place where a new icon lies on no other. */
 export function freePlace(operation: Operation, at: Point): Point {
-  for (let [x, y] = at; ; y += 32) {
-    const hit = operation.icons.some((icon) => {
-      const [left, top] = icon.at ?? [0, 0], { width, height } = sizeOf(icon);
-      return left < x + 216 && x < left + width + 32 && top < y + 80 && y < top + height + 32;
-    });
-    if (!hit) return [x, y];
-  }
+  for (let [x, y] = at; ; y += 32) if (inTheWay(operation, [x, y]).length === 0) return [x, y];
+}
+
+/** `at`; if a new icon would touch others there, the nearest place beside them, so that every connector can be reached. */
+export function besides(operation: Operation, at: Point): Point {
+  const others = inTheWay(operation, at);
+  if (others.length === 0) return at;
+  const right = Math.max(...others.map((icon) => (icon.at?.[0] ?? 0) + sizeOf(icon).width)) + room;
+  const left = Math.min(...others.map((icon) => icon.at?.[0] ?? 0)) - room - 184;
+  const aside = [right, left].sort((a, b) => Math.abs(a - at[0]) - Math.abs(b - at[0])).map((x): Point => [x, at[1]]);
+  return aside.find((each) => inTheWay(operation, each).length === 0) ?? freePlace(operation, at);
 }
 
 function withCtrl(event: KeyboardEvent): boolean {
