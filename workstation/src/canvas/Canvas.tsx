@@ -44,7 +44,7 @@ export function Canvas() {
     // An empty canvas begins at the left, where START goes.
     const height = document.querySelector(".canvas")?.clientHeight ?? 800;
     if (shownOperation(useDrawing.getState()).icons.length === 0) void flow.setViewport({ x: 64, y: Math.round(height / 2.5), zoom: 1 });
-    else void flow.fitView({ minZoom: 0.5, maxZoom: 1, padding: 0.12 });
+    else void flow.fitView({ maxZoom: 1, padding: 0.06 });
   }), [fits, flow]);
 
   const onNodesChange = useCallback((changes: NodeChange<IconNodeType>[]) => changed(changes), []);

@@ -6,7 +6,7 @@ import { iconOf, operationNamed, withOperation, type Operation } from "../model/
 import { useCell } from "../state/cell";
 import { useChecks } from "../state/checks";
 import { edit, shownOperation, useDrawing } from "../state/drawing";
-import { openWindow, useWindows } from "../state/windows";
+import { openIcon, openWindow, useWindows } from "../state/windows";
 import { Miniature } from "../palette/Miniature";
 import { Symbol } from "../symbols/Symbol";
 import { duration, t } from "../words/words";
@@ -39,10 +39,14 @@ export function Inspector() {
 
 function One({ operation, icon }: { operation: string; icon: string }) {
   const count = useChecks((state) => state.findings.get(`${operation}/${icon}`)?.length ?? 0);
+  // One form for one icon: not here what a window over the page already shows.
+  const dialog = useWindows((state) => state.open.some((each) => each.kind === "icon" && each.about === `${operation}/${icon}`));
   return (
     <>
       {count > 0 && <FindingsList operation={operation} icon={icon} />}
-      <IconForm operation={operation} id={icon} onRenamed={() => {}} />
+      {dialog
+        ? <><p className="hint">{t("inspector.inDialog")}</p><Button className="button" onPress={() => openIcon(operation, icon)}><Symbol name="settings" size={16} />{t("inspector.toDialog")}</Button></>
+        : <IconForm operation={operation} id={icon} onRenamed={() => {}} />}
     </>
   );
 }
