@@ -1,6 +1,6 @@
 // The canvas: icons and lines of the operation that is shown, an overview, and everything that is done there by
 // mouse or finger. The keyboard is in keys.ts.
-import { Background, BackgroundVariant, ConnectionMode, MiniMap, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
+import { Background, BackgroundVariant, ConnectionMode, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
 import "@xyflow/react/dist/base.css";
 import { useCallback, useEffect, useMemo, useRef, type DragEvent, type MouseEvent } from "react";
 import type { Point } from "../model/operation";
@@ -19,7 +19,7 @@ import { IconNode, type IconNodeType } from "./IconNode";
 import { InsertList } from "./InsertList";
 import { besides, everywhere, onCanvas, openMenu } from "./keys";
 import { Lines } from "./Lines";
-import { runStateOf } from "./runState";
+import { Overview } from "./Overview";
 import { useView } from "./view";
 import "./canvas.css";
 
@@ -86,10 +86,7 @@ export function Canvas() {
         elevateNodesOnSelect={false} proOptions={{ hideAttribution: true }}>
         <Background variant={BackgroundVariant.Dots} gap={24} size={1.5} color="var(--dots)" bgColor="var(--canvas)" />
         <Lines operation={operation} prefix={prefix} />
-        {operation.icons.length > 4 && (
-          <MiniMap<IconNodeType> pannable zoomable ariaLabel={t("canvas.overview")} nodeColor={mapColour} nodeBorderRadius={8} nodeStrokeWidth={0}
-            maskColor="var(--map-mask)" bgColor="var(--surface)" style={{ width: 176, height: 112 }} />
-        )}
+        {operation.icons.length > 4 && <Overview />}
         <CanvasTools />
         <Follow />
       </ReactFlow>
@@ -148,13 +145,6 @@ function focused(target: HTMLElement): void {
 function insertAt(target: HTMLElement, screen: Point, at: { x: number; y: number }): void {
   if (!target.classList.contains("react-flow__pane")) return;
   useView.setState({ insert: { at: [at.x, at.y - 28], screen, text: "" } });
-}
-
-function mapColour(node: IconNodeType): string {
-  const run = runStateOf(useCell.getState(), node.data.path);
-  if (run === "acting" || run === "halted") return "var(--accent)";
-  if (run === "failed") return "var(--error)";
-  return node.selected ? "var(--accent)" : "var(--edge-strong)";
 }
 
 const writes = (element: Element | null) => element?.closest("input, textarea, [contenteditable], [role='listbox'], [role='menu'], [role='dialog'] select") !== null;

@@ -1,5 +1,6 @@
 // After a stop or a fault: what has happened and why, what would be repeated, and from where to go on.
-import { useEffect, useState } from "react";
+import { useReactFlow, type ReactFlowInstance } from "@xyflow/react";
+import { useEffect, useRef, useState } from "react";
 import { Button } from "react-aria-components";
 import { amountText } from "../canvas/summary";
 import { focusIcon } from "../canvas/keys";
@@ -51,11 +52,17 @@ export function GoOn() {
     choicesOf(state, failed).then((result) => current && setChoices(result), () => {});
     return () => void (current = false);
   }, [key, link, state, failed]);
-  if (!needed(state, failed) || hidden === key) return null;
+  const flow = useReactFlow();
+  const panel = useRef<HTMLElement>(null);
+  const shown = needed(state, failed) && hidden !== key;
+  useEffect(() => {
+    if (shown && choices.length > 0) uncover(flow, panel.current, failed ?? useCell.getState().present?.snapshot.token ?? "");
+  }, [shown, choices, failed, flow]);
+  if (!shown) return null;
   const wrong = state !== "stopped";
   const cause = causeOf(reason);
   return (
-    <section className="go-on" data-state={wrong ? "failed" : "stopped"} aria-label={t("goOn.title")}>
+    <section ref={panel} className="go-on" data-state={wrong ? "failed" : "stopped"} aria-label={t("goOn.title")}>
       <div className="go-on-head">
         <Symbol name={wrong ? "error" : "stop"} size={20} />
         <div>
@@ -76,7 +83,7 @@ export function GoOn() {
           ))}
         </ul>
       )}
-      <p className="hint">{t("stop.meaning")}</p>
+      {!wrong && <p className="hint">{t("stop.meaning")}</p>}
     </section>
   );
 }
@@ -97,6 +104,17 @@ function First({ choice }: { choice: Choice }) {
       {must.length > 0 && <p className="hint">{t("goOn.must")} {must.join(" ")}</p>}
     </>
   );
+}
+
+/** Moves the canvas so that the icon of which the panel tells does not lie under it. */
+function uncover(flow: ReactFlowInstance, panel: HTMLElement | null, path: string): void {
+  const told = panel?.getBoundingClientRect(), canvas = document.querySelector(".canvas")?.getBoundingClientRect();
+  const box = document.querySelector(`.icon[data-id="${CSS.escape(path.slice(path.lastIndexOf("/") + 1))}"]`)?.getBoundingClientRect();
+  if (!told || !canvas || !box || box.left > told.right || box.top > told.bottom) return;
+  const { x, y, zoom } = flow.getViewport(), room = 40;
+  const down = told.bottom + room - box.top, right = told.right + room - box.left;
+  if (box.bottom + down + room < canvas.bottom) void flow.setViewport({ x, y: y + down, zoom }, { duration: 160 });
+  else void flow.setViewport({ x: x + right, y, zoom }, { duration: 160 });
 }
 
 const nested = (path: string): string => path.replaceAll("/", " › ");

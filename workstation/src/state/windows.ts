@@ -50,7 +50,8 @@ function besideIcon(about: string): [number, number] | undefined {
   const taken = useWindows.getState().open;
   const free = (x: number) => x >= 8 && x + room <= innerWidth && !(told && x < told.right && top < told.bottom) && !taken.some((each) => Math.abs(each.x - x) < 16 && Math.abs(each.y - top) < 16);
   const places = [...(box ? [box.right + 24, box.left - room] : []), ...(told ? [told.right + 12] : [])];
-  const x = places.find(free);
+  // No room: at the edge, where the least of it is hidden.
+  const x = places.find(free) ?? (told ? innerWidth - room : undefined);
   return x === undefined ? undefined : [x, top];
 }
 

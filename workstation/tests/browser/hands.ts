@@ -73,7 +73,7 @@ export async function walkTo(page: Page, id: string): Promise<void> {
 }
 
 /** Tab, or Shift+Tab to what lies before: a person sees on which side it is. */
-async function tabTo(page: Page, wanted: Locator): Promise<void> {
+export async function tabTo(page: Page, wanted: Locator): Promise<void> {
   for (let i = 0; i < 80; ++i) {
     const way = await wanted.evaluate((each) => {
       const here = document.activeElement;
