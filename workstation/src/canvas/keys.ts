@@ -162,7 +162,7 @@ export function placeBehind(operation: Operation, before: Icon | undefined): Poi
   if (!before) return freePlace(operation, [0, 0]);
   const [x, y] = before.at ?? [0, 0];
   const first = Math.min(...operation.icons.map((icon) => icon.at?.[0] ?? 0));
-  const longest = (document.querySelector(".canvas")?.clientWidth ?? 1024) / 0.7;
+  const longest = (document.querySelector(".canvas")?.clientWidth ?? 1024) / 0.85;
   const right = x + sizeOf(before).width + 64;
   if (right + 184 - first <= longest) return freePlace(operation, [right, y]);
   // Behind START, which begins the row above.

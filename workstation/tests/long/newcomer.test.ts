@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
+import { noViolation } from "../browser/axe";
 import { act, browser, drawing, errors, field, icon, insert, openPage, shot, untilState } from "../browser/browser";
 import { cell } from "../browser/cell";
 import { tabTo } from "../browser/hands";
@@ -81,7 +82,7 @@ const keyboard: Hand = {
 
 async function walk(name: string, hand: Hand, options: BrowserContextOptions): Promise<void> {
   const served = await cell("touch", ["--paced", "10"]);
-  const page = await openPage(chromium, served.url, options);
+  const page = await openPage(chromium, served.url, { bypassCSP: true, ...options });
   let n = 0;
   const look = async (what: string) => {
     await page.waitForTimeout(250);
@@ -112,6 +113,7 @@ async function walk(name: string, hand: Hand, options: BrowserContextOptions): P
     await untilState(page, "Failed", 30000);
     assert.equal(await page.locator(".go-on .cause").textContent(), "the surface has ended: nothing was felt for 140 ms");
     await look("fault");
+    await noViolation(page, `${name}, fault`);
     await hand.press(page, "Open rub and change it");
     await page.locator('[data-window="icon"]').waitFor();
     await hand.set(page, "distance", "2");
