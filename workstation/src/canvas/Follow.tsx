@@ -1,5 +1,5 @@
 // What comes into view by itself: the icon that the keyboard is at, one that was just added, and what runs.
-import { useReactFlow, type ReactFlowInstance } from "@xyflow/react";
+import { useReactFlow, useStoreApi, type ReactFlowInstance } from "@xyflow/react";
 import { useEffect, useRef } from "react";
 import { create } from "zustand";
 import type { Icon } from "../model/operation";
@@ -12,17 +12,21 @@ import { sizeOf } from "./shape";
 export const useFollow = create<{ on: boolean; jump: number }>()(() => ({ on: true, jump: 0 }));
 
 const room = 40;
+type Store = ReturnType<typeof useStoreApi>;
 
-/** Moves the canvas as little as it takes to see the whole icon. */
-function reveal(flow: ReactFlowInstance, icon: Icon, duration: number): void {
-  const box = document.querySelector(".canvas")?.getBoundingClientRect();
-  if (!box) return;
-  const { x, y, zoom } = flow.getViewport();
+/** Where an icon lies on the screen, and how large the canvas is: from what React Flow knows, so that nothing is laid out for it. */
+function seenAt(store: Store, icon: Icon) {
+  const { width, height, transform: [x, y, zoom] } = store.getState();
   const size = sizeOf(icon);
   const left = (icon.at?.[0] ?? 0) * zoom + x, top = (icon.at?.[1] ?? 0) * zoom + y;
-  const right = left + size.width * zoom, bottom = top + size.height * zoom;
-  const dx = left < 0 ? room - left : right > box.width ? box.width - room - right : 0;
-  const dy = top < 0 ? room - top : bottom > box.height ? box.height - room - bottom : 0;
+  return { width, height, x, y, zoom, left, top, right: left + size.width * zoom, bottom: top + size.height * zoom };
+}
+
+/** Moves the canvas as little as it takes to see the whole icon. */
+function reveal(flow: ReactFlowInstance, store: Store, icon: Icon, duration: number): void {
+  const { width, height, x, y, zoom, left, top, right, bottom } = seenAt(store, icon);
+  const dx = left < 0 ? room - left : right > width ? width - room - right : 0;
+  const dy = top < 0 ? room - top : bottom > height ? height - room - bottom : 0;
   if (dx !== 0 || dy !== 0) void flow.setViewport({ x: x + dx, y: y + dy, zoom }, { duration });
 }
 
@@ -30,9 +34,7 @@ function reveal(flow: ReactFlowInstance, icon: Icon, duration: number): void {
 const readable = 0.6;
 
 /** True: all icons have room at a size at which they are read, and are shown so. */
-function showAll(flow: ReactFlowInstance, icons: readonly Icon[]): boolean {
-  const box = document.querySelector(".canvas")?.getBoundingClientRect();
-  if (!box) return false;
+function showAll(flow: ReactFlowInstance, box: { width: number; height: number }, icons: readonly Icon[]): boolean {
   const right = (icon: Icon) => (icon.at?.[0] ?? 0) + sizeOf(icon).width, bottom = (icon: Icon) => (icon.at?.[1] ?? 0) + sizeOf(icon).height;
   const width = Math.max(...icons.map(right)) - Math.min(...icons.map((icon) => icon.at?.[0] ?? 0));
   const height = Math.max(...icons.map(bottom)) - Math.min(...icons.map((icon) => icon.at?.[1] ?? 0));
@@ -42,7 +44,7 @@ function showAll(flow: ReactFlowInstance, icons: readonly Icon[]): boolean {
 }
 
 function Reveal() {
-  const flow = useReactFlow();
+  const flow = useReactFlow(), store = useStoreApi();
   const focus = useDrawing((state) => state.focus);
   const count = useRef(0);
   useEffect(() => {
@@ -51,18 +53,16 @@ function Reveal() {
     count.current = icons.length;
     const icon = icons.find((each) => each.id === focus);
     if (!icon) return;
-    const box = document.querySelector(".canvas")?.getBoundingClientRect();
-    const { x, y, zoom } = flow.getViewport();
-    const left = (icon.at?.[0] ?? 0) * zoom + x, top = (icon.at?.[1] ?? 0) * zoom + y, size = sizeOf(icon);
-    const seen = box && left >= 0 && top >= 0 && left + size.width * zoom <= box.width && top + size.height * zoom <= box.height;
-    if (seen || (added && showAll(flow, icons))) return;
-    reveal(flow, icon, 120);
-  }, [focus, flow]);
+    const { width, height, left, top, right, bottom } = seenAt(store, icon);
+    const seen = left >= 0 && top >= 0 && right <= width && bottom <= height;
+    if (seen || (added && showAll(flow, { width, height }, icons))) return;
+    reveal(flow, store, icon, 120);
+  }, [focus, flow, store]);
   return null;
 }
 
 export function Follow() {
-  const flow = useReactFlow();
+  const flow = useReactFlow(), store = useStoreApi();
   const { on, jump } = useFollow();
   const name = useDrawing((state) => state.drawing.name);
   const here = useCell((cell) => {
@@ -82,8 +82,8 @@ export function Follow() {
       void flow.setCenter((icon.at?.[0] ?? 0) + size.width / 2, (icon.at?.[1] ?? 0) + size.height / 2, { zoom: Math.max(zoom, readable), duration: 160 });
       useFollow.setState({ jump: 0 });
     } else {
-      reveal(flow, icon, 160);
+      reveal(flow, store, icon, 160);
     }
-  }, [here, jump, on, running, flow]);
+  }, [here, jump, on, running, flow, store]);
   return <Reveal />;
 }
