@@ -1,5 +1,6 @@
 #include "programs/workcell/session/skill_facts.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <filesystem>
@@ -84,6 +85,18 @@ void note(const pan::Network& network, const analyzer::Analysis& analysis, serve
   }
 }
 
+/// Gives the memory that proofs and drawings needed back to the system, which else stays with the program.
+struct Trimmed {
+  Trimmed() = default;
+  ~Trimmed() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
+  }
+  Trimmed(const Trimmed&) = delete;
+  Trimmed& operator=(const Trimmed&) = delete;
+};
+
 }  // namespace
 
 SkillScholar::SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
@@ -103,9 +116,11 @@ SkillScholar::~SkillScholar() {
 
 void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string& folder,
                          server::Knowledge& knowledge, const SkillPictures& pictures) const {
-  // The cell's own threads come first; on Linux this is of the thread.
-  constexpr int least_urgent = 19;
-  ::setpriority(PRIO_PROCESS, 0, least_urgent);
+  // The cell's own threads come first; on Linux this is of the thread. Clients, too, have drawings made,
+  // which wait for each other: so a drawing that has begun must not wait long for a processor.
+  constexpr int less_urgent = 5, least_urgent = 19;
+  ::setpriority(PRIO_PROCESS, 0, less_urgent);
+  const Trimmed trimmed;
   const DiskFileSystem files;
   std::ostringstream out, error;
   const program::Console console{out, error, files};
@@ -136,6 +151,7 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string
   }
   knowledge.learn(std::make_shared<server::Facts>(*facts));
   if (cell == nullptr) return;
+  ::setpriority(PRIO_PROCESS, 0, least_urgent);
   program::ProofLimits limits;
   limits.threads = 1;
   analyzer::Options options = program::options_of(limits);

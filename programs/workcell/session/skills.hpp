@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct KnownSkill {
   std::function<std::unique_ptr<runtime::Skill>()> make;
   std::string pal_file{};  // in the folders of skills; empty: nothing is proved of it
   std::string environment_file{};
+  std::map<int, std::string> longest{};  // formulas of its longest time in s, by completion code
 };
 
 /// Sorted by name.

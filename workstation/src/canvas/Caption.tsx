@@ -1,4 +1,4 @@
-// The line below an icon: the proved time that it may take; while it acts, how long it has; how it failed.
+// The line below an icon: the longest time that it may take; while it acts, how long it has; how it failed.
 import { memo, useEffect, useState } from "react";
 import type { Icon } from "../model/operation";
 import { causeOf } from "../state/cause";
@@ -23,7 +23,7 @@ export const Caption = memo(function Caption({ icon, operation, path, run }: Pro
   const proved = !times ? "" : longest === null || longest === undefined ? t("time.unknown") : t("time.most", { time: duration(longest) });
   if (run === "acting") return <div className="caption acting"><Since /> {proved}</div>;
   if (run === "failed" && reason !== "") return <div className="caption failed" title={reason}>{causeOf(reason).what}</div>;
-  return <div className="caption" data-unknown={longest === null || undefined} title={times?.unknown || undefined}>{proved}</div>;
+  return <div className="caption" data-unknown={longest === null || undefined} title={times?.unknown || (times?.declared ? t("time.declared") : undefined)}>{proved}</div>;
 });
 
 /** Seconds since what acts had begun, once a quarter of a second. */

@@ -50,7 +50,7 @@ export default function SkillHelp({ about }: { about: string }) {
             {skill.completions.map((each) => (
               <tr key={each.code}>
                 <th scope="row">{each.code}</th><td>{t(`completion.${each.kind}`)}</td><td>{each.description}</td>
-                <td>{each.longest_s === null || each.longest_s === undefined ? t("help.notProved") : `≤ ${duration(each.longest_s)}`}</td>
+                <td>{each.longest_s === null || each.longest_s === undefined ? t("help.notProved") : <span title={each.declared}>≤ {duration(each.longest_s)}</span>}</td>
               </tr>
             ))}
           </tbody>
