@@ -60,7 +60,7 @@ function Whole({ operation }: { operation: Operation }) {
   }, { run: `operation:${operation.name}:${run}` });
   return (
     <>
-      {main && result && result.ways.length > 0 && <Times shortest={result.shortest_s} longest={result.longest_s} runs={result.runs} />}
+      {main && result && result.ways.length > 0 && <Times shortest={result.shortest_s} longest={result.longest_s} runs={result.runs} declared={result.ways.some((way) => way.declared)} />}
       <TextBox label={t("inspector.description")} long value={operation.description ?? ""} onChange={(description) => put({ description }, "description")} />
       <h3 className="section-title">{t("findings.all")}</h3>
       <FindingsList operation={operation.name} icon="" />
@@ -68,12 +68,13 @@ function Whole({ operation }: { operation: Operation }) {
   );
 }
 
-function Times({ shortest, longest, runs }: { shortest: number | null; longest: number | null; runs: boolean }) {
+function Times({ shortest, longest, runs, declared }: { shortest: number | null; longest: number | null; runs: boolean; declared: boolean }) {
   if (!runs) return null;
   return (
     <div className="times">
       <div><span>{t("times.shortest")}</span><b>{shortest === null || (shortest < 0.005 && longest === null) ? t("times.unknown") : duration(shortest)}</b></div>
       <div><span>{t("times.longest")}</span><b>{longest === null ? t("times.unknown") : duration(longest)}</b></div>
+      {declared && longest !== null && <p className="hint">{t("time.declared")}</p>}
       <Button className="button quiet small" onPress={() => openWindow("ways")}>{t("times.ways")}</Button>
     </div>
   );
