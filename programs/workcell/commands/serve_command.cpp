@@ -199,6 +199,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
                                    known_of_cell.figures,
                                    known_of_cell.unable,
                                    known_of_cell.longest};
+  desk_options.refused_together = known_of_cell.refused_together;
   desk_options.runs = &runs;
   if (command.paced <= 0) desk_options.answer_wait = 10ms;
   server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
