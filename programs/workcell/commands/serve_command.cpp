@@ -197,7 +197,9 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
                                    &book,
                                    &robot,
                                    known_of_cell.figures,
-                                   known_of_cell.unable};
+                                   known_of_cell.unable,
+                                   known_of_cell.longest};
+  desk_options.refused_together = known_of_cell.refused_together;
   desk_options.runs = &runs;
   if (command.paced <= 0) desk_options.answer_wait = 10ms;
   server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
@@ -216,7 +218,9 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
       continue;
     }
     if (command.paced > 0) {
+      cell.workcell().let_rest(true);
       cell.station().idle(10ms);
+      cell.workcell().let_rest(false);
       desk.tell_time(runner.now());
     } else {
       desk.wait(100ms);

@@ -86,7 +86,8 @@ void add_skills_option(CLI::App& app, std::vector<std::string>& skills) {
          "--skills", skills,
          "further skills: a file of pal_add_skill(… WORKCELL), or a folder of them; one of a known name "
          "takes its place")
-      ->type_name("FILE|FOLDER");
+      ->type_name("FILE|FOLDER")
+      ->allow_extra_args(false);
 }
 
 /// The skills of this command, of which `wanted` may be a file. What has changed since it was built is told.

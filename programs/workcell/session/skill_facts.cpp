@@ -1,5 +1,6 @@
 #include "programs/workcell/session/skill_facts.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <functional>
@@ -110,6 +111,18 @@ std::unique_ptr<Studied> read(const KnownSkill& skill, const std::function<bool(
   return studied;
 }
 
+/// Gives the memory that proofs and drawings needed back to the system, which else stays with the program.
+struct Trimmed {
+  Trimmed() = default;
+  ~Trimmed() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
+  }
+  Trimmed(const Trimmed&) = delete;
+  Trimmed& operator=(const Trimmed&) = delete;
+};
+
 }  // namespace
 
 SkillScholar::SkillScholar(const std::vector<KnownSkill>& known, server::Knowledge& knowledge,
@@ -123,9 +136,11 @@ SkillScholar::~SkillScholar() {
 
 void SkillScholar::study(const std::vector<KnownSkill>& known, server::Knowledge& knowledge,
                          const SkillPictures& pictures) const {
-  // The cell's own threads come first; on Linux this is of the thread.
-  constexpr int least_urgent = 19;
-  ::setpriority(PRIO_PROCESS, 0, least_urgent);
+  // The cell's own threads come first; on Linux this is of the thread. Clients, too, have drawings made,
+  // which wait for each other: so a drawing that has begun must not wait long for a processor.
+  constexpr int less_urgent = 5, least_urgent = 19;
+  ::setpriority(PRIO_PROCESS, 0, less_urgent);
+  const Trimmed trimmed;
   auto facts = std::make_shared<server::Facts>();
   std::vector<std::unique_ptr<Studied>> all;
   for (const KnownSkill& each : known) {
@@ -143,6 +158,7 @@ void SkillScholar::study(const std::vector<KnownSkill>& known, server::Knowledge
     pictures.draw_modules(studied->network, facts->skills[studied->network.skill.name].pictures);
   }
   knowledge.learn(std::make_shared<server::Facts>(*facts));
+  ::setpriority(PRIO_PROCESS, 0, least_urgent);
   program::ProofLimits limits;
   limits.threads = 1;
   analyzer::Options options = program::options_of(limits);

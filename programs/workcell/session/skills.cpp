@@ -7,6 +7,7 @@
 
 #include "pal/runtime/plugin.hpp"
 #include "programs/workcell/session/failure.hpp"
+#include "skills_pal/longest.hpp"
 
 namespace pal::workcell {
 
@@ -18,8 +19,12 @@ KnownSkill known(const runtime::SkillPlugin& plugin) {
   auto texts = std::make_shared<MemoryFileSystem>();
   for (const runtime::SourceText& source : plugin.sources)
     texts->add(std::string(source.name), std::string(source.text));
-  return {std::string(plugin.name), plugin.make, std::string(plugin.pal_file),
-          std::string(plugin.environment_file), std::move(texts)};
+  return {std::string(plugin.name),
+          plugin.make,
+          std::string(plugin.pal_file),
+          std::string(plugin.environment_file),
+          std::move(texts),
+          {}};
 }
 
 std::vector<KnownSkill> skills_of_folder(const std::string& folder) {
@@ -46,8 +51,12 @@ std::vector<KnownSkill> installed_skills() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
   const fs::path installed = program.parent_path().parent_path() / PAL_PLUGIN_FOLDER;
-  return skills_of_folder(fs::is_directory(installed, none) ? installed.string()
-                                                            : PAL_BUILD_FOLDER "/" PAL_PLUGIN_FOLDER);
+  auto known = skills_of_folder(fs::is_directory(installed, none) ? installed.string()
+                                                                  : PAL_BUILD_FOLDER "/" PAL_PLUGIN_FOLDER);
+  for (KnownSkill& skill : known)
+    for (const skills::LongestTime& each : skills::longest_times())
+      if (each.skill == skill.name) skill.longest.emplace(each.code, each.seconds);
+  return known;
 }
 
 KnownSkill skill_of_file(const std::string& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct KnownSkill {
   std::string pal_file{};  // in `texts`; empty: nothing is proved of it
   std::string environment_file{};
   std::shared_ptr<const MemoryFileSystem> texts{};  // what it was generated from
+  std::map<int, std::string> longest{};  // formulas of its longest time in s, by completion code
 };
 
 /// Sorted by name. Throws Failure if one cannot be loaded.
