@@ -94,6 +94,31 @@ SkillResult::Kind kind_of(const runtime::Skill& skill, const runtime::Outcome& o
   return SkillResult::Kind::error;
 }
 
+/// A skill looks at its values when it begins; this begins one of its own, which goes no further.
+operations::RefusedTogether refused_together(const std::vector<KnownSkill>& skills) {
+  return [&skills](const std::string& name,
+                   const std::vector<operations::Parameter>& given) -> std::optional<std::string> {
+    const auto known =
+        std::find_if(skills.begin(), skills.end(), [&](const KnownSkill& each) { return each.name == name; });
+    if (known == skills.end()) return std::nullopt;
+    const auto skill = known->make();
+    try {
+      skill->reset_parameters();
+      for (const operations::Parameter& each : given) {
+        const runtime::ParameterValue value = value_of(each);
+        if (value.text)
+          skill->set_text_parameter(value.name, *value.text);
+        else
+          skill->set_parameter(value.name, value.value);
+      }
+      skill->start();
+    } catch (const runtime::ParameterError& problem) {
+      return problem.what();
+    }
+    return std::nullopt;
+  };
+}
+
 }  // namespace
 
 operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
@@ -126,8 +151,9 @@ std::set<std::string> locations_of(sim::Cell& cell) {
 
 operations::Cell cell_of(sim::Cell& cell, const std::vector<KnownSkill>& skills, const sim::Scene& scene,
                          const std::vector<std::string>& folders) {
-  operations::Cell result{templates_of(skills), sensors_of(cell), figures_of_skills(), locations_of(cell), {},
-                          longest_of(skills)};
+  operations::Cell result{
+      templates_of(skills), sensors_of(cell),        figures_of_skills(), locations_of(cell), {},
+      longest_of(skills),   refused_together(skills)};
   for (const KnownSkill& known : skills)
     if (const auto why = lacking_tool(*known.make(), scene, folders)) result.unable.emplace(known.name, *why);
   return result;
