@@ -91,7 +91,8 @@ class Attack(multiprocessing.Process):
 
     def __init__(self, server, what):
         super().__init__(daemon=True)
-        self.server, self.what, self.over, self.rounds = what, multiprocessing.Event(), multiprocessing.Value("i", 0)
+        self.server, self.what = server, what
+        self.over, self.rounds = multiprocessing.Event(), multiprocessing.Value("i", 0)
 
     def run(self):
         busy = quiet(self.server)
