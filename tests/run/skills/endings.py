@@ -46,8 +46,9 @@ what a completion says is not so, and writes **false** in that row. A share of t
 | place 0, palletize 0 | a part within 2 mm of the place, the fingers open |
 | all others | the arm stands still, 0.8 s after the end |
 
-"5 of 5: 0": how many of the runs of a row ended with which code. {seeds} Force "at the
-most" is what the tool or the fingers meet; "pressed" is how hard the sensor is pushed, also by what the fingers hold.
+"5 of 5: 0": how many of the runs of a row ended with which code.
+{seeds} `skill_endings --row N --seed N` runs one of them.
+Force "at the most" is what the tool or the fingers meet; "pressed" is how hard the sensor is pushed, also by what the fingers hold.
 Reasons are cut.
 
 """
