@@ -21,7 +21,8 @@ std::string times_of(const Plan& plan, const std::string& device) {
     return text + "}";
   }
   if (const auto* request = std::get_if<pan::RequestDevice>(&found->behaviour))
-    return "{.behaviour = " + behaviour + "on_request, .answer = " + interval(request->answer) + "}";
+    return "{.behaviour = " + behaviour + "on_request, .answer = " + interval(request->answer) +
+           (request->may_fail ? ", .may_fail = true}" : "}");
   const auto& frames = std::get<pan::FrameDevice>(found->behaviour);
   return "{.behaviour = " + behaviour + "frames, .period = " + duration(frames.period) +
          ", .answer = " + interval({frames.collecting, frames.collecting}) + "}";

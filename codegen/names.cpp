@@ -9,31 +9,25 @@ namespace pal::codegen {
 
 namespace {
 
-// Of C++20, the alternative tokens included, and the macros that every C library may define.
-constexpr std::array keywords{"alignas",   "alignof",      "and",           "and_eq",
-                              "asm",       "auto",         "bitand",        "bitor",
-                              "bool",      "break",        "case",          "catch",
-                              "char",      "char16_t",     "char32_t",      "char8_t",
-                              "class",     "co_await",     "co_return",     "co_yield",
-                              "compl",     "concept",      "const",         "const_cast",
-                              "consteval", "constexpr",    "constinit",     "continue",
-                              "decltype",  "default",      "delete",        "do",
-                              "double",    "dynamic_cast", "else",          "enum",
-                              "errno",     "explicit",     "export",        "extern",
-                              "false",     "float",        "for",           "friend",
-                              "goto",      "if",           "inline",        "int",
-                              "long",      "mutable",      "namespace",     "new",
-                              "noexcept",  "not",          "not_eq",        "nullptr",
-                              "operator",  "or",           "or_eq",         "private",
-                              "protected", "public",       "register",      "reinterpret_cast",
-                              "requires",  "return",       "short",         "signed",
-                              "sizeof",    "static",       "static_assert", "static_cast",
-                              "stderr",    "stdin",        "stdout",        "struct",
-                              "switch",    "template",     "this",          "thread_local",
-                              "throw",     "true",         "try",           "typedef",
-                              "typeid",    "typename",     "union",         "unsigned",
-                              "using",     "virtual",      "void",          "volatile",
-                              "wchar_t",   "while",        "xor",           "xor_eq"};
+// Of C++20, the alternative tokens included, and the macros that a C library or gnu++20 may define.
+constexpr std::array keywords{
+    "alignas",       "alignof",     "and",       "and_eq",       "asm",       "auto",
+    "bitand",        "bitor",       "bool",      "break",        "case",      "catch",
+    "char",          "char16_t",    "char32_t",  "char8_t",      "class",     "co_await",
+    "co_return",     "co_yield",    "compl",     "concept",      "const",     "const_cast",
+    "consteval",     "constexpr",   "constinit", "continue",     "decltype",  "default",
+    "delete",        "do",          "double",    "dynamic_cast", "else",      "enum",
+    "errno",         "explicit",    "export",    "extern",       "false",     "float",
+    "for",           "friend",      "goto",      "i386",         "if",        "inline",
+    "int",           "linux",       "long",      "mutable",      "namespace", "new",
+    "noexcept",      "not",         "not_eq",    "nullptr",      "operator",  "or",
+    "or_eq",         "private",     "protected", "public",       "register",  "reinterpret_cast",
+    "requires",      "return",      "short",     "signed",       "sizeof",    "static",
+    "static_assert", "static_cast", "stderr",    "stdin",        "stdout",    "struct",
+    "switch",        "template",    "this",      "thread_local", "throw",     "true",
+    "try",           "typedef",     "typeid",    "typename",     "union",     "unix",
+    "unsigned",      "using",       "virtual",   "void",         "volatile",  "wchar_t",
+    "while",         "xor",         "xor_eq"};
 
 bool is_keyword(const std::string& name) {
   return std::find(keywords.begin(), keywords.end(), name) != keywords.end();

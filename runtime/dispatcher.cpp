@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "pal/runtime/broken_promise.hpp"
 #include "runtime/kernel/ports.hpp"
 #include "runtime/kernel/thrown.hpp"
 #include "runtime/run.hpp"
@@ -55,6 +56,24 @@ Connection connect(const Wiring& wiring, std::string_view name, std::span<Device
   return connection;
 }
 
+/// Times that an arithmetic of instants would not survive, and devices that are not there.
+void check(std::span<Device* const> devices, const RunOptions& options) {
+  constexpr Time longest = std::chrono::hours(24) * 365 * 100;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    if (devices[i] == nullptr) throw std::runtime_error("device " + std::to_string(i + 1) + " is null");
+  if (options.horizon <= Time::zero())
+    throw std::runtime_error("horizon is " + in_words(options.horizon) + "; it must be more than nothing");
+  if (!options.real_time) return;
+  const Time hang = options.real_time->hang_timeout, look_out = options.real_time->look_out;
+  if (options.horizon > longest) throw std::runtime_error("horizon is longer than 100 years");
+  if (hang <= Time::zero() || hang > longest)
+    throw std::runtime_error("hang_timeout is " + in_words(hang) +
+                             "; it must be more than nothing, and at most 100 years");
+  if (look_out < Time::zero() || look_out > longest)
+    throw std::runtime_error("look_out is " + in_words(look_out) +
+                             "; it must not be negative, and be at most 100 years");
+}
+
 /// Takes what a run uses, and frees it in the end.
 class Taken {
  public:
@@ -97,7 +116,9 @@ Outcome Dispatcher::run(Skill& skill, std::span<const ParameterValue> parameters
   std::vector<Connection> connections;
   try {
     taken.take(in_use_, "another skill is running; a dispatcher runs one at a time");
+    check(devices_, options);
     taken.take(skill.in_use(), "the skill is running already");
+    taken.take(world_.in_use(), "the world is in use by a skill that is running");
     skill.reset_parameters();
     for (const ParameterValue& parameter : parameters) {
       if (parameter.text) {

@@ -97,8 +97,11 @@ struct Server::Parts {
     connection_context.emplace(
         ConnectionContext{io, *context, options.outbox, options.admit_within, options.idle});
     if (with_signals) {
-      signals.add(SIGINT);
-      signals.add(SIGTERM);
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+        struct sigaction before {};
+        ::sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) signals.add(signal);
+      }
       signals.async_wait([this](const error_code& problem, int) {
         if (!problem) desk->end();
       });

@@ -56,7 +56,7 @@ class Server final : public EventSink, public TelemetrySink {
   Server& operator=(const Server&) = delete;
 
   /// Serves from now on, until stop(); the desk, which has this as its sink, lives as long. With `signals`
-  /// SIGINT and SIGTERM end the desk.
+  /// SIGINT, SIGTERM, SIGHUP and SIGQUIT end the desk; those that are ignored stay so.
   void start(Desk& desk, bool signals = false);
   /// Ends the service and the thread.
   void stop();

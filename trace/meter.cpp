@@ -88,6 +88,9 @@ SampleMeter::SampleMeter(const Trace& tables, Marks channels, Marks at)
       request_(requests_of(tables)),
       asks_(asked(request_)),
       device_(devices_of(tables)),
+      marks_(tables.actors.size()),
+      put_(tables.channels.size()),
+      answered_(tables.actors.size()),
       serving_(room_for_requests<std::int64_t>(request_)),
       on_message_(tables.channels.size()),
       on_condition_(tables.conditions.size()),
@@ -113,16 +116,23 @@ std::optional<Occurrence> SampleMeter::see(const Event& event, std::int32_t pare
         said = event.time_ns;
         if (request >= 0) said = take_first(serving_[static_cast<std::size_t>(request)], event.time_ns);
         if (!channels_[subject]) said.reset();
+        answered_[actor] = event.time_ns;
       }
+      if (event.kind == Kind::put) put_[subject] = event.time_ns;
       if (event.kind == Kind::put) on_message_[subject] = said;
       break;
     }
     case Kind::take:
       if (device_[actor]) {
-        if (asks_[subject]) serving_[subject].push_back(event.time_ns);
+        if (asks_[subject])
+          serving_[subject].push_back(marks_[actor] ? event.time_ns
+                                                    : std::max(put_[subject], answered_[actor]));
       } else {
         newer(event.actor, on_message_[subject]);
       }
+      break;
+    case Kind::busy:
+      marks_[actor] = true;
       break;
     case Kind::set:
       on_condition_[subject] = known_[actor];

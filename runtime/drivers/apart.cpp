@@ -30,13 +30,15 @@ void Letters::open(DeviceApart& device, Time when) {
   send(std::move(lock));
 }
 
-void Letters::message(DeviceApart& device, Time when, std::size_t port, std::span<const double> fields) {
+void Letters::message(DeviceApart& device, Time when, std::size_t port, std::uint64_t request,
+                      std::span<const double> fields) {
   std::unique_lock lock(mutex_);
   Letter& letter = next();
   letter.kind = Letter::Kind::message;
   letter.when = when;
   letter.device = &device;
   letter.port = port;
+  letter.request = request;
   letter.fields.assign(fields.begin(), fields.end());
   send(std::move(lock));
 }
@@ -96,7 +98,10 @@ void DeviceApart::take(const Letters::Letter& letter) {
     case Letters::Letter::Kind::open:
       return act([this] { device_.open(); });
     case Letters::Letter::Kind::message:
-      return act([this, &letter] { device_.receive(letter.port, letter.fields); });
+      request_ = letter.request;
+      act([this, &letter] { device_.receive(letter.port, letter.fields); });
+      request_ = 0;
+      return;
     case Letters::Letter::Kind::action:
       return act(letter.action);
     case Letters::Letter::Kind::withdrawn:
@@ -126,14 +131,25 @@ void DeviceApart::call(const std::function<void()>& function) {
 }
 
 bool DeviceApart::deliver(std::size_t port, std::span<const double> fields) {
+  return answer(0, port, fields);
+}
+
+bool DeviceApart::answer(Request request, std::size_t port, std::span<const double> fields) {
   struct Delivery {
     DeviceHost& run;
+    Request request;
     std::size_t port;
     std::span<const double> fields;
     bool taken;
-  } delivery{*run_, port, fields, true};
-  call([&delivery] { delivery.taken = delivery.run.deliver(delivery.port, delivery.fields); });
+  } delivery{*run_, request, port, fields, true};
+  call([&delivery] {
+    delivery.taken = delivery.run.answer(delivery.request, delivery.port, delivery.fields);
+  });
   return delivery.taken;
+}
+
+void DeviceApart::leave_unanswered(std::size_t port) {
+  call([this, port] { run_->leave_unanswered(port); });
 }
 
 void DeviceApart::mark_busy(bool busy) {

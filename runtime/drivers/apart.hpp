@@ -27,6 +27,7 @@ class Letters {
     Time when{};  // of the run
     DeviceApart* device = nullptr;
     std::size_t port = 0;
+    std::uint64_t request = 0;
     std::vector<double> fields;
     std::function<void()> action;
   };
@@ -35,7 +36,8 @@ class Letters {
   explicit Letters(std::function<void()> wake) : wake_(std::move(wake)), ring_(64) {}
 
   void open(DeviceApart& device, Time when);
-  void message(DeviceApart& device, Time when, std::size_t port, std::span<const double> fields);
+  void message(DeviceApart& device, Time when, std::size_t port, std::uint64_t request,
+               std::span<const double> fields);
   void action(DeviceApart& device, std::function<void()> action);
   /// Takes back the last message for the port. False: it is read already.
   bool withdraw(const DeviceApart& device, std::size_t port);
@@ -71,7 +73,7 @@ class DeviceApart final : public Device, private DeviceHost {
   void attach(DeviceHost& host) override;
   void open() override { letters_.open(*this, run_->now()); }
   void receive(std::size_t port, std::span<const double> fields) override {
-    letters_.message(*this, run_->now(), port, fields);
+    letters_.message(*this, run_->now(), port, run_->request(), fields);
   }
   bool withdraw(std::size_t port) override { return letters_.withdraw(*this, port); }
   void close() override { device_.close(); }
@@ -85,6 +87,9 @@ class DeviceApart final : public Device, private DeviceHost {
   Appointment at(Time when, std::function<void()> action) override;
   void cancel(Appointment appointment) override;
   bool deliver(std::size_t port, std::span<const double> fields) override;
+  Request request() const override { return request_; }
+  bool answer(Request request, std::size_t port, std::span<const double> fields) override;
+  void leave_unanswered(std::size_t port) override;
   void mark_busy(bool busy) override;
   void fault(std::string reason) override;
   void post(std::function<void()> action) override;
@@ -98,6 +103,7 @@ class DeviceApart final : public Device, private DeviceHost {
   Letters& letters_;
   DeviceHost* run_ = nullptr;
   bool attaching_ = false;
+  Request request_ = 0;  // with which receive() is being called
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 

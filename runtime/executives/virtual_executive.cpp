@@ -1,6 +1,7 @@
 #include "runtime/executives/virtual_executive.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "pal/runtime/broken_promise.hpp"
@@ -87,6 +88,10 @@ bool VirtualExecutive::go_to(Time when, const Kernel& kernel) {
   if (when > options_.horizon) return too_long(kernel);
   try {
     const Time reached = world_.wait_until(when);
+    if (reached < now())
+      throw std::logic_error("wait_until() goes back, from " + in_words(now()) + " to " + in_words(reached));
+    if (reached > when)
+      throw std::logic_error("wait_until() goes beyond " + in_words(when) + ", to " + in_words(reached));
     if (reached > now()) events_now_ = 0;
     set(reached);
     world_.advance_to(reached);
@@ -125,7 +130,7 @@ void VirtualExecutive::obey(RunControl& control, Kernel& kernel) {
 bool VirtualExecutive::note_overdue(Time next, Kernel& kernel) {
   const Time due = kernel.promises.due();
   if (due >= next) return false;
-  if (go_to(due, kernel)) kernel.promises.overdue();
+  if (go_to(due, kernel)) kernel.overdue();
   return true;
 }
 

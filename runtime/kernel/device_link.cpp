@@ -8,12 +8,13 @@
 namespace pal::runtime {
 
 DeviceLink::DeviceLink(Executive& executive, Journal& journal, Mail& mail, MessageObserver* observer,
-                       int index, Device& device, std::vector<int> channels)
+                       int index, std::string name, Device& device, std::vector<int> channels)
     : executive_(executive),
       journal_(journal),
       mail_(mail),
       observer_(observer),
       index_(index),
+      name_(std::move(name)),
       device_(device),
       channels_(std::move(channels)) {}
 
@@ -32,7 +33,14 @@ void DeviceLink::cancel(Appointment appointment) {
   executive_.cancel({appointment.order});
 }
 
-bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {
+void DeviceLink::receive(std::size_t port, std::span<const double> fields, Request request) {
+  observe(port, fields);
+  request_ = request;
+  device_.receive(port, fields);
+  request_ = 0;
+}
+
+bool DeviceLink::answer(Request request, std::size_t port, std::span<const double> fields) {
   if (journal_.over()) return true;
   const PortSpec& spec = device_.ports().at(port);
   if (spec.to_device || !is_payload(spec.fields, fields)) {
@@ -41,7 +49,13 @@ bool DeviceLink::deliver(std::size_t port, std::span<const double> fields) {
   observe(port, fields);
   const int channel = channels_[port];
   if (channel < 0) return true;  // the skill has no use for this message
-  return mail_.deliver(channel, fields);
+  return mail_.deliver(channel, fields, request);
+}
+
+void DeviceLink::leave_unanswered(std::size_t port) {
+  if (journal_.over()) return;
+  if (device_.ports().at(port).to_device) throw std::logic_error("leaves a message unanswered that it takes");
+  if (channels_[port] >= 0) mail_.left_unanswered(channels_[port]);
 }
 
 void DeviceLink::mark_busy(bool busy) {
@@ -53,7 +67,7 @@ void DeviceLink::mark_busy(bool busy) {
 }
 
 void DeviceLink::fault(std::string reason) {
-  journal_.fail_device(index_, device_.name() + ": " + reason);
+  journal_.fail_device(index_, name_ + ": " + reason);
 }
 
 void DeviceLink::open() {

@@ -21,17 +21,18 @@ class Devices::AtWork {
 };
 
 Devices::Devices(Executive& executive, Journal& journal, Mail& mail, Promises& promises,
-                 MessageObserver* observer, const std::vector<Connection>& connections)
-    : journal_(journal), promises_(promises) {
+                 MessageObserver* observer, const Wiring& wiring, const std::vector<Connection>& connections)
+    : journal_(journal), promises_(promises), wiring_(wiring) {
   for (const Connection& connection : connections) {
     const int index = static_cast<int>(links_.size());
-    links_.emplace_back(executive, journal, mail, observer, index, *connection.device, connection.channels);
+    links_.emplace_back(executive, journal, mail, observer, index, name(index), *connection.device,
+                        connection.channels);
   }
 }
 
 /// With the exception that is being handled.
 void Devices::fail(int device) {
-  journal_.fail_device(device, link(device).device().name() + ": " + what_was_thrown());
+  journal_.fail_device(device, name(device) + ": " + what_was_thrown());
 }
 
 bool Devices::attach() {
@@ -39,6 +40,7 @@ bool Devices::attach() {
     const AtWork at_work(at_work_, static_cast<int>(d));
     try {
       links_[d].device().attach(links_[d]);
+      attached_ = d + 1;
     } catch (...) {
       fail(static_cast<int>(d));
       return false;
@@ -57,12 +59,12 @@ void Devices::open(int device) {
   }
 }
 
-void Devices::hand_to(int device, std::size_t port, std::span<const double> fields) {
+void Devices::hand_to(int device, std::size_t port, std::span<const double> fields,
+                      DeviceHost::Request request) {
   if (journal_.over()) return;
-  link(device).observe(port, fields);
   const AtWork at_work(at_work_, device);
   try {
-    link(device).device().receive(port, fields);
+    link(device).receive(port, fields, request);
   } catch (...) {
     fail(device);
   }
@@ -93,20 +95,20 @@ void Devices::act(int device, const std::function<void()>& action) {
 }
 
 void Devices::close() {
-  for (std::size_t d = 0; d < links_.size(); ++d) {
+  for (std::size_t d = 0; d < attached_; ++d) {
     DeviceLink& each = links_[d];
     const AtWork at_work(at_work_, static_cast<int>(d));
     try {
       each.device().close();
     } catch (...) {
-      journal_.fail_to_close(each.device().name(), what_was_thrown());
+      journal_.fail_to_close(name(static_cast<int>(d)), what_was_thrown());
     }
   }
 }
 
 std::string Devices::at_work() const {
   const int device = at_work_.load(std::memory_order_relaxed);
-  return device < 0 ? std::string() : link(device).device().name();
+  return device < 0 ? std::string() : name(device);
 }
 
 }  // namespace pal::runtime

@@ -15,7 +15,7 @@ Kernel::Kernel(const Clock& clock, Executive& the_executive, Journal& the_journa
       mail(executive, journal, flow, devices, promises, skill.wiring()),
       blocks(executive, journal, flow, mail, threads_),
       conditions(journal, skill.wiring().conditions.size()),
-      devices(executive, journal, mail, promises, options.observer, connections),
+      devices(executive, journal, mail, promises, options.observer, skill.wiring(), connections),
       wiring(skill.wiring()),
       skill_(skill),
       work_(options.work) {

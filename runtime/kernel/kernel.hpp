@@ -35,6 +35,10 @@ class Kernel {
   void start();
   /// An event that was asked for by Executive::at() is due.
   void happen(Due due);
+  /// Time has reached promises.due(): what is late is noted; what has no answer any more is open no more.
+  void overdue() {
+    for (const int device : promises.overdue()) mail.late(device);
+  }
   void act(int device, const std::function<void()>& action) { devices.act(device, action); }
   /// The thread's statement has had its processor: its effect happens. compute() has run before.
   void finish(Thread& thread) {

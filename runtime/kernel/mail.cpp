@@ -323,7 +323,7 @@ void Mail::request_arrives(int channel) {
   slot.arrivals[0] = {};
   slot.handed = true;
   promises_.asked(slot.device);
-  devices_.hand_to(slot.device, slot.port, slot.fields);
+  devices_.hand_to(slot.device, slot.port, slot.fields, static_cast<std::uint64_t>(slot.serial));
 }
 
 void Mail::device_takes_request(int device) {
@@ -345,18 +345,18 @@ void Mail::watch_device(const Slot& slot, int channel) {
   }
 }
 
-bool Mail::deliver(int channel, std::span<const double> fields) {
+bool Mail::deliver(int channel, std::span<const double> fields, std::uint64_t request) {
   Slot& slot = at(channel);
+  if (slot.request_of >= 0 && !find_request(slot, request)) {
+    promises_.unasked(slot.device, channel);
+    journal_.record_device(Kind::drop, slot.device, channel, in_trace(++serials_));
+    return true;
+  }
   if (discards(slot)) {
     watch_device(slot, channel);
     answered_in_vain(slot);
     journal_.record_device(Kind::drop, slot.device, channel, in_trace(++serials_));
     return true;
-  }
-  // A device that does not mark itself busy takes a request when it answers it.
-  if (slot.request_of >= 0 && !devices_.marks_itself(slot.device)) {
-    Slot& request = at(slot.request_of);
-    if (request.full && request.handed) taken_by_device(request);
   }
   watch_device(slot, channel);
   if (slot.full) {

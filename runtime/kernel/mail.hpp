@@ -1,4 +1,5 @@
-// The channels of a run: putting, taking, waiting, giving up (WITHIN), withdrawing (docs/reference/execution-model.md, Messages).
+// The channels of a run: putting, taking, waiting, giving up (WITHIN), withdrawing
+// (docs/reference/execution-model.md, Messages).
 #pragma once
 
 #include <array>
@@ -19,8 +20,10 @@ class Promises;
 /// A request on its way to its answer.
 struct Asked {
   const Thread* owner = nullptr;  // the thread to which it belongs; nullptr: a device
-  bool withdrawn = false;         // its answer is discarded
-  Time put{};                     // when it was put
+  std::int64_t serial = 0;
+  bool withdrawn = false;  // its answer is discarded
+  bool late = false;       // the device has not kept its time
+  Time put{};              // when it was put
 };
 
 /// A slot and what is known about the messages that went through it.
@@ -43,6 +46,7 @@ struct Slot {
 
   // Of a request: those whose answer was not taken yet, in the order in which they were put.
   std::vector<Asked> asked;
+  int gone = 0;  // how many, since the last answer, were left unanswered: it may come all the same
   // Of an answer.
   int request_of = -1;   // the slot of its request
   bool answers = false;  // the message in the slot answers the oldest request
@@ -73,8 +77,12 @@ class Mail {
 
   // Devices.
   void connect(int channel, int device, std::size_t port);
-  /// False: overrun.
-  bool deliver(int channel, std::span<const double> fields);
+  /// `request`: the number of the request that it answers; 0: the oldest. False: overrun.
+  bool deliver(int channel, std::span<const double> fields, std::uint64_t request = 0);
+  /// The oldest request that awaits its answer in the channel will have none.
+  void left_unanswered(int channel);
+  /// The time of the device's oldest request is over, and there is no answer.
+  void late(int device);
   /// The device begins to serve the oldest request that waits for it.
   void device_takes_request(int device);
 
@@ -107,6 +115,12 @@ class Mail {
     return next != nullptr && next->withdrawn;
   }
   void answered_in_vain(const Slot& answer);
+  /// Makes the request that the device answers the next one. False: there is none.
+  bool find_request(const Slot& answer, std::uint64_t serial);
+  /// The device has no answer to the next request of the slot.
+  void never_answered(const Slot& answer);
+  bool may_fail(int device) const;
+  Time least_answer(int device) const;
   void watch_device(const Slot& slot, int channel);
   void withdraw(Slot& request, const Thread* owner);
 

@@ -6,6 +6,11 @@
 
 namespace pal::runtime {
 
+namespace {
+// The promises of a device.
+constexpr std::size_t not_later = 0, not_sooner = 1, once = 2, promises_of_a_device = 3;
+}  // namespace
+
 Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy)
     : clock_(clock),
       journal_(journal),
@@ -15,15 +20,16 @@ Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenP
       requirements_(wiring_, journal.tables()) {
   for (const DeviceTimes& times : wiring_.times) devices_.emplace_back(times);
   rows_.resize(row_of_requirement(wiring_.requirements.size()));
+  late_devices_.reserve(devices_.size());
   if (requirements_.any()) journal.watch(this);
 }
 
-std::size_t Promises::row_of_device(int device, bool sooner) const {
-  return 2 * static_cast<std::size_t>(device) + (sooner ? 1 : 0);
+std::size_t Promises::row_of_device(int device, std::size_t promise) const {
+  return promises_of_a_device * static_cast<std::size_t>(device) + promise;
 }
 
 std::size_t Promises::row_of_statement(int statement) const {
-  return row_of_device(static_cast<int>(wiring_.devices.size()), false) + static_cast<std::size_t>(statement);
+  return row_of_device(static_cast<int>(wiring_.devices.size()), 0) + static_cast<std::size_t>(statement);
 }
 
 std::size_t Promises::row_of_requirement(std::size_t requirement) const {
@@ -63,13 +69,17 @@ Time Promises::due() {
   return next_;
 }
 
-void Promises::overdue() {
+const std::vector<int>& Promises::overdue() {
   const Time now = clock_.now;
+  late_devices_.clear();
   for (std::size_t d = 0; d < devices_.size(); ++d) {
-    if (devices_[d].due() <= now) note(static_cast<int>(d), -1, devices_[d].overdue(now));
+    if (devices_[d].due() > now) continue;
+    if (devices_[d].is_asked()) late_devices_.push_back(static_cast<int>(d));
+    note(static_cast<int>(d), -1, devices_[d].overdue(now));
   }
   if (requirements_.due() <= now) note(requirements_.overdue(now));
   due();
+  return late_devices_;
 }
 
 // What is noted.
@@ -77,8 +87,12 @@ void Promises::overdue() {
 void Promises::note(int device, int channel, const Seen& seen) {
   if (seen.what == Seen::What::kept) return;
   const bool sooner = seen.what == Seen::What::sooner;
-  note({row_of_device(device, sooner), seen.measured, journal_.actor_of_device(device), -1, channel, sooner,
-        seen.noted});
+  note({row_of_device(device, sooner ? not_sooner : not_later), seen.measured,
+        journal_.actor_of_device(device), -1, channel, sooner, seen.noted});
+}
+
+void Promises::note_unasked(int device, int channel, Time measured) {
+  note({row_of_device(device, once), measured, journal_.actor_of_device(device), -1, channel, false, false});
 }
 
 void Promises::note(const std::vector<Exceeded>& exceeded) {
@@ -140,10 +154,12 @@ std::string Promises::name_of(std::int32_t actor) const {
   return std::string(index < threads ? wiring_.threads[index].name : wiring_.devices[index - threads]);
 }
 
-std::string Promises::promise_of_device(std::size_t device, bool sooner) const {
+std::string Promises::promise_of_device(std::size_t device, std::size_t promise) const {
   using Behaviour = DeviceTimes::Behaviour;
-  const DeviceTimes& times = devices_[device].times();
   const std::string name(wiring_.devices[device]);
+  if (promise == once) return name + " answers each request once, and nothing else";
+  const bool sooner = promise == not_sooner;
+  const DeviceTimes& times = devices_[device].times();
   const std::string jitter = times.jitter > Time::zero() ? ", up to " + in_words(times.jitter) + " late" : "";
   const std::string message(times.message);
   switch (times.behaviour) {
@@ -191,9 +207,10 @@ BrokenPromise Promises::describe(const Breach& breach) const {
     return broken;
   }
   if (breach.row < statements) {
-    broken.promise = promise_of_device(breach.row / 2, breach.least);
+    const std::size_t device = breach.row / promises_of_a_device;
+    broken.promise = promise_of_device(device, breach.row % promises_of_a_device);
     for (const RequirementSpec& requirement : wiring_.requirements) {
-      if (has(requirement.devices, breach.row / 2)) broken.endangers.emplace_back(requirement.name);
+      if (has(requirement.devices, device)) broken.endangers.emplace_back(requirement.name);
     }
     return broken;
   }

@@ -36,6 +36,11 @@ class Promises final : public EventWatcher {
   /// It has answered the request that came at `asked`.
   void answered(int device, int channel, Time asked);
 
+  /// It has sent an answer that nobody has asked for.
+  void unasked(int device, int channel) { note_unasked(device, channel, Time::zero()); }
+  /// It leaves a request unanswered, and must not.
+  void left_out(int device, int channel) { note_unasked(device, channel, Time::max()); }
+
   /// The current statement of the thread has taken `used` of its processor.
   void took(const Thread& thread, Time used);
 
@@ -46,8 +51,9 @@ class Promises final : public EventWatcher {
   Time next() const { return next_; }
   /// The next instant at which something becomes late that was not reported yet.
   Time due();
-  /// Time has reached due(): notes what is late. Returns nothing otherwise.
-  void overdue();
+  /// Time has reached due(): notes what is late. The devices whose oldest request is late, or has no answer
+  /// any more; valid until the next call.
+  const std::vector<int>& overdue();
 
   /// What was broken. Once.
   std::vector<BrokenPromise> take();
@@ -71,16 +77,17 @@ class Promises final : public EventWatcher {
 
   DeviceWatch& watch(int device) { return devices_[static_cast<std::size_t>(device)]; }
   void look_at(int device) { next_ = std::min(next_, watch(device).due()); }
-  std::size_t row_of_device(int device, bool sooner) const;
+  std::size_t row_of_device(int device, std::size_t promise) const;
   std::size_t row_of_statement(int statement) const;
   std::size_t row_of_requirement(std::size_t requirement) const;
 
   void note(int device, int channel, const Seen& seen);
+  void note_unasked(int device, int channel, Time measured);
   void note(const std::vector<Exceeded>& exceeded);
   void note(const Breach& breach);
   void apply_policy(const Breach& breach, const BrokenPromise& broken);
   BrokenPromise describe(const Breach& breach) const;
-  std::string promise_of_device(std::size_t device, bool sooner) const;
+  std::string promise_of_device(std::size_t device, std::size_t promise) const;
   std::string promise_of_requirement(const RequirementSpec& requirement) const;
   std::string name_of(std::int32_t actor) const;
 
@@ -91,7 +98,8 @@ class Promises final : public EventWatcher {
   OnBrokenPromise policy_;
   std::vector<DeviceWatch> devices_;  // none: nothing is promised of any
   RequirementWatch requirements_;
-  std::vector<Row> rows_;  // of each device two, of each statement and each requirement one
+  std::vector<Row> rows_;  // of each device three, of each statement and each requirement one
+  std::vector<int> late_devices_;
   std::vector<BrokenPromise> broken_;
   Time next_ = Time::max();
 };

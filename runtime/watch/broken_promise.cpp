@@ -24,8 +24,9 @@ std::string in_words(Time time) {
 
 std::string in_words(const BrokenPromise& broken) {
   const bool answered = broken.measured != Time::max();
-  std::string text =
-      broken.promise + (answered ? ": measured " + in_words(broken.measured) : ": not answered");
+  std::string text = broken.promise;
+  if (!answered) text += ": not answered";
+  if (answered && broken.measured != Time::zero()) text += ": measured " + in_words(broken.measured);
   if (broken.times > 1) text += ", " + std::to_string(broken.times) + " times";
   std::string_view separator = "; endangers ";
   for (const std::string& requirement : broken.endangers) {

@@ -67,6 +67,7 @@ Seen DeviceWatch::answered(Time now, Time asked) {
 
 Seen DeviceWatch::overdue(Time now) {
   due_ = Time::max();
+  if (times_.may_fail) return {};
   late_ = true;
   return {Seen::What::later, now - (sends_events() ? last_ : since_), false};
 }

@@ -36,6 +36,9 @@ class DeviceWatch {
   /// The instant has come.
   Seen overdue(Time now);
 
+  /// Whether it has a request that it has not answered.
+  bool is_asked() const { return asked_ > 0; }
+
   const DeviceTimes& times() const { return times_; }
 
  private:

@@ -329,7 +329,11 @@ class Answers final : public PlannedDevice {
     host_->at(host_->now() + between(Time(of_.answer.best), Time(of_.answer.worst)), [this, port] {
       busy_ = false;
       host_->mark_busy(false);
-      deliver(answer_to(port));
+      if (of_.may_fail && dealer_(4) == 0) {
+        host_->leave_unanswered(answer_to(port));
+      } else {
+        deliver(answer_to(port));
+      }
       if (!busy_ && !waiting_.empty()) serve();
     });
   }

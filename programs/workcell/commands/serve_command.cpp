@@ -205,7 +205,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
   clock_reader = &desk;
   desk.tell_time(runner.now());
-  const SkillScholar scholar(known, command.skill_folders, knowledge, pictures);
+  const SkillScholar scholar(known, knowledge, pictures);
   server->start(desk, true);
   const std::string path = command.announcement.empty()
                                ? server::default_announcement(scene.name, server->port())

@@ -5,8 +5,8 @@
 
 namespace pal::workcell {
 
-/// While it lives, SIGINT and SIGTERM ask `control` to stop; a second one ends the process as usual. One at a
-/// time.
+/// While it lives, SIGINT, SIGTERM, SIGHUP and SIGQUIT ask `control` to stop; a second one ends the process
+/// as usual. One at a time.
 class Interrupt {
  public:
   explicit Interrupt(runtime::RunControl& control);

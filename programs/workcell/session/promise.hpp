@@ -24,9 +24,9 @@ struct Promise {
   bool kept() const { return !measured || *measured <= proved; }
 };
 
-/// Proves the skill from its PAL, as it stands in `folders`, and finds the same intervals in `run`. Throws
-/// Failure if the PAL cannot be read or is wrong by now. A skill that names no PAL has no promises.
-std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::string>& folders,
-                              const trace::Trace& run, const trace::EventSpool* events = nullptr);
+/// Proves the skill from the PAL that it was generated from, and finds the same intervals in `run`. Throws
+/// Failure if this pal finds the PAL wrong. A skill that names no PAL has no promises.
+std::vector<Promise> promises(const KnownSkill& skill, const trace::Trace& run,
+                              const trace::EventSpool* events = nullptr);
 
 }  // namespace pal::workcell

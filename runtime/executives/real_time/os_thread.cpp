@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t stack_size = 1U << 20U;
 constexpr std::size_t prefaulted = 1U << 17U;
 constexpr std::size_t page = 4096;
+constexpr std::size_t longest_name = 15;
 
 [[gnu::noinline]] void touch_stack() {
   std::array<char, prefaulted> bytes;
@@ -24,13 +25,14 @@ constexpr std::size_t page = 4096;
 
 }  // namespace
 
-OsThread::OsThread(std::function<void()> body) : body_(std::move(body)) {
+OsThread::OsThread(const std::string& name, std::function<void()> body) : body_(std::move(body)) {
   pthread_attr_t attributes;
   ::pthread_attr_init(&attributes);
   ::pthread_attr_setstacksize(&attributes, stack_size);
   const int problem = ::pthread_create(&thread_, &attributes, enter, this);
   ::pthread_attr_destroy(&attributes);
   if (problem != 0) throw std::system_error(problem, std::generic_category(), "a thread for the run");
+  ::pthread_setname_np(thread_, name.substr(0, longest_name).c_str());
 }
 
 void* OsThread::enter(void* self) {

@@ -12,8 +12,9 @@ namespace pal::runtime {
 /// A thread that is joined before it is destroyed. Its stack is allocated before it is used.
 class OsThread {
  public:
-  /// `body` must not throw. Throws std::system_error when the system gives no more threads.
-  explicit OsThread(std::function<void()> body);
+  /// `name`: as the system shows it, up to 15 characters. `body` must not throw. Throws std::system_error
+  /// when the system gives no more threads.
+  OsThread(const std::string& name, std::function<void()> body);
   ~OsThread() { join(); }
   OsThread(const OsThread&) = delete;
   OsThread& operator=(const OsThread&) = delete;

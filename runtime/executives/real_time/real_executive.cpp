@@ -249,7 +249,7 @@ void RealExecutive::keep_time() {
     const Time next = queue_.empty() ? Time::max() : queue_.next().time;
     const Time promised = kernel_->promises.due();
     if (promised <= now()) {
-      kernel_->promises.overdue();
+      kernel_->overdue();
     } else if (next <= now()) {
       happen(queue_.pop());
       exit();  // others may come in between
@@ -293,10 +293,13 @@ void RealExecutive::move_apart() {
     reached = std::min(target, reached + stride);
     in_world_.store(begun.count(), std::memory_order_relaxed);
     world_.advance_to(reached);
+    const Time beat = world_.beat();
+    const Time next = std::min(world_.next_event(), beat == Time::max() ? beat : target + beat);
     in_world_.store(0, std::memory_order_relaxed);
     if (reached < target) continue;
-    const Time beat = world_.beat();
-    world_.wait_until(std::min(world_.next_event(), beat == Time::max() ? beat : target + beat));
+    waits_until_.store(next == Time::max() ? 0 : (origin_ + next).count(), std::memory_order_relaxed);
+    world_.wait_until(next);
+    waits_until_.store(0, std::memory_order_relaxed);
   }
 }
 
@@ -315,22 +318,25 @@ void RealExecutive::move_world() {
 void RealExecutive::run(Kernel& kernel) {
   kernel_ = &kernel;
   moving_ = !world_.apart() && (world_.beat() != Time::max() || world_.next_event() != Time::max());
-  const LockedMemory memory(options_.real_time->lock_memory);
-  if (!memory.problem().empty())
-    report_.shortcomings.push_back("memory is not locked (" + memory.problem() +
-                                   "): a page that is not there yet is fetched while a statement runs");
   origin_ = lock_.lock();
+  std::optional<LockedMemory> memory;
   try {
     start_threads();
+    // After the threads: a limit of locked memory must not keep the system from making them.
+    memory.emplace(options_.real_time->lock_memory);
+    if (!memory->problem().empty())
+      report_.shortcomings.push_back("memory is not locked (" + memory->problem() +
+                                     "): a page that is not there yet is fetched while a statement runs");
     looks_out_ = wiring_.processors.size() <= permitted_cpus().size();
     if (options_.real_time->fifo)
       top_priority_ = schedule_threads(wiring_, levels_, threads_, report_.shortcomings);
     const ScopedFifo urgent(top_priority_ ? *top_priority_ + 2 : 0);
     origin_ = monotonic_now();
+    start_watchdog();  // devices are attached and the skill started under its eyes
     kernel.start();
-    lock_.measure_from_now();  // until here no other thread was there
+    starting_.store(false, std::memory_order_relaxed);
+    lock_.measure_from_now();  // until here no other thread had anything to do
     exit();
-    start_watchdog();
     guarded("the world", [this] { world_.apart() ? move_apart() : move_world(); });
     in_world_.store(0, std::memory_order_relaxed);
     wait_for_levels();
@@ -355,9 +361,11 @@ void RealExecutive::close_devices(Kernel& kernel) {
 
 void RealExecutive::start_threads() {
   threads_.push_back(
-      std::make_unique<OsThread>([this] { guarded("keeping time", [this] { keep_time(); }); }));
+      std::make_unique<OsThread>("pal time", [this] { guarded("keeping time", [this] { keep_time(); }); }));
   for (Level& level : levels_.all()) {
-    threads_.push_back(std::make_unique<OsThread>([this, &level] {
+    const std::string name = std::string(wiring_.processors[static_cast<std::size_t>(level.processor)].name) +
+                             " " + std::to_string(level.priority);
+    threads_.push_back(std::make_unique<OsThread>(name, [this, &level] {
       guarded("a level", [this, &level] { serve(level); });
       ended_.wake();
     }));

@@ -30,7 +30,7 @@ void say(const std::string& text) {
 }  // namespace
 
 void RealExecutive::start_watchdog() {
-  dog_ = std::make_unique<OsThread>([this] { watch(); });
+  dog_ = std::make_unique<OsThread>("pal watchdog", [this] { watch(); });
   if (top_priority_) make_fifo(dog_->handle(), *top_priority_ + 3);
 }
 
@@ -60,10 +60,15 @@ void RealExecutive::look_for_hangs() {
         "return\n");
     ::_exit(options_.real_time->hang_status);
   }
+  const Time waits_until(waits_until_.load(std::memory_order_relaxed));
+  if (for_too_long(waits_until, hang_timeout))
+    end_process("the world was to wait for an instant that was over " + in_seconds(now - waits_until) +
+                " ago");
   if (for_too_long(in_world, hang_timeout))
     end_process("the world with its devices has not returned for " + in_seconds(now - in_world));
   if (for_too_long(held, hang_timeout))
     end_process((!device().empty() ? "device " + device()
+                 : starting_       ? "the start of the skill"
                  : moving_         ? "the world"
                                    : "what has the kernel") +
                 " has not returned for " + in_seconds(now - held));
@@ -106,7 +111,7 @@ void RealExecutive::end_process(const std::string& why) {
   ended_.wake();
   bool closed = closed_.sleep_until(monotonic_now() + for_closing);
   if (!closed) {
-    new OsThread([this] {  // never joined: the process ends
+    new OsThread("pal closes", [this] {  // never joined: the process ends
       kernel_->devices.close();
       closed_.wake();
     });

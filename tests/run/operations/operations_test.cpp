@@ -33,7 +33,8 @@ Answer run(const std::string& example, std::vector<std::string> options, const s
                   log.string()});
   std::istringstream in(lines);
   std::ostringstream out, error;
-  Answer answer{main_program(options, linked_skills(), out, error, false, &in), out.str(), error.str(), {}};
+  Answer answer{
+      main_program(options, installed_skills(), out, error, false, &in), out.str(), error.str(), {}};
   std::ifstream file(log);
   for (std::string line; std::getline(file, line);) answer.steps.push_back(nlohmann::json::parse(line));
   std::filesystem::remove(log);
@@ -231,7 +232,7 @@ TEST_CASE("sensors are read by their lines, between skills") {
 TEST_CASE("a skill without its tool is refused, with scenes that have it") {
   std::ostringstream out, error;
   std::istringstream in;
-  CHECK(main_program({"run", "standoff"}, linked_skills(), out, error, false, &in) ==
+  CHECK(main_program({"run", "standoff"}, installed_skills(), out, error, false, &in) ==
         ExitStatus::wrong_specification);
   INFO(error.str());
   CHECK(error.str().find("choose one with --scene: ") != std::string::npos);
@@ -289,7 +290,7 @@ TEST_CASE("a skill that is stopped leaves the arm at rest, and runs again") {
                                           [&] { executor->stop(); });
   };
   sim::Cell cell(sim::find_scene("touch", {PAL_SOURCE_DIR "/sim/scenes"}), options);
-  const std::vector<KnownSkill> skills = linked_skills();
+  const std::vector<KnownSkill> skills = installed_skills();
   CellRunner runner(cell, skills, runtime::CostPolicy::worst, 1);
   operations::Executor made(*program, runner);
   executor = &made;
@@ -340,7 +341,7 @@ TEST_CASE("skills keep the longest times that the cell declares, from one end of
   for (const Case& each : cases) {
     INFO(each.skill << " in " << each.scene);
     pal::sim::Cell cell(pal::sim::find_scene(each.scene, {PAL_SOURCE_DIR "/sim/scenes"}));
-    const auto known = linked_skills();
+    const auto known = installed_skills();
     CellRunner runner(cell, known, pal::runtime::CostPolicy::worst, 1);
     const auto result = runner.run(each.skill, each.parameters, std::nullopt);
     INFO(result.reason);
@@ -354,7 +355,7 @@ TEST_CASE("skills keep the longest times that the cell declares, from one end of
 
 TEST_CASE("a skill that takes longer than is declared says so") {
   pal::sim::Cell cell(pal::sim::find_scene("touch", {PAL_SOURCE_DIR "/sim/scenes"}));
-  auto known = linked_skills();
+  auto known = installed_skills();
   for (KnownSkill& skill : known)
     if (skill.name == "touch") skill.longest = {{0, "0.01 * reach"}};
   CellRunner runner(cell, known, pal::runtime::CostPolicy::worst, 1);
@@ -366,7 +367,7 @@ TEST_CASE("a skill that takes longer than is declared says so") {
 }
 
 TEST_CASE("each formula of a longest time can be read, and names parameters of its skill") {
-  const auto known = linked_skills();
+  const auto known = installed_skills();
   const auto skills = templates_of(known);
   const auto longest = longest_of(known);
   std::size_t written = 0;

@@ -10,6 +10,9 @@ TEST_CASE("names of PAL become identifiers") {
   CHECK(snake_case("SM1.2") == "sm1_2");
   CHECK(snake_case("class") == "pal_class");
   CHECK(snake_case("AND") == "pal_and");
+  // Macros of gnu++20.
+  CHECK(snake_case("unix") == "pal_unix");
+  CHECK(snake_case("Linux") == "pal_linux");
   CHECK(snake_case("3-way") == "pal_3_way");
   CHECK(snake_case("a--b-") == "a_b");
   CHECK(snake_words("class") == "class");

@@ -1,4 +1,6 @@
 // Runs in real time: the order of messages, preemption, faults. No clock is asserted.
+#include <pthread.h>
+
 #include <catch2/catch.hpp>
 
 #include <atomic>
@@ -391,4 +393,37 @@ TEST_CASE("real time: nothing is allocated between the first and the last messag
   CHECK(outcome.code == 0);
   CHECK(outcome.trace.events.size() > 4000);
   CHECK(counted_allocations() == 0);
+}
+
+TEST_CASE("real time: a world that only advances is driven") {
+  struct Simple final : runtime::World {
+    void advance_to(runtime::Time when) override {
+      ++calls;
+      last = when;
+    }
+    int calls = 0;
+    runtime::Time last{};
+  } world;
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  const int never = skill.channel("B", "never", "A");
+  const int rest = skill.statement("rest", 1ms), end = skill.statement("end", 1ms);
+  skill.thread("A", p, 1, [=](Thread& t) -> Task {
+    co_await t.wait_within(rest, 100ms, from(never));
+    co_await t.complete(end, 0);
+  });
+  const auto outcome = runtime::Dispatcher({}, world).run(skill, {}, real_time());
+  CHECK_FALSE(outcome.fault);
+  CHECK(world.calls > 3);
+  CHECK(world.last > 50ms);
+}
+
+TEST_CASE("real time: threads of the system have names") {
+  Talk talk(1);
+  std::array<char, 16> name{};
+  talk.first = [&name] { ::pthread_getname_np(::pthread_self(), name.data(), name.size()); };
+  NoWorld world;
+  const auto outcome = runtime::Dispatcher({}, world).run(talk.skill, {}, real_time());
+  CHECK_FALSE(outcome.fault);
+  CHECK(std::string(name.data()) == "P 1");
 }

@@ -99,6 +99,77 @@ struct Acting {
 
 }  // namespace
 
+TEST_CASE("watchdog: attach, open and start that do not return end the process, devices closed") {
+  const int where = GENERATE(0, 1, 2);
+  const Ended ended = in_a_child([where] {
+    struct Stuck final : ScriptedDevice {
+      Stuck() : ScriptedDevice("last", {{"order", true, {}}}) {}
+      void attach(runtime::DeviceHost& host) override {
+        ScriptedDevice::attach(host);
+        if (where == 0) spin();
+      }
+      void open() override {
+        if (where == 1) spin();
+      }
+      int where = -1;
+    } stuck;
+    stuck.where = where;
+    Acting acting;
+    acting.skill.devices = {"sensor", "last"};
+    const int order = acting.skill.channel("A", "order", "last");
+    acting.skill.channels.back().to_device = true;
+    const int send = acting.skill.statement("send", 1ms);
+    acting.skill.bodies.front() = [=](Thread& t) -> Task {
+      if (where == 2) spin();  // as the skill is started, it comes to its first statement
+      co_await t.send(send, order);
+    };
+    Telling device;
+    RunOptions options;
+    options.real_time.emplace();
+    options.real_time->hang_timeout = 300ms;
+    options.real_time->hang_status = 71;
+    say(run(acting.skill, {&device, &stuck}, options).reason);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 71);
+  CHECK(ended.said.find("sensor closed\n") != std::string::npos);
+  CHECK(ended.said.find(where == 2 ? "the start of the skill has not returned"
+                                   : "device last has not returned") != std::string::npos);
+}
+
+TEST_CASE("watchdog: next_event and wait_until of a world apart that do not return end the process") {
+  const bool waits = GENERATE(false, true);
+  const Ended ended = in_a_child([waits] {
+    struct Slow final : runtime::World {
+      void advance_to(runtime::Time) override {}
+      runtime::Time next_event() override {
+        if (!waits) spin();
+        return 20ms;
+      }
+      runtime::Time wait_until(runtime::Time) override { spin(); }
+      bool apart() const override { return true; }
+      bool waits = false;
+    } world;
+    world.waits = waits;
+    Acting acting;
+    const int never = acting.skill.channel("B", "never", "A");
+    const int rest = acting.skill.statement("rest", 1ms);
+    acting.skill.bodies.front() = [=](Thread& t) -> Task { co_await t.wait_within(rest, 5s, from(never)); };
+    Telling device;
+    RunOptions options;
+    options.real_time.emplace();
+    options.real_time->hang_timeout = 300ms;
+    options.real_time->hang_status = 71;
+    runtime::Device* devices[] = {&device};
+    say(runtime::Dispatcher(devices, world).run(acting.skill, {}, options).reason);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 71);
+  CHECK(ended.said.find("sensor closed\n") != std::string::npos);
+  CHECK(ended.said.find(waits ? "the world was to wait for an instant that was over"
+                              : "the world with its devices has not returned") != std::string::npos);
+}
+
 TEST_CASE("watchdog: an activity that does not return ends the process, devices closed") {
   const bool spins = GENERATE(true, false);
   const Ended ended = in_a_child([spins] {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "pal/trace/measure.hpp"
+#include "pal/trace/meter.hpp"
 
 namespace pal::trace {
 namespace {
@@ -58,6 +59,43 @@ TEST_CASE("a request whose answer is lost or discarded is answered") {
   REQUIRE(found.answered.size() == 1);
   CHECK(found.answered[0] == Occurrence{5, 20, 0, 0});
   CHECK(found.missed == 1);
+}
+
+/// The age of the meter's value at the thread's statement, as the events show it.
+std::int64_t age_of_value(const std::vector<Event>& events) {
+  const Trace tables = asking({});
+  Marks channels(tables.channels.size()), at(tables.statements.size());
+  channels[value] = at[0] = true;
+  SampleMeter meter(tables, channels, at);
+  std::int64_t age = -1;
+  for (const Event& event : events)
+    if (const auto seen = meter.see(event, -1)) age = seen->length_ns();
+  return age;
+}
+
+TEST_CASE("a sample's age counts from when its request reached the device, also if it is never busy") {
+  CHECK(age_of_value({{2, Kind::put, 0, -1, request, 1},
+                      {2, Kind::busy, 2, -1, -1, 0},
+                      {2, Kind::take, 2, -1, request, 1},
+                      {7, Kind::idle, 2, -1, -1, 0},
+                      {7, Kind::put, 2, -1, value, 1},
+                      {8, Kind::take, 0, -1, value, 1},
+                      {9, Kind::done, 0, 0, -1, 0}}) == 7);
+  CHECK(age_of_value({{2, Kind::put, 0, -1, request, 1},
+                      {7, Kind::take, 2, -1, request, 1},
+                      {7, Kind::put, 2, -1, value, 1},
+                      {8, Kind::take, 0, -1, value, 1},
+                      {9, Kind::done, 0, 0, -1, 0}}) == 7);
+  // It serves one after the other.
+  CHECK(age_of_value({{2, Kind::put, 0, -1, request, 1},
+                      {7, Kind::take, 2, -1, request, 1},
+                      {7, Kind::put, 2, -1, value, 1},
+                      {7, Kind::put, 0, -1, request, 2},
+                      {7, Kind::take, 0, -1, value, 1},
+                      {12, Kind::take, 2, -1, request, 2},
+                      {12, Kind::put, 2, -1, value, 2},
+                      {13, Kind::take, 0, -1, value, 2},
+                      {14, Kind::done, 0, 0, -1, 0}}) == 7);
 }
 
 }  // namespace

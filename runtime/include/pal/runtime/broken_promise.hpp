@@ -12,7 +12,8 @@ namespace pal::runtime {
 struct BrokenPromise {
   std::string promise;  // "force-torque answers 6 ms after a request at the latest"
   std::string by;       // a device, or a thread, at which it was seen; may be empty
-  Time measured{};  // the longest; of a least time the shortest; Time::max(): something was never answered
+  Time measured{};  // the longest; of a least time the shortest; Time::max(): something was never answered;
+                    // 0: no time
   Time first{};     // when it was broken for the first time, and noted
   std::size_t times = 1;
   std::vector<std::string> endangers;  // the requirements whose proof relies on it; of a requirement itself

@@ -68,6 +68,22 @@ class DeviceHost {
   /// slot was full, the message is lost and the run is marked with an overrun.
   virtual bool deliver(std::size_t port, std::span<const double> fields) = 0;
 
+  /// Names a request that the device was handed; 0: none. Numbers are never used again in a run.
+  using Request = std::uint64_t;
+  /// Inside Device::receive(): the request that is handed over.
+  virtual Request request() const { return 0; }
+
+  /// As deliver(), for a device that knows which request it answers. Requests before that one, which have no
+  /// answer yet, will have none. The answer to a request that is open no more is noted as a broken promise,
+  /// and is lost. deliver() answers the oldest request that is open; one that is withdrawn, and whose time
+  /// is over, is passed over as soon as a younger one may be answered.
+  virtual bool answer([[maybe_unused]] Request request, std::size_t port, std::span<const double> fields) {
+    return deliver(port, fields);
+  }
+  /// The oldest open request whose answer would come at the port will have none (ON REQUEST … OR NEVER; of
+  /// any other device that breaks its promise).
+  virtual void leave_unanswered([[maybe_unused]] std::size_t port) {}
+
   /// Marks the device busy or idle in the trace. Becoming busy takes the oldest request that the device has
   /// received and not yet taken out of its slot. Marking it busy once more takes the next one (a frame
   /// answers all of them). A device that never marks itself busy takes a request when it answers it.
@@ -131,8 +147,9 @@ class World {
   /// came in from outside meanwhile, it returns that earlier instant, and the run goes there first.
   virtual Time wait_until(Time when) { return when; }
 
-  /// In real time the world is advanced at least this often, whatever happens; max(): only for events.
-  virtual Time beat() { return Time::max(); }
+  /// In real time the world is advanced at least this often, whatever happens. max(): only for events; and if
+  /// it has none when the run begins, never.
+  virtual Time beat() { return std::chrono::milliseconds(10); }
 
   /// In real time: whether one thread moves the world without the kernel's lock. Such a world and the run
   /// reach each other by DeviceHost::post and by wake() alone. Its devices never wait for each other's
@@ -144,6 +161,12 @@ class World {
 
   /// The run was held from outside and goes on; what passed meanwhile in the world's own time does not count.
   virtual void resumed() {}
+
+  /// Whether a run uses it; for the dispatcher.
+  InUse& in_use() { return in_use_; }
+
+ private:
+  InUse in_use_;
 };
 
 }  // namespace pal::runtime

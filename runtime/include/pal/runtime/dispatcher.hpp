@@ -31,8 +31,10 @@ class Dispatcher {
   /// These end the skill before it begins, with its error completion and the reason:
   /// - a parameter that is not allowed;
   /// - a device that is missing, or has other ports than the skill needs;
-  /// - a dispatcher, a skill or a device that is running already, in another thread or in this one (a device
-  ///   may begin a run in its receive).
+  /// - a device that is null, or a time of the options that is nothing or too long;
+  /// - a dispatcher, a skill, a device or a world that is running already, in another thread or in this one
+  /// (a
+  ///   device may begin a run in its receive).
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
 
   /// The same with parameters in braces: run(skill, {{"reach", 40}}).

@@ -5,7 +5,7 @@
 
 namespace pal::runtime {
 
-/// Belongs to a skill, a device or a dispatcher. A copy of its owner is free.
+/// Belongs to a skill, a device, a world or a dispatcher. A copy of its owner is free.
 class InUse {
  public:
   InUse() = default;

@@ -22,7 +22,7 @@ constexpr std::size_t slots_of(FieldKind kind, std::size_t count) {
 
 /// put() writes a value from number `at` on; get() reads it back. The numbers must be there.
 inline void put(double value, std::span<double> numbers, std::size_t at) {
-  numbers[at] = value;
+  numbers[at] = finite(value);
 }
 inline void put(std::int64_t value, std::span<double> numbers, std::size_t at) {
   numbers[at] = from_whole(value);
@@ -35,13 +35,13 @@ inline void put(const Text& value, std::span<double> numbers, std::size_t at) {
 }
 
 inline void get(double& value, std::span<const double> numbers, std::size_t at) {
-  value = numbers[at];
+  value = finite(numbers[at]);
 }
 inline void get(std::int64_t& value, std::span<const double> numbers, std::size_t at) {
   value = whole(numbers[at]);
 }
 inline void get(bool& value, std::span<const double> numbers, std::size_t at) {
-  value = numbers[at] != 0;
+  value = truth(numbers[at]);
 }
 /// Throws std::bad_optional_access if the numbers are not a text. Numbers of messages are, because what a
 /// device delivers is checked on its way in.

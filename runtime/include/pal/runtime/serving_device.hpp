@@ -36,15 +36,25 @@ class ServingDevice : public PortDevice {
   bool answer(std::size_t port, std::span<const double> fields) {
     if (serving_) host().mark_busy(false);
     const bool taken = host().deliver(port, fields);
-    serving_ = waiting_ > 0;
-    if (serving_) {
-      --waiting_;
-      host().mark_busy(true);
-    }
+    next();
     return taken;
   }
 
+  /// The oldest request, whose answer would be sent by the port, will have none; begins with the next one.
+  void leave_unanswered(std::size_t port) {
+    if (serving_) host().mark_busy(false);
+    host().leave_unanswered(port);
+    next();
+  }
+
  private:
+  void next() {
+    serving_ = waiting_ > 0;
+    if (!serving_) return;
+    --waiting_;
+    host().mark_busy(true);
+  }
+
   bool serving_ = false;
   std::size_t waiting_ = 0;  // requests
 };

@@ -9,6 +9,7 @@ namespace pal::runtime {
 class StillWorld final : public World {
  public:
   void advance_to(Time) override {}
+  Time beat() override { return Time::max(); }
 };
 
 }  // namespace pal::runtime

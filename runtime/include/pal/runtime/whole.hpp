@@ -1,6 +1,8 @@
-// INTEGER fields in payloads: payloads are doubles, which hold whole numbers up to 2^53.
+// What a number of a payload may be. Payloads are doubles: an INTEGER is a whole number up to 2^53, a REAL is
+// finite, a BOOLEAN is 0 or 1.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 
@@ -24,6 +26,18 @@ inline double from_whole(std::int64_t value) {
   if (value < -greatest_whole || value > greatest_whole)
     throw std::out_of_range("a message's INTEGER field is beyond 2^53, which a message cannot carry");
   return static_cast<double>(value);
+}
+
+/// Throws std::out_of_range for an infinity, or for what is no number.
+inline double finite(double number) {
+  if (!std::isfinite(number)) throw std::out_of_range("a message's REAL field is not a finite number");
+  return number;
+}
+
+/// Throws std::out_of_range for what is neither 0 nor 1.
+inline bool truth(double number) {
+  if (number != 0 && number != 1) throw std::out_of_range("a message's BOOLEAN field is neither 0 nor 1");
+  return number == 1;
 }
 
 }  // namespace pal::runtime

@@ -73,6 +73,7 @@ struct DeviceTimes {
   Time jitter{};
   Time phase{-1};  // of events: from the first wait to the first one; negative: any
   Interval answer{};
+  bool may_fail = false;  // on_request: a request may have no answer (OR NEVER)
 };
 
 /// A requirement on the skill, as far as a run can show it, and what its proof relies on.

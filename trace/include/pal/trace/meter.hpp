@@ -42,7 +42,9 @@ class AgeMeter {
   std::vector<std::optional<std::int64_t>> read_;  // by actor
 };
 
-/// Ages of what a device says in the messages of `channels`, at each effect of a statement of `at`.
+/// Ages of what a device says in the messages of `channels`, at each effect of a statement of `at`. An age
+/// counts from when the device began to serve the request: from when it took it, and of a device that does
+/// not say when it is busy, from when the request reached it or its answer before that was sent.
 class SampleMeter {
  public:
   SampleMeter(const Trace& tables, Marks channels, Marks at);
@@ -56,6 +58,9 @@ class SampleMeter {
   std::vector<std::int32_t> request_;               // by channel: of what it answers; -1: nothing
   Marks asks_;                                      // by channel: whether its messages are answered
   std::vector<bool> device_;                        // by actor
+  std::vector<bool> marks_;                         // by actor: it says when it is busy
+  std::vector<std::int64_t> put_;                   // by channel: when its last message was put
+  std::vector<std::int64_t> answered_;              // by actor: when it sent its last message
   std::vector<std::vector<std::int64_t>> serving_;  // by channel: when its requests were taken, oldest first
   std::vector<Instant> on_message_;                 // by channel
   std::vector<Instant> on_condition_;               // by condition
