@@ -89,37 +89,39 @@ def long_operation(icons):
 class Attack(multiprocessing.Process):
     """Does it again and again, until it is ended: in a process of its own, so that what is measured does not wait for it."""
 
-    def __init__(self, what):
+    def __init__(self, server, what):
         super().__init__(daemon=True)
-        self.what, self.over, self.rounds = what, multiprocessing.Event(), multiprocessing.Value("i", 0)
+        self.server, self.what = server, what
+        self.over, self.rounds = multiprocessing.Event(), multiprocessing.Value("i", 0)
 
     def run(self):
+        busy = quiet(self.server)
         while not self.over.is_set():
-            try:
-                self.what()
-                self.rounds.value += 1
-            except (OSError, Refused, AssertionError):
-                time.sleep(0.001)
+            self.what(busy)
+            self.rounds.value += 1
 
 
 def stop():
     server = Server(given.workcell)
     try:
         text = long_operation(7000)
-        busy = quiet(server)
+        half = long_operation(3500)  # both together fit into a request
+        half_changed = half.replace("-1", "-2")
 
-        def strangers():
-            with socket.create_connection(("127.0.0.1", server.port), timeout=1):
+        def strangers(busy):
+            with socket.create_connection(("127.0.0.1", server.port), timeout=5):
                 pass
 
-        def tokens():
+        def tokens(busy):
             wrong = Client(server.port)
             try:
                 wrong.call("hello", token="wrong")
+            except Refused:
+                pass
             finally:
                 wrong.close()
 
-        def flood():
+        def flood(busy):
             for _ in range(50):
                 busy.send("state")
             for _ in range(50):
@@ -127,23 +129,23 @@ def stop():
 
         held = []
 
-        def silent():
+        def silent(busy):
             if len(held) < 16:
                 held.append(socket.create_connection(("127.0.0.1", server.port), timeout=1))
             time.sleep(0.01)
 
         attacks = {
             "nothing": None,
-            f"checks of an operation of {len(text) // 1024} KiB": lambda: busy.call("operation.check", main="f", files={"f": text}),
-            "loads of it": lambda: busy.call("operation.load", main="f", files={"f": text}),
-            "snapshots with it": lambda: busy.call("snapshot"),
-            "drawings of it": lambda: busy.call("operation.difference", before=text, after=text.replace("-1", "-2")),
+            f"checks of an operation of {len(text) // 1024} KiB": lambda busy: busy.call("operation.check", main="f", files={"f": text}),
+            "loads of it": lambda busy: busy.call("operation.load", main="f", files={"f": text}),
+            "snapshots with it": lambda busy: busy.call("snapshot"),
+            "comparisons of it": lambda busy: busy.call("operation.difference", before=half, after=half_changed),
             "a flood of requests": flood,
             "sockets without a token": strangers,
             "wrong tokens": tokens,
             "16 silent sockets": silent}
         for name, attack in attacks.items():
-            thread = Attack(attack) if attack else None
+            thread = Attack(server, attack) if attack else None
             if thread:
                 thread.start()
             client, times = quiet(server, "viewer"), []
@@ -155,7 +157,7 @@ def stop():
             client.close()
             if thread:
                 thread.over.set()
-                thread.join(30)
+                thread.join(60)
             print(f"stop: during {name}: {spread(times)}" + (f"; {thread.rounds.value} rounds" if thread else ""), flush=True)
     finally:
         server.end()

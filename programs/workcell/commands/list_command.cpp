@@ -38,7 +38,7 @@ void list_skill(const runtime::Skill& skill, const operations::DeclaredTimes& lo
     out << fmt::format("    completion {} ({}): {}\n", completion.code, name(completion.kind),
                        completion.description);
     const auto time = longest.find({std::string(description.name), completion.code});
-    if (time != longest.end()) out << fmt::format("      after {} s at the most\n", time->second.text());
+    if (time != longest.end()) out << fmt::format("      longest time in s: {}\n", time->second.text());
   }
 }
 

@@ -72,7 +72,7 @@ function Times({ shortest, longest, runs, declared }: { shortest: number | null;
   if (!runs) return null;
   return (
     <div className="times">
-      <div><span>{t("times.shortest")}</span><b>{shortest === null || (shortest < 0.005 && longest === null) ? t("times.unknown") : duration(shortest)}</b></div>
+      <div><span>{t("times.shortest")}</span><b>{shortest === null || shortest < 0.005 ? t("times.unknown") : duration(shortest)}</b></div>
       <div><span>{t("times.longest")}</span><b>{longest === null ? t("times.unknown") : duration(longest)}</b></div>
       {declared && longest !== null && <p className="hint">{t("time.declared")}</p>}
       <Button className="button quiet small" onPress={() => openWindow("ways")}>{t("times.ways")}</Button>

@@ -95,7 +95,9 @@ function Bounds() {
   if (result.shortest_s === null || result.ways.length === 0 || (result.shortest_s < 0.005 && result.longest_s === null)) return null;
   return (
     <Button className="button quiet small state-bounds" onPress={() => openWindow("ways")}>
-      {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}
+      {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) })
+        // Nobody proves a shortest time: none but that of delays is known.
+        : result.shortest_s < 0.005 ? t("state.atMost", { time: duration(result.longest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}
     </Button>
   );
 }

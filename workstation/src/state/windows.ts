@@ -35,8 +35,15 @@ export function openWindow(kind: WindowKind, about = ""): void {
   const there = open.find((each) => each.id === id);
   if (there) return raise(id);
   const shift = (opened++ % 6) * 28;
-  const [x, y] = (kind === "icon" ? besideIcon(about) : undefined) ?? [Math.max(16, Math.min(innerWidth - 480, 320 + shift)), 96 + shift];
+  const [x, y] = (kind === "icon" ? besideIcon(about) : beyondTop(kind)) ?? [Math.max(16, Math.min(innerWidth - 480, 320 + shift)), 96 + shift];
   useWindows.setState({ open: [...open, { id, key: opened, kind, about, x, y }] });
+}
+
+/** A wide window hides not all of the one below it. */
+function beyondTop(kind: WindowKind): [number, number] | undefined {
+  const top = useWindows.getState().open.at(-1);
+  if (!top || kind === "findings" || innerWidth < 1100) return undefined;
+  return [top.x >= 300 ? Math.max(16, top.x - 560) : Math.min(innerWidth - 696, top.x + 140), 96];
 }
 
 const room = 424;

@@ -1,11 +1,11 @@
 // Icons that stand for others: collapse, show what is inside, expand, copies between operations; run from an icon; what the
-// cell lacks, at the icon.
+// cell lacks and what a skill refuses, at the icon.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { browser, drawing, errors, icon, imported, openPage, shot, untilState } from "./browser";
+import { browser, drawing, errors, field, icon, imported, openPage, shot, untilState } from "./browser";
 import { cell, type Cell } from "./cell";
 
 let chromium: Browser, served: Cell, page: Page;
@@ -73,9 +73,9 @@ test("run from here begins at the icon", async () => {
   assert.equal(await icon(page, "find").getAttribute("data-run"), "none");
 });
 
-const only = (skill: string) => JSON.stringify({
+const only = (skill: string, parameters?: Record<string, number>) => JSON.stringify({
   "operation-format": 1, name: "wrong",
-  icons: [{ id: "start", kind: "start", next: "it", at: [0, 0] }, { id: "it", kind: "skill", skill, next: "end", error: "end", at: [200, 0] }, { id: "end", kind: "exit", at: [480, 0] }],
+  icons: [{ id: "start", kind: "start", next: "it", at: [0, 0] }, { id: "it", kind: "skill", skill, ...(parameters ? { parameters } : {}), next: "end", error: "end", at: [200, 0] }, { id: "end", kind: "exit", at: [480, 0] }],
 });
 
 test("what the cell lacks is told at the icon", async () => {
@@ -84,4 +84,24 @@ test("what the cell lacks is told at the icon", async () => {
   await page.locator('[data-window="findings"]', { hasText: "it needs the tool range-finder, and the tool of this scene is pad" }).waitFor();
   await shot(page, "lacking");
   await page.locator('[data-window="findings"] .window-head button').click();
+});
+
+test("values that the skill refuses together are refused while they are set", async () => {
+  await imported(page, only("rub"));
+  await icon(page, "it").dblclick({ position: { x: 60, y: 10 } });
+  await field(page, "stop-force").fill("100");
+  await icon(page, "it").locator(".mark-finding[data-error]").waitFor();
+  await page.locator('.inspector .finding[data-severity="error"]', { hasText: "stop-force must be greater than the band's greatest force" }).waitFor();
+  await shot(page, "refused-together");
+  await field(page, "stop-force").fill("400");
+  await icon(page, "it").locator(".mark-finding[data-error]").waitFor({ state: "detached" });
+});
+
+test("the longest times of icons and of the whole are shown, and that they are declared", async () => {
+  await imported(page, only("touch", { reach: 60, "approach-speed": 20 }));
+  // Back and forth at 20 mm/s, and eight seconds until it gives up.
+  await icon(page, "it").locator(".caption", { hasText: "≤ 14 s, declared" }).waitFor();
+  await page.locator(".state-bounds", { hasText: "14 s" }).click();
+  await page.locator('[data-window="ways"] .way-list li', { hasText: "declared by the cell" }).first().waitFor();
+  await shot(page, "declared");
 });

@@ -140,15 +140,15 @@ test("a drawing that was not saved survives a crash of the whole browser", async
   };
   try {
     const first = await begun();
-    await first.getByRole("button", { name: "Place START" }).click();
-    await icon(first, "start").waitFor();
-    await first.keyboard.type("touch");
-    await first.keyboard.press("Enter");
+    await first.locator('[data-offer="skill:touch"]').waitFor();
+    await imported(first, JSON.stringify({ "operation-format": 1, name: "killed", icons: [{ id: "begin", kind: "start", at: [0, 0] }] }));
+    await first.locator('[data-offer="skill:touch"]').dblclick();
     await icon(first, "touch").waitFor();
     await first.waitForTimeout(700);
     process.kill(programOf(profile), "SIGKILL");
     await first.waitForEvent("close").catch(() => {});
     const again = await begun();
+    await icon(again, "begin").waitFor();
     await icon(again, "touch").waitFor();
     await again.locator(".unsaved").waitFor();
     await again.context().close();
