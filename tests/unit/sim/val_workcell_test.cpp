@@ -100,7 +100,7 @@ TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
 TEST_CASE("VAL in the workcell: VAL opens ALTER, and TOOL sets the point that turns") {
   Bench cell("nothing");
   pal::runtime::drivers::ValDriver val(cell.timeline, cell.wire.a());
-  runtime::drivers::val::AlterOpener opener(val);
+  pal::runtime::drivers::val::AlterOpener opener(val);
   std::string problem = "no answer yet";
   const auto done = [&](const std::string& text) { problem = text; };
   opener.open({.world = false, .cumulative = true}, done);
