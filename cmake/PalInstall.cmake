@@ -60,7 +60,7 @@ if(PAL_BUILD_WORKCELL)
   install(EXPORT palWorkcellTargets NAMESPACE pal:: DESTINATION "${pal_package_directory}" COMPONENT development)
   foreach(folder runtime/drivers skills_pal/sensing skills_pal/modules)
     install(DIRECTORY ${folder}/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pal-workcell/${folder}" COMPONENT development
-      FILES_MATCHING PATTERN "*.hpp")
+      FILES_MATCHING PATTERN "*.hpp" PATTERN bridge.hpp EXCLUDE PATTERN pseudo_terminal.hpp EXCLUDE)
   endforeach()
 endif()
 

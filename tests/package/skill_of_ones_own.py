@@ -68,7 +68,7 @@ expect("tap.pal has changed since it was built", run(workcell, "run", "tap/build
 
 # A requirement that does not hold stops the build.
 pal.write_text(pal.read_text().replace("AT MOST 10 ms", "AT MOST 1 ms"))
-expect("'fresh-force' fails", subprocess.run(["cmake", "--build", "tap/build"], cwd=work, capture_output=True, text=True).stderr)
+expect("'fresh-force' fails", run("cmake", "--build", "tap/build", status=1))
 pal.write_text(pal.read_text().replace("AT MOST 1 ms", "AT MOST 10 ms"))
 
 # From a PAL file, with activities that do nothing.

@@ -42,8 +42,8 @@ const centre = (icon: Icon): Point => {
   return [(icon.at?.[0] ?? 0) + width / 2, (icon.at?.[1] ?? 0) + height / 2];
 };
 
-/** The nearest icon in the direction of an arrow key: what lies straight ahead counts as nearer. */
-export function nearest(operation: Operation, from: string, dx: number, dy: number): string | undefined {
+/** The nearest icon in the direction of an arrow key: what lies straight ahead counts as nearer. At most `widest` times as far aside as ahead. */
+export function nearest(operation: Operation, from: string, dx: number, dy: number, widest = 3): string | undefined {
   const start = operation.icons.find((icon) => icon.id === from);
   if (!start) return operation.icons[0]?.id;
   const [x, y] = centre(start);
@@ -52,7 +52,7 @@ export function nearest(operation: Operation, from: string, dx: number, dy: numb
     if (icon === start) continue;
     const [cx, cy] = centre(icon);
     const ahead = (cx - x) * dx + (cy - y) * dy, aside = Math.abs((cx - x) * dy) + Math.abs((cy - y) * dx);
-    if (ahead <= 4 || aside > 3 * ahead) continue;
+    if (ahead <= 4 || aside > widest * ahead) continue;
     const cost = ahead + 2 * aside;
     if (!best || cost < best.cost) best = { id: icon.id, cost };
   }
@@ -81,7 +81,7 @@ function arrow(event: KeyboardEvent, [dx, dy]: [number, number]): void {
     if (dy < 0 && state.trail.length > 0) enter(state.trail.slice(0, -1), [state.trail.at(-1)!]);
     return focusIcon(useDrawing.getState().focus ?? shownOperation(useDrawing.getState()).icons[0]?.id);
   }
-  const next = state.focus === undefined ? operation.icons[0]?.id : nearest(operation, state.focus, dx, dy) ?? along(operation, state.focus, dx);
+  const next = state.focus === undefined ? operation.icons[0]?.id : nearest(operation, state.focus, dx, dy, 1) ?? along(operation, state.focus, dx) ?? nearest(operation, state.focus, dx, dy);
   if (next === undefined) return say(t("said.noNeighbour"));
   select([next], next);
   focusIcon(next);
