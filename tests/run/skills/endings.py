@@ -107,6 +107,14 @@ def seeds_of(rows):
     return f"Of {len(seeds)} rows " + ", ".join(f"{count} ran with {NUMBERS[number]}" for number, count in counts) + "."
 
 
+def falsehoods(rows):
+    """The rows that are false, in words: the page says so before its table."""
+    false = [" ".join(part.strip() for part in row.strip("| ").split(" | ")[:4]) for row in rows.splitlines()[2:] if "**false**" in row]
+    if not false:
+        return "No row is false."
+    return f"**False today**, {len(false)} of the rows: {'; '.join(false)}. There the code 0 says more than physics shows."
+
+
 def self_test():
     pal = 'SKILL a-b\n  COMPLETION 0 NORMAL        "Good."\n  COMPLETION 1 CONTINGENCY 1 "Bad."\nEND SKILL\n'
     wanted = completions(pal)
@@ -118,6 +126,8 @@ def self_test():
     rows = "| head |\n| --- |\n" + "| a | b | free | defaults | 4 of 5: 0 | x | |\n| a | b | free | defaults | 1 of 5: 1 | x | |\n"
     assert seeds_of(rows) == "Each of the 1 rows ran with five seeds.", seeds_of(rows)
     rows += "| a | c | free | defaults | 1 of 1: 0 | x | |\n"
+    assert falsehoods(rows) == "No row is false."
+    assert "1 of the rows: a d free defaults." in falsehoods(rows + "| a | d | free | defaults | 1 of 1: 0 | x | **false**: off |\n")
     assert seeds_of(rows) == "Of 2 rows 1 ran with five seeds, 1 ran with one seed.", seeds_of(rows)
     assert problems(wanted, runs(test.replace("a-b 0", "a-b 7")))[-1] == "'one' ends with a-b 7, which no template has"
 
@@ -142,7 +152,7 @@ def main(arguments):
         rows = Path(arguments[arguments.index("--physics") + 1]).read_text()
         if "**false**" in rows:
             wrong.append("a row of the table in physics is false")
-        physics = ABOUT_PHYSICS.format(seeds=seeds_of(rows)) + rows
+        physics = ABOUT_PHYSICS.format(seeds=seeds_of(rows) + "\n" + falsehoods(rows)) + rows
     text = table(wanted, found) + ("\n" + physics if physics else "")
     if "--write" in arguments or "--physics" in arguments:
         (root / TABLE).write_text(text)
