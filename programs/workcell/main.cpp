@@ -6,14 +6,7 @@
 #include "programs/workcell/options/command_line.hpp"
 
 int main(int count, char** arguments) {
-  // A full device and a closed output refuse even nothing.
-  if (::write(STDOUT_FILENO, "", 0) < 0) std::cout.setstate(std::ios::badbit);
-  using namespace pal::workcell;
-  try {
-    return static_cast<int>(main_program({arguments + 1, arguments + count}, installed_skills(), std::cout,
-                                         std::cerr, ::isatty(STDOUT_FILENO) == 1, &std::cin));
-  } catch (const Failure& failure) {
-    failure.print(std::cerr);
-    return static_cast<int>(failure.status());
-  }
+  return static_cast<int>(pal::workcell::main_program({arguments + 1, arguments + count},
+                                                      pal::workcell::installed_skills, std::cout, std::cerr,
+                                                      ::isatty(STDOUT_FILENO) == 1, &std::cin));
 }

@@ -86,4 +86,15 @@ expect("  nod\n", run(workcell, "list", "--skills", "nod/build/nod.so"))
 (work / "text.so").write_text("no library\n")
 expect("pal_add_skill", run(workcell, "run", "text.so", status=2))
 expect("there is no such file", run(workcell, "run", "none.so", status=2))
+(work / "old.cpp").write_text('extern "C" const void* pal_skill() { static const char* const old[] = {"pal 0.0.1 (of old)"}; return old; }\n')
+run(compiler, "-shared", "-fPIC", "old.cpp", "-o", "old.so")
+expect("it was built for pal 0.0.1 (of old), and this is pal", run(workcell, "run", "old.so", status=2))
+
+# A broken file among the installed skills is named, and is in no client's way.
+broken = next(prefix.glob("lib*/**/pal/skills")) / "broken.so"
+broken.write_text("no library\n")
+expect("broken.so", run(workcell, "list", status=2))
+if "broken.so" in run(workcell, "operation", "stop", "--at", "nowhere.json", status=2):
+    sys.exit("a stop looks at the installed skills")
+broken.unlink()
 expect("no name for a skill", run(workcell, "new-skill", "Tap!", "--like", "touch", status=2))

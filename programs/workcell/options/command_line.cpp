@@ -354,7 +354,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   return run;
 }
 
-ExitStatus run_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& known,
+ExitStatus run_program(const std::vector<std::string>& arguments, const SkillSource& source,
                        std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
   CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
   app.set_version_flag("--version", "workcell " PAL_VERSION);
@@ -412,7 +412,9 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
   }
   try {
     check_scene_folders(folders);
-    const std::vector<KnownSkill> skills = skills_of_command(known, skill_files, run_command.skill, error);
+    if (!remote.verb.empty()) return command_server(remote, out, error);
+    const std::vector<KnownSkill> skills = skills_of_command(source ? source() : std::vector<KnownSkill>{},
+                                                             skill_files, run_command.skill, error);
     list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
         operation_command.scene_folders = cell_command.scene_folders =
             folders_of(folders, "scenes", PAL_SCENE_FOLDER);
@@ -431,7 +433,6 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
           if (cell_command.page.empty() && std::filesystem::is_directory(folder)) cell_command.page = folder;
       return serve(cell_command, skills, out);
     }
-    if (!remote.verb.empty()) return command_server(remote, out, error);
     if (operation_app->parsed() && operation_command.at_server) {
       const OperationCommand& asked = operation_command;
       return command_server(
@@ -466,7 +467,7 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
 
 }  // namespace
 
-ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+ExitStatus main_program(const std::vector<std::string>& arguments, const SkillSource& skills,
                         std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
   // A report that cannot be written is no success. That is said before a run of minutes, where it is known.
   const ExitStatus status =

@@ -155,8 +155,8 @@ ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl
 
 /// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is a
 /// terminal, so a line on it can be rewritten. Runs nothing if `out` has failed already. `in`: for commands
-/// that are given while an operation runs.
-ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+/// that are given while an operation runs. Without a source of skills there are none.
+ExitStatus main_program(const std::vector<std::string>& arguments, const SkillSource& skills,
                         std::ostream& out, std::ostream& error, bool terminal = false,
                         std::istream* in = nullptr);
 

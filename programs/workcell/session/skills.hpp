@@ -24,6 +24,9 @@ struct KnownSkill {
 /// Sorted by name. Throws Failure if one cannot be loaded.
 std::vector<KnownSkill> installed_skills();
 
+/// Asked by commands that need skills, and by no others: a stop gets through whatever lies in the folder.
+using SkillSource = std::function<std::vector<KnownSkill>()>;
+
 /// The skill of a file NAME.so. Throws Failure.
 KnownSkill skill_of_file(const std::string& path);
 

@@ -33,8 +33,7 @@ Answer run(const std::string& example, std::vector<std::string> options, const s
                   log.string()});
   std::istringstream in(lines);
   std::ostringstream out, error;
-  Answer answer{
-      main_program(options, installed_skills(), out, error, false, &in), out.str(), error.str(), {}};
+  Answer answer{main_program(options, installed_skills, out, error, false, &in), out.str(), error.str(), {}};
   std::ifstream file(log);
   for (std::string line; std::getline(file, line);) answer.steps.push_back(nlohmann::json::parse(line));
   std::filesystem::remove(log);
@@ -232,7 +231,7 @@ TEST_CASE("sensors are read by their lines, between skills") {
 TEST_CASE("a skill without its tool is refused, with scenes that have it") {
   std::ostringstream out, error;
   std::istringstream in;
-  CHECK(main_program({"run", "standoff"}, installed_skills(), out, error, false, &in) ==
+  CHECK(main_program({"run", "standoff"}, installed_skills, out, error, false, &in) ==
         ExitStatus::wrong_specification);
   INFO(error.str());
   CHECK(error.str().find("choose one with --scene: ") != std::string::npos);

@@ -48,7 +48,8 @@ Answer workcell(const std::vector<std::string>& arguments) {
       {"named-touch", [] { return std::make_unique<NamedTouch>(); }},
       {"touch", [] { return std::make_unique<pal::test::WrittenTouch>(false); }},
       {"touch-read-first", [] { return std::make_unique<pal::test::WrittenTouch>(true); }}};
-  const ExitStatus status = main_program(arguments, skills, out, error);
+  const ExitStatus status = main_program(
+      arguments, [&] { return skills; }, out, error);
   return {status, out.str(), error.str()};
 }
 
