@@ -4,6 +4,7 @@ It is begun as a copy of touch and from a PAL file, built, proved, listed, run, 
 skill is refused, and a PAL file that has changed since is told.
 """
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -81,6 +82,16 @@ for each in (work / "tap").rglob("*.pal"):
 run(workcell, "new-skill", "nod", "--from", "drawn/tap.pal")
 build_skill("nod")
 expect("  nod\n", run(workcell, "list", "--skills", "nod/build/nod.so"))
+
+# Each of the workcell's skills can be begun from, and its C++ has the new name in all places.
+for like in (each.stem for each in sorted(next(prefix.glob("lib*/**/pal/skills")).glob("*.so"))):
+    skill = like.replace("_", "-")
+    run(workcell, "new-skill", f"my-{skill}", "--like", skill)
+    for file in (work / f"my_{like}").glob("*.?pp"):
+        left = re.findall(rf"(?:\b{like}::|namespace {like}\b|\"{like}_).*", file.read_text())
+        if left:
+            sys.exit(f"{file}: {left[0]}")
+build_skill("my_rub")
 
 # Files that are no skills.
 (work / "text.so").write_text("no library\n")

@@ -129,6 +129,7 @@ class Likeness {
     text =
         replaced(text, "#include \"skills_pal/" + fs::path(folder_).filename().string() + "/", "#include \"");
     text = replaced(text, "\\b" + was + "::", is + "::");
+    text = replaced(text, "\\bnamespace " + was + "\\b", "namespace " + is);
     text = replaced(text, "\\bmake_" + was + "\\b", "make_" + is);
     return replaced(text, "\\b" + was + "_(skill|activities|messages|parameters|devices)\\b", is + "_$1");
   }
