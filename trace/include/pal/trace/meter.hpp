@@ -43,8 +43,8 @@ class AgeMeter {
 };
 
 /// Ages of what a device says in the messages of `channels`, at each effect of a statement of `at`. An age
-/// counts from when the device began to serve the request: from when it took it, and of a device that does
-/// not say when it is busy, from when the request reached it or its answer before that was sent.
+/// counts from when the device began to serve the request. A device that says when it is busy begins when it
+/// takes the request. Any other begins when the request reaches it, or when it has sent its answer before.
 class SampleMeter {
  public:
   SampleMeter(const Trace& tables, Marks channels, Marks at);
