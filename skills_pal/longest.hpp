@@ -6,7 +6,7 @@
 
 namespace pal::skills {
 
-/// Declared, not proved: the cell compares each run with it.
+/// Declared, not proved: a server, and a run of an operation, compare each run with it.
 struct LongestTime {
   std::string_view skill;
   int code = 0;  // of the completion
