@@ -14,6 +14,7 @@
 #include "operations/load.hpp"
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/cell_runner.hpp"
+#include "skills_pal/longest.hpp"
 
 using namespace pal::workcell;
 
@@ -380,4 +381,23 @@ TEST_CASE("each formula of a longest time can be read, and names parameters of i
     const auto& codes = skills.at(of.first).completions;
     CHECK(std::any_of(codes.begin(), codes.end(), [&](const auto& each) { return each.code == of.second; }));
   }
+}
+
+TEST_CASE("the document of longest times has each of them") {
+  std::ifstream file(PAL_SOURCE_DIR "/docs/workcell/longest-times.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  std::size_t rows = 0;
+  for (const pal::skills::LongestTime& each : pal::skills::longest_times()) {
+    if (each.skill == "touch-read-first") continue;  // as touch
+    const std::string row = "| " + std::string(each.skill) + " | " + std::to_string(each.code) + " | `" +
+                            std::string(each.seconds) + "` |\n";
+    CAPTURE(row);
+    CHECK(text.str().find(row) != std::string::npos);
+    ++rows;
+  }
+  const std::string table = text.str().substr(text.str().find("| --- |"));
+  const auto lines =
+      std::count(table.begin(), table.begin() + static_cast<std::ptrdiff_t>(table.find("\n\n")), '\n');
+  CHECK(static_cast<std::size_t>(lines) == rows);
 }
