@@ -416,7 +416,8 @@ void say_what_grows(const Problem& problem, const Options& options, Analysis& an
 
 Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options,
                                bool thorough) {
-  const Analysis proofs = provers.compositional(problem, share_of(options, 0.6));
+  Analysis proofs = provers.compositional(problem, share_of(options, 0.6));
+  proofs.bounds_only = true;
   tell(options, proofs);
   Analysis analysis = look_at_all(provers, problem, share_of(options, 0.2), proofs.verdicts);
   std::vector<Verdict> bounds = confronted(proofs.verdicts, analysis);
@@ -430,14 +431,15 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   share_bounds(problem, analysis);
   if (thorough) {
     search_all(problem, options, analysis);
-  } else {
+  } else if (!options.verdicts_only) {
     look_whether_exact(problem, share_of(options, 0.2), analysis);
   }
   const auto go_on = [&options] { return !(options.stop && options.stop()); };
   if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
   Options failing = options;
   failing.max_states = std::min(options.max_states, most_of_failing);
-  if (!thorough && go_on()) explore_further(provers, problem, failing, false, State::fails, bounds, analysis);
+  if (!thorough && !options.verdicts_only && go_on())
+    explore_further(provers, problem, failing, false, State::fails, bounds, analysis);
   // The runs that were found since may contradict bounds, also those that are not used.
   withdraw_refuted(confronted(std::move(bounds), analysis), analysis.verdicts);
   analysis.statistics.seconds += proofs.statistics.seconds;
@@ -504,6 +506,16 @@ void withhold(Analysis& analysis, const std::string& why) {
     verdict.exact = false;
     verdict.explanation = why;
   }
+}
+
+void withhold_if_time_stands(const ZenoSearch& look, Analysis& analysis) {
+  if (look.found)
+    withhold(analysis, "a loop goes round for ever at one instant, so nothing is claimed about times");
+  if (look.suspected)
+    withhold(
+        analysis,
+        "a loop may go round for ever at one instant: no run shows that, and it could not be excluded, so "
+        "nothing is claimed about times");
 }
 
 /// Without memory the exploration ends, as at its other limits, and what is known is kept.
@@ -573,6 +585,9 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
     how.known = [&](const Analysis& known) {
       Analysis all = known;
       join(by_rows, all);
+      say_unread(problem, all);
+      withhold_if_time_stands(look, all);
+      all.bounds_only = all.bounds_only || !look.excluded;
       options.known(all);
     };
   }
@@ -584,14 +599,8 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
   say_unread(problem, analysis);
   const bool goes_on = !look.found && !look.excluded && !look.suspected && options.max_states > first_look;
   if (goes_on) look = find_zeno_run(problem, {options.max_states, options.stop});
+  withhold_if_time_stands(look, analysis);
   analysis.zeno_run = std::move(look.found);
-  if (analysis.zeno_run)
-    withhold(analysis, "a loop goes round for ever at one instant, so nothing is claimed about times");
-  if (look.suspected)
-    withhold(
-        analysis,
-        "a loop may go round for ever at one instant: no run shows that, and it could not be excluded, so "
-        "nothing is claimed about times");
   withdraw_refuted(analysis.verdicts);
   set_taken_as_lost(problem, lost_events(problem, analysis.never_lost, options.stop), analysis.verdicts);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);
