@@ -184,6 +184,28 @@ void explore(const Provers& provers, const Problem& problem, const Options& opti
   }
 }
 
+/// The same of one requirement, for an answer as soon as possible. Most requirements hold while their text is
+/// edited, and slices show that; runs that break one are looked for before that only for a moment.
+void settle_soon(const Provers& provers, const Problem& problem, const Options& options, std::size_t r,
+                 const std::vector<Verdict>& bounds, Analysis& analysis) {
+  const auto open = static_cast<double>(
+      std::count_if(analysis.verdicts.begin() + static_cast<std::ptrdiff_t>(r), analysis.verdicts.end(),
+                    [](const Verdict& verdict) { return verdict.state == State::undecided; }));
+  const Options here = share_of(options, 0.8 / open);
+  const Requirement& requirement = problem.requirements[r];
+  Verdict& verdict = analysis.verdicts[r];
+  look_for_long_run(problem, requirement, share_of(here, 0.1), verdict);
+  if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.7), verdict);
+  if (verdict.state == State::undecided) look_for_run(problem, requirement, share_of(here, 0.3), {}, verdict);
+  if (verdict.state == State::undecided) look_by_walks(problem, requirement, share_of(here, 0.5), verdict);
+  if (verdict.state == State::undecided && verdict.gave_up) {
+    Options brief = here;
+    brief.max_states = std::min(options.max_states, brief_exploration);
+    explore(provers, problem, brief, {r}, bounds, analysis);
+  }
+  tell(options, analysis);
+}
+
 /// Decides what is open by what is cheap: first by runs, as pal simulate makes them.
 void settle(const Provers& provers, const Problem& problem, const Options& options,
             const std::vector<Verdict>& bounds, Analysis& analysis) {
@@ -195,6 +217,10 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
     const Requirement& requirement = problem.requirements[r];
     Verdict& verdict = analysis.verdicts[r];
     if (verdict.state != State::undecided) continue;
+    if (options.verdicts_only) {
+      settle_soon(provers, problem, options, r, bounds, analysis);
+      continue;
+    }
     look_for_long_run(problem, requirement, share_of(here, 0.25), verdict);
     const bool more = verdict.gave_up && brief.max_states > glance(problem);
     if (verdict.state == State::undecided && more) {
@@ -259,6 +285,29 @@ std::size_t glance_at_held(const Problem& problem, std::size_t held) {
   return share < least_of_held ? 0 : std::min(whole, share);
 }
 
+/// Explores one requirement after the other, loads last, and tells what is known by then: of what has not
+/// been looked at only bounds.
+void look_at_each(const Provers& provers, Problem part, const Options& options,
+                  const std::vector<std::size_t>& which, Analysis& all) {
+  const std::vector<Requirement> requirements = std::move(part.requirements);
+  std::vector<bool> seen(all.verdicts.size());
+  for (const bool loads : {false, true}) {
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      if ((requirements[i].measure == Requirement::Measure::load) != loads) continue;
+      part.requirements = {requirements[i]};
+      Analysis shown = provers.exact(part, options);
+      all.statistics += shown.statistics;
+      all.verdicts[which[i]] = std::move(shown.verdicts.front());
+      seen[which[i]] = true;
+      Analysis now = all;
+      for (std::size_t r = 0; r < seen.size(); ++r) {
+        if (!seen[r] && now.verdicts[r].state == State::holds) now.verdicts[r].state = State::undecided;
+      }
+      tell(options, now);
+    }
+  }
+}
+
 /// What a moment's exploration shows of every requirement.
 Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
                      const std::vector<Verdict>& bounds) {
@@ -286,6 +335,10 @@ Analysis look_at_all(const Provers& provers, const Problem& problem, const Optio
     if (which.empty() || classes == 0) continue;
     Options how = options;
     how.max_states = std::min(options.max_states, classes);
+    if (kind == Kind::open && options.verdicts_only) {
+      look_at_each(provers, part, how, which, all);
+      continue;
+    }
     Analysis shown = provers.exact(part, how);
     all.statistics += shown.statistics;
     for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
@@ -419,15 +472,18 @@ Analysis analyze_automatically(const Provers& provers, const Problem& problem, c
   Analysis proofs = provers.compositional(problem, share_of(options, 0.6));
   proofs.bounds_only = true;
   tell(options, proofs);
-  Analysis analysis = look_at_all(provers, problem, share_of(options, 0.2), proofs.verdicts);
+  // Where only verdicts are asked it decides most of them, loads among them, which nothing else does.
+  const double for_all = options.verdicts_only ? 0.6 : 0.2;
+  Analysis analysis = look_at_all(provers, problem, share_of(options, for_all), proofs.verdicts);
   std::vector<Verdict> bounds = confronted(proofs.verdicts, analysis);
   withdraw_refuted(bounds);
   for (std::size_t r = 0; r < bounds.size(); ++r) complete(analysis.verdicts[r], bounds[r]);
   say_ends(problem, share_of(options, 0.2), analysis);
   tell(options, analysis);
-  say_what_grows(problem, share_of(options, 0.2), analysis);
+  if (!options.verdicts_only) say_what_grows(problem, share_of(options, 0.2), analysis);
   tell(options, analysis);
   settle(provers, problem, options, bounds, analysis);
+  if (options.verdicts_only) say_what_grows(problem, share_of(options, 0.2), analysis);
   share_bounds(problem, analysis);
   if (thorough) {
     search_all(problem, options, analysis);
