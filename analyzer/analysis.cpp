@@ -285,84 +285,6 @@ std::size_t glance_at_held(const Problem& problem, std::size_t held) {
   return share < least_of_held ? 0 : std::min(whole, share);
 }
 
-/// Explores one requirement after the other, loads last, and tells what is known by then: of what has not
-/// been looked at only bounds.
-void look_at_each(const Provers& provers, Problem part, const Options& options,
-                  const std::vector<std::size_t>& which, Analysis& all) {
-  const std::vector<Requirement> requirements = std::move(part.requirements);
-  std::vector<bool> seen(all.verdicts.size());
-  for (const bool loads : {false, true}) {
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      if ((requirements[i].measure == Requirement::Measure::load) != loads) continue;
-      part.requirements = {requirements[i]};
-      Analysis shown = provers.exact(part, options);
-      all.statistics += shown.statistics;
-      all.verdicts[which[i]] = std::move(shown.verdicts.front());
-      seen[which[i]] = true;
-      Analysis now = all;
-      for (std::size_t r = 0; r < seen.size(); ++r) {
-        if (!seen[r] && now.verdicts[r].state == State::holds) now.verdicts[r].state = State::undecided;
-      }
-      tell(options, now);
-    }
-  }
-}
-
-/// What a moment's exploration shows of every requirement.
-Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
-                     const std::vector<Verdict>& bounds) {
-  enum class Kind { open, held, settled_load };
-  const auto kind_of = [&bounds](std::size_t r) {
-    return settled_load(bounds[r])           ? Kind::settled_load
-           : bounds[r].state == State::holds ? Kind::held
-                                             : Kind::open;
-  };
-  Analysis all;
-  all.verdicts = bounds;
-  for (Verdict& verdict : all.verdicts) verdict.gave_up = true;
-  for (const Kind kind : {Kind::open, Kind::held, Kind::settled_load}) {
-    Problem part = problem;
-    part.requirements.clear();
-    std::vector<std::size_t> which;
-    for (std::size_t r = 0; r < bounds.size(); ++r) {
-      if (kind_of(r) != kind) continue;
-      which.push_back(r);
-      part.requirements.push_back(problem.requirements[r]);
-    }
-    const std::size_t classes = kind == Kind::open   ? glance(problem)
-                                : kind == Kind::held ? glance_at_held(problem, which.size())
-                                                     : most_of_load;
-    if (which.empty() || classes == 0) continue;
-    Options how = options;
-    how.max_states = std::min(options.max_states, classes);
-    if (kind == Kind::open && options.verdicts_only) {
-      look_at_each(provers, part, how, which, all);
-      continue;
-    }
-    Analysis shown = provers.exact(part, how);
-    all.statistics += shown.statistics;
-    for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
-  }
-  return all;
-}
-
-/// A bound settles no load of the long run if there is none.
-void say_ends(const Problem& problem, const Options& options, Analysis& analysis) {
-  const auto open = [](const Verdict& verdict) { return settled_load(verdict) && verdict.gave_up; };
-  if (std::none_of(analysis.verdicts.begin(), analysis.verdicts.end(), open)) return;
-  Options brief = options;
-  brief.max_states = std::min(options.max_states, glance(problem));
-  if (!every_run_ends(problem, brief)) return;
-  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
-    Verdict& verdict = analysis.verdicts[r];
-    if (!open(verdict)) continue;
-    verdict.state = State::never;
-    verdict.bound.reset();
-    verdict.addends.clear();
-    verdict.explanation = nothing_measured(problem.requirements[r], true);
-  }
-}
-
 template <class Key, class Value>
 bool same(const Table<Key, Value>& one, const Table<Key, Value>& other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end());
@@ -396,6 +318,114 @@ void share_bounds(const Problem& problem, Analysis& analysis) {
       shared.statistics = verdict.statistics;
       verdict = std::move(shared);
     }
+  }
+}
+
+/// Classes of a time where slices, which are smaller, are explored next; fewer once the skill has shown to be
+/// larger than that.
+constexpr std::size_t brief_look = 15'000;
+constexpr std::size_t briefer_look = 3'000;
+
+/// Explores one requirement after the other, loads last, and tells what is known by then: of what has not
+/// been looked at only bounds.
+void look_at_each(const Provers& provers, const Problem& problem, const Options& options,
+                  const std::vector<std::size_t>& which, Analysis& all) {
+  Problem part = problem;
+  std::size_t most = brief_look;
+  std::vector<bool> seen(all.verdicts.size());
+  for (const bool loads : {false, true}) {
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      const Requirement& requirement = problem.requirements[which[i]];
+      if ((requirement.measure == Requirement::Measure::load) != loads) continue;
+      share_bounds(problem, all);
+      Verdict& verdict = all.verdicts[which[i]];
+      seen[which[i]] = true;
+      if (verdict.state == State::undecided || verdict.method != Method::exact) {
+        part.requirements = {requirement};
+        Options how = options;
+        if (!loads) how.max_states = std::min(how.max_states, most);
+        Analysis shown = provers.exact(part, how);
+        all.statistics += shown.statistics;
+        verdict = std::move(shown.verdicts.front());
+        if (!loads && verdict.gave_up) most = briefer_look;
+      }
+      Analysis now = all;
+      for (std::size_t r = 0; r < seen.size(); ++r) {
+        if (!seen[r] && now.verdicts[r].state == State::holds) now.verdicts[r].state = State::undecided;
+      }
+      tell(options, now);
+    }
+  }
+}
+
+/// What a moment's exploration shows of every requirement.
+Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
+                     const std::vector<Verdict>& bounds) {
+  enum class Kind { open, held, settled_load };
+  const auto kind_of = [&bounds](std::size_t r) {
+    return settled_load(bounds[r])           ? Kind::settled_load
+           : bounds[r].state == State::holds ? Kind::held
+                                             : Kind::open;
+  };
+  Analysis all;
+  all.verdicts = bounds;
+  for (Verdict& verdict : all.verdicts) verdict.gave_up = true;
+  for (const Kind kind : {Kind::open, Kind::held, Kind::settled_load}) {
+    Problem part = problem;
+    part.requirements.clear();
+    std::vector<std::size_t> which;
+    std::vector<std::pair<std::size_t, std::size_t>> twins;  // of a requirement that measures the same
+    for (std::size_t r = 0; r < bounds.size(); ++r) {
+      if (kind_of(r) != kind) continue;
+      const auto twin = std::find_if(which.begin(), which.end(), [&](std::size_t other) {
+        return measure_the_same(problem.requirements[other], problem.requirements[r]);
+      });
+      if (options.verdicts_only && kind == Kind::held && twin != which.end()) {
+        twins.emplace_back(r, *twin);
+        continue;
+      }
+      which.push_back(r);
+      part.requirements.push_back(problem.requirements[r]);
+    }
+    const std::size_t classes = kind == Kind::open   ? glance(problem)
+                                : kind == Kind::held ? glance_at_held(problem, which.size())
+                                                     : most_of_load;
+    if (which.empty() || classes == 0) continue;
+    Options how = options;
+    how.max_states = std::min(options.max_states, classes);
+    if (kind == Kind::open && options.verdicts_only) {
+      look_at_each(provers, problem, how, which, all);
+      continue;
+    }
+    Analysis shown = provers.exact(part, how);
+    all.statistics += shown.statistics;
+    for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
+    // One holds by its own bound; there is something to measure if there is for the other.
+    for (const auto& [twin, other] : twins) {
+      if (all.verdicts[other].state != State::never) continue;
+      all.verdicts[twin].state = State::never;
+      all.verdicts[twin].bound.reset();
+      all.verdicts[twin].addends.clear();
+      all.verdicts[twin].explanation = all.verdicts[other].explanation;
+    }
+  }
+  return all;
+}
+
+/// A bound settles no load of the long run if there is none.
+void say_ends(const Problem& problem, const Options& options, Analysis& analysis) {
+  const auto open = [](const Verdict& verdict) { return settled_load(verdict) && verdict.gave_up; };
+  if (std::none_of(analysis.verdicts.begin(), analysis.verdicts.end(), open)) return;
+  Options brief = options;
+  brief.max_states = std::min(options.max_states, glance(problem));
+  if (!every_run_ends(problem, brief)) return;
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    Verdict& verdict = analysis.verdicts[r];
+    if (!open(verdict)) continue;
+    verdict.state = State::never;
+    verdict.bound.reset();
+    verdict.addends.clear();
+    verdict.explanation = nothing_measured(problem.requirements[r], true);
   }
 }
 
