@@ -278,6 +278,7 @@ void Session::publish() {
 
 bool Session::check(const std::function<bool()>& newer) {
   if (to_check_.empty()) return true;
+  jobs_.clear();  // of a check that a newer text ended: what is still to be proved is found again
   std::set<std::string> roots;
   for (const auto& [path, of] : roots_of_open()) roots.insert(of.begin(), of.end());
   std::erase_if(known_, [&](const auto& each) { return !roots.contains(each.first); });
