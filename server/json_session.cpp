@@ -193,6 +193,7 @@ class JsonSession final : public Session, private CallHome {
     const std::string epoch = members.text("epoch", context_.desk.epoch().c_str());
     if (telemetry != nullptr)
       live_.watch_telemetry(Duration(static_cast<std::int64_t>(telemetry->get<double>() * 1e9)));
+    if (context_.looks_otherwise) context_.looks_otherwise();
     const std::uint64_t last = context_.desk.status(*client_).last_event;
     std::uint64_t number = last;
     if (since != nullptr) {
@@ -233,6 +234,7 @@ class JsonSession final : public Session, private CallHome {
 
   std::nullptr_t watch_channels(const Call& call) {
     live_.watch_channels(call.members());
+    if (context_.looks_otherwise) context_.looks_otherwise();
     call.result(Json::object());
     return nullptr;
   }

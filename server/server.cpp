@@ -106,7 +106,8 @@ struct Server::Parts {
         if (!problem) desk->end();
       });
     }
-    see_who_looks();
+    context->looks_otherwise = [this] { see_who_looks(); };
+    look_around();
     accept_web();
     if (lines) accept_line();
     if (terminal) enter(line_connection(*connection_context, std::move(*terminal)));
@@ -261,9 +262,13 @@ struct Server::Parts {
     });
     looked_at = looks;
     watched = watches;
+  }
+  /// Sessions come and go.
+  void look_around() {
+    see_who_looks();
     glance.expires_after(std::chrono::milliseconds(50));
     glance.async_wait([this](const error_code& problem) {
-      if (!problem) see_who_looks();
+      if (!problem) look_around();
     });
   }
   template <class Use>

@@ -45,6 +45,9 @@ struct SessionContext {
   const Channels* channels = nullptr;  // null: this cell has none
   /// Whether the places for clients that may do anything are taken. The next one may look, pause and stop.
   std::function<bool()> full{};
+  /// A session asks for live data, or for others, from now on: a skill that its client begins next is seen from its
+  /// beginning.
+  std::function<void()> looks_otherwise{};
 
   std::shared_ptr<const Facts> facts() const {
     return knowledge != nullptr ? knowledge->now() : std::make_shared<const Facts>();

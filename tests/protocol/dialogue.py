@@ -180,7 +180,6 @@ try:
     refused("absent", call, "channels.watch", channels=[{"channel": "colour"}])
     call("channels.watch", channels=[{"channel": "force", "period_s": 0.02}, {"channel": "speed", "period_s": 0.5},
                                      {"channel": "pose", "period_s": 0.1, "binary": True}])
-    time.sleep(0.2)  # so that the cell sees that somebody watches
     cell.events.clear()
     felt = call("skill.run", skill="touch", parameters={"approach-speed": 10})
     assert felt["kind"] == "normal", felt
