@@ -211,7 +211,10 @@ class LineSession final : public Session {
     }));
   }
   void ask(Command command, bool show = false) {
-    if (show) show_this_ = true;
+    if (show) {
+      show_this_ = true;
+      look_otherwise();
+    }
     const bool skill = std::holds_alternative<RunSkill>(command);
     context_.desk.ask(*client_, std::move(command), in_turn([this, skill](const Reply& reply) {
       if (skill) show_this_ = false;
@@ -236,7 +239,11 @@ class LineSession final : public Session {
     if (words.size() != 2 || (words[1] != "on" && words[1] != "off"))
       return complain(fmt::format("write {} on, or {} off", words[0], words[0]));
     what = words[1] == "on";
+    look_otherwise();
     acknowledge(0);
+  }
+  void look_otherwise() {
+    if (context_.looks_otherwise) context_.looks_otherwise();
   }
   void tell_state() {
     const Status status = context_.desk.status(*client_);

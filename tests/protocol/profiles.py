@@ -4,7 +4,6 @@ points; and gripper or profile are channels only where the tool is one.
 Usage: profiles.py WORKCELL
 """
 import sys
-import time
 
 from cell_client import Server
 
@@ -15,7 +14,6 @@ try:
     assert channels["profile"]["form"] == "profile" and "gripper" not in channels, channels.keys()
     text.call("channels.watch", channels=[{"channel": "profile", "period_s": 0.5}])
     binary.call("channels.watch", channels=[{"channel": "profile", "binary": True}])
-    time.sleep(0.2)  # so that the cell sees that somebody watches
     done = text.call("skill.run", skill="follow-edge", parameters={"distance": 10})
     assert done["kind"] == "normal", done
     first, second = (text.notice("profile")["params"] for _ in range(2))
