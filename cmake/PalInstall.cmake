@@ -53,6 +53,17 @@ install(FILES "${PROJECT_BINARY_DIR}/palConfig.cmake" "${PROJECT_BINARY_DIR}/pal
         DESTINATION "${pal_package_directory}" COMPONENT development)
 install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/pal-development" COMPONENT development)
 
+# What skills, drivers and devices for the workcell are built with: find_package(pal COMPONENTS workcell).
+if(PAL_BUILD_WORKCELL)
+  install(TARGETS pal_drivers pal_links pal_sensing pal_skill_modules EXPORT palWorkcellTargets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+  install(EXPORT palWorkcellTargets NAMESPACE pal:: DESTINATION "${pal_package_directory}" COMPONENT development)
+  foreach(folder runtime/drivers skills_pal/sensing skills_pal/modules)
+    install(DIRECTORY ${folder}/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pal-workcell/${folder}" COMPONENT development
+      FILES_MATCHING PATTERN "*.hpp" PATTERN bridge.hpp EXCLUDE PATTERN pseudo_terminal.hpp EXCLUDE)
+  endforeach()
+endif()
+
 # The programs are there only where their tree is built, so each part alone has its licence, too.
 set(pal_parts tools development)
 if(PAL_BUILD_WORKCELL)

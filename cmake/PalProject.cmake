@@ -43,12 +43,16 @@ if(PAL_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# pal_library(NAME SOURCES … [USES …] [PRIVATE_USES …]): a library pal_NAME with alias pal::NAME.
+# pal_library(NAME [IN_PLUGINS] SOURCES … [USES …] [PRIVATE_USES …]): a library pal_NAME with alias pal::NAME.
+# IN_PLUGINS: its code also goes into shared libraries, those of skills.
 # Headers are included from the project's root: #include "pal/support/source.hpp". A library that other projects use has a
 # folder include/pal/NAME: its headers are #include "pal/runtime/thread.hpp" everywhere, and its users find these alone.
 function(pal_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(ARG "IN_PLUGINS" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   add_library(pal_${name} STATIC ${ARG_SOURCES})
+  if(ARG_IN_PLUGINS)
+    pal_in_plugins(pal_${name})
+  endif()
   add_library(pal::${name} ALIAS pal_${name})
   if(IS_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include")
     target_include_directories(pal_${name} PRIVATE ${PROJECT_SOURCE_DIR} PUBLIC
@@ -57,7 +61,8 @@ function(pal_library name)
       install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development)
     endif()
   else()
-    target_include_directories(pal_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_include_directories(pal_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pal-workcell>)
   endif()
   target_compile_features(pal_${name} PUBLIC cxx_std_20)
   target_link_libraries(pal_${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE_USES})
@@ -96,13 +101,21 @@ function(pal_precompiled target)
   if(NOT PAL_PRECOMPILE)
     return()
   endif()
-  if(NOT TARGET pal_precompiled_headers)
-    add_library(pal_precompiled_headers OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
-    target_precompile_headers(pal_precompiled_headers PRIVATE <algorithm> <chrono> <cstdint> <functional> <iostream> <map>
-      <memory> <optional> <set> <sstream> <string> <variant> <vector>)
-    pal_warnings(pal_precompiled_headers)
+  set(headers pal_precompiled_headers)
+  get_target_property(in_plugins ${target} POSITION_INDEPENDENT_CODE)
+  if(in_plugins)
+    set(headers pal_precompiled_headers_in_plugins)
   endif()
-  target_precompile_headers(${target} REUSE_FROM pal_precompiled_headers)
+  if(NOT TARGET ${headers})
+    add_library(${headers} OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
+    if(in_plugins)
+      pal_in_plugins(${headers})
+    endif()
+    target_precompile_headers(${headers} PRIVATE <algorithm> <chrono> <cstdint> <functional> <iostream> <map>
+      <memory> <optional> <set> <sstream> <string> <variant> <vector>)
+    pal_warnings(${headers})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${headers})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # ccache cannot tell otherwise what a file depends on. The standard library's own warnings are not held back here.
     target_compile_options(${target} PRIVATE -fpch-preprocess

@@ -1,4 +1,5 @@
-# pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING] [WITHOUT_TIMES] [DEBUG_LINES])
+# pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING] [WITHOUT_TIMES] [DEBUG_LINES]
+#               [WORKCELL] [INSTALLED])
 #
 # A static library pal_skill_NAME (alias pal::skill_NAME) of a skill: its C++, generated from PAL, and SOURCES, the
 # activities written by hand. They include "<skill>_activities.hpp" and "<skill>_skill.hpp", and devices "<skill>_devices.hpp", where <skill> is the skill's name in
@@ -8,10 +9,14 @@
 # ALLOW_FAILING lets requirements fail; the message is shown all the same. WITHOUT_TIMES is for a skill that requires no
 # time. DEBUG_LINES makes debuggers show lines of PAL. For gdb there
 # is "<skill>.gdb" beside the generated code, with DEBUG_LINES or without.
+#
+# WORKCELL: also a file NAME.so (target pal_plugin_NAME), which workcell loads. SOURCES then have the function that gives the skill
+# its activities: std::unique_ptr<pal::runtime::Skill> pal::skills::<skill>_skill().
+# The file names the top of the source tree, so that workcell tells when that has changed since; INSTALLED: it does not.
 function(pal_add_skill name)
-  cmake_parse_arguments(ARG "ALLOW_FAILING;WITHOUT_TIMES;DEBUG_LINES" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "ALLOW_FAILING;WITHOUT_TIMES;DEBUG_LINES;WORKCELL;INSTALLED" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_PAL OR NOT ARG_ENVIRONMENT)
-    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING, WITHOUT_TIMES, DEBUG_LINES")
+    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING, WITHOUT_TIMES, DEBUG_LINES, WORKCELL, INSTALLED")
   endif()
   if(NOT ARG_SKILL)
     set(ARG_SKILL ${name})
@@ -42,11 +47,18 @@ function(pal_add_skill name)
     set(debug_lines --debug-lines)
   endif()
 
+  set(plugin)
+  set(plugin_file)
+  if(ARG_WORKCELL)
+    set(plugin --plugin)
+    set(plugin_file "${directory}/${prefix}_plugin.cpp")
+  endif()
+
   add_custom_command(
-    OUTPUT ${generated}
+    OUTPUT ${generated} ${plugin_file}
     COMMAND ${CMAKE_COMMAND} -DPAL=$<TARGET_FILE:pal::pal> -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
             -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -DWITHOUT_TIMES=${ARG_WITHOUT_TIMES} -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
-    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines}
+    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines} ${plugin}
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
             --depfile-folder "${CMAKE_SOURCE_DIR}"
     DEPENDS pal::pal "${pal_file}" "${environment_file}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
@@ -56,6 +68,7 @@ function(pal_add_skill name)
     VERBATIM)
 
   add_library(pal_skill_${name} STATIC ${generated} ${ARG_SOURCES})
+  pal_in_plugins(pal_skill_${name})
   add_library(pal::skill_${name} ALIAS pal_skill_${name})
   target_include_directories(pal_skill_${name} PUBLIC "${directory}")
   target_link_libraries(pal_skill_${name} PUBLIC pal::runtime)
@@ -63,4 +76,22 @@ function(pal_add_skill name)
     # About the lambdas of coroutines, in files that the compiler sees as one.
     target_compile_options(pal_skill_${name} PRIVATE -Wno-subobject-linkage)
   endif()
+
+  if(ARG_WORKCELL)
+    add_library(pal_plugin_${name} MODULE ${plugin_file})
+    pal_in_plugins(pal_plugin_${name})
+    set_target_properties(pal_plugin_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name} SUFFIX .so)
+    if(NOT ARG_INSTALLED)
+      target_compile_definitions(pal_plugin_${name} PRIVATE PAL_SKILL_FOLDER="${CMAKE_SOURCE_DIR}")
+    endif()
+    target_link_libraries(pal_plugin_${name} PRIVATE pal_skill_${name})
+    # Several skills, and the program that loads them, have the same runtime: each keeps its own to itself.
+    target_link_options(pal_plugin_${name} PRIVATE -Wl,--exclude-libs,ALL -Wl,--no-undefined)
+  endif()
+endfunction()
+
+# pal_in_plugins(TARGET): its code goes into shared libraries, and nobody replaces a function of it there.
+function(pal_in_plugins target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 endfunction()

@@ -1,4 +1,5 @@
-// The header in which an activity finds its arguments, and its body by hand is declared.
+// The header in which an activity finds its arguments, and its body by hand is declared; empty bodies to
+// begin with.
 #include "codegen/emit.hpp"
 
 namespace pal::codegen {
@@ -12,11 +13,12 @@ std::string result(const Plan& plan, const PlannedMethod& method) {
   return method.result_type;
 }
 
-std::string parameters(const Plan& plan, const PlannedMethod& method) {
+std::string parameters(const Plan& plan, const PlannedMethod& method, bool used = true) {
   std::string text;
   for (const std::size_t index : method.reads) {
     const PlannedMessage& message = plan.messages[index];
-    text += (text.empty() ? "const " : ", const ") + message.type + "& " + message.variable;
+    const std::string name = used ? message.variable : "/*" + message.variable + "*/";
+    text += (text.empty() ? "const " : ", const ") + message.type + "& " + name;
   }
   return text;
 }
@@ -56,6 +58,38 @@ void write_interface(Writer& out, const Plan& plan, const PlannedModule& module)
 }
 
 }  // namespace
+
+GeneratedFile emit_empty_activities(const Plan& plan) {
+  Writer out;
+  out.line("// The activities of skill " + plan.skill.name + ". Each is empty yet: yours to write.");
+  out.line("#include <memory>").line();
+  out.line("#include \"" + plan.file + "_skill.hpp\"").line();
+  out.line("namespace pal::skills {").line();
+  out.line("namespace " + plan.name + " {").line("namespace {").line();
+  std::string made;
+  for (const PlannedModule& module : plan.modules) {
+    if (module.interface.empty()) continue;
+    const std::string type = module.interface + "ByHand";
+    made += (made.empty() ? "" : ", ") + ("std::make_unique<" + plan.name + "::" + type + ">()");
+    out.line("class " + type + " final : public " + module.interface + " {");
+    out.line(" public:").indent();
+    out.line("void start(const Parameters& /*parameters*/) override {}");
+    for (const PlannedMethod& method : module.methods) {
+      const std::string given = result(plan, method);
+      const std::string body = given == "void"   ? "{}"
+                               : given == "bool" ? "{ return false; }"
+                                                 : "{ return {}; }";
+      out.line(given + " " + method.name + "(" + parameters(plan, method, false) + ") override " + body);
+    }
+    out.close("};").line();
+  }
+  out.line("}  // namespace").line("}  // namespace " + plan.name).line();
+  out.open("std::unique_ptr<runtime::Skill> " + plan.name + "_skill() {");
+  out.line("return " + plan.name + "::make_" + plan.name + "(" + made + ");");
+  out.close().line();
+  out.line("}  // namespace pal::skills");
+  return {plan.file + ".cpp", out.take()};
+}
 
 GeneratedFile emit_activities(const Plan& plan) {
   Writer out;

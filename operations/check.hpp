@@ -7,7 +7,9 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "operations/formula.hpp"
 #include "operations/model.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
@@ -28,6 +30,14 @@ struct Sensor {
 /// By name: the sensors that a cell has, or the figures that it knows of a skill that has ended.
 using Sensors = std::map<std::string, Sensor>;
 
+/// Formulas of the longest time of a skill to a completion code, in s.
+using DeclaredTimes = std::map<std::pair<std::string, int>, Formula>;
+
+/// Why a skill refuses these values together, though each of them is one that it may have; nothing: it does
+/// not. Called from several threads.
+using RefusedTogether =
+    std::function<std::optional<std::string>(const std::string& skill, const std::vector<Parameter>& given)>;
+
 /// What is known of a cell in which an operation is to run.
 struct Cell {
   std::optional<Skills> skills{};                    // nothing: not known
@@ -35,6 +45,8 @@ struct Cell {
   std::optional<Sensors> figures{};                  // … of skills, by figure
   std::optional<std::set<std::string>> locations{};  // those that are taught
   std::map<std::string, std::string> unable{};       // skills that it cannot run, and why
+  DeclaredTimes longest{};                           // nobody has proved them; the cell watches them
+  RefusedTogether refused_together{};                // empty: not known
 };
 
 /// Asked again and again; true ends the checks. Empty: nothing does.

@@ -114,9 +114,21 @@ void SkillChecks::check(Place at, const Icon& icon) {
   std::set<std::string> refused;
   for (const Parameter& given : icon.parameters)
     if (!check_given(skill, given, operation)) refused.insert(given.name);
+  if (refused.empty()) check_together(icon);
   if (!cell_.locations) return;
   for (const pan::Parameter& parameter : skill.parameters)
     if (is_location(parameter) && !refused.contains(parameter.name)) check_location(icon, parameter);
+}
+
+void SkillChecks::check_together(const Icon& icon) {
+  const auto written = [](const Parameter& each) { return each.source.written(); };
+  if (!cell_.refused_together || icon.parameters.empty() ||
+      !std::all_of(icon.parameters.begin(), icon.parameters.end(), written))
+    return;
+  if (const auto why = cell_.refused_together(icon.skill, icon.parameters))
+    diagnostics_.report(Code::PAL1009, icon.subject,
+                        fmt::format("skill '{}' refuses these values together: {}", icon.skill, *why),
+                        "change one of them");
 }
 
 void SkillChecks::check_arguments(std::size_t operation) {

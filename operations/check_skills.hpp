@@ -25,6 +25,7 @@ class SkillChecks {
  private:
   void note_locations(Place at);
   bool names_location(Place at, const Icon& icon, const Parameter& given) const;
+  void check_together(const Icon& icon);
   bool check_given(const pan::Template& skill, const Parameter& given, const Operation& operation);
   /// What an operator may set is there, and within its range.
   void check_operator(const Icon& icon, const std::string& whose,

@@ -4,12 +4,63 @@
 
 #include <algorithm>
 
+#include "operations/check_values.hpp"
 #include "operations/codes.hpp"
 #include "operations/graph.hpp"
 
 namespace pal::operations {
 
-Longest longest_of(const Icon& icon, int code, const SkillTimes& times) {
+namespace {
+
+Duration seconds_of(double seconds) {
+  return Duration(static_cast<std::int64_t>(seconds * 1e9));
+}
+
+std::optional<ValueRange> range_of(const pan::Parameter& parameter) {
+  if (parameter.type == pan::ScalarType::text) return std::nullopt;
+  if (parameter.type == pan::ScalarType::boolean) return ValueRange{0, 1};
+  return ValueRange{parameter.low, parameter.high};
+}
+
+/// What the parameter of an icon may be.
+std::optional<ValueRange> values_of(const pan::Parameter& wanted, const std::vector<Parameter>& parameters,
+                                    const Operation* operation) {
+  const auto given = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Parameter& each) { return each.name == wanted.name; });
+  if (given == parameters.end()) {
+    if (wanted.type == pan::ScalarType::text) return std::nullopt;
+    return ValueRange{wanted.default_value, wanted.default_value};
+  }
+  if (given->source.kind == Source::Kind::argument && operation != nullptr) {
+    const pan::Parameter* argument = find_argument(*operation, given->source.name);
+    return argument == nullptr ? std::nullopt : range_of(*argument);
+  }
+  if (!given->source.written()) return range_of(wanted);
+  if (const auto* truth = std::get_if<bool>(&given->value))
+    return ValueRange{*truth ? 1.0 : 0, *truth ? 1.0 : 0};
+  if (const auto* number = std::get_if<double>(&given->value)) return ValueRange{*number, *number};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Duration> declared_longest(const pan::Template& skill, int code,
+                                         const std::vector<Parameter>& parameters, const Operation* operation,
+                                         const DeclaredTimes& times) {
+  const auto found = times.find({skill.name, code});
+  if (found == times.end()) return std::nullopt;
+  const auto seconds = found->second.over([&](const std::string& name) -> std::optional<ValueRange> {
+    for (const pan::Parameter& each : skill.parameters)
+      if (each.name == name) return values_of(each, parameters, operation);
+    return std::nullopt;
+  });
+  constexpr double most = 9e9;
+  if (!seconds || seconds->high < 0 || seconds->high > most) return std::nullopt;
+  return seconds_of(seconds->high);
+}
+
+Longest longest_of(const Icon& icon, const Operation& operation, int code, const Skills& skills,
+                   const SkillTimes& times) {
   if (icon.kind == IconKind::question) return {std::nullopt, "the person who answers " + icon.id};
   if (icon.kind == IconKind::planned) return {std::nullopt, "the person who does " + icon.id};
   if (icon.kind != IconKind::skill) {
@@ -19,16 +70,25 @@ Longest longest_of(const Icon& icon, int code, const SkillTimes& times) {
     if (!reads && icon.kind == IconKind::test) return {Duration::zero(), {}};
     return {std::nullopt, (reads ? "the sensor " : "") + subjects_text(icon)};
   }
-  const auto time = times.find({icon.skill, code});
+  const auto time = times.proved.find({icon.skill, code});
   // What comes to rest after its time limit does so in a time that nobody has proved.
-  if (code == time_over && time == times.end()) return {std::nullopt, icon.skill + " after its limit"};
+  if (code == time_over && time == times.proved.end()) return {std::nullopt, icon.skill + " after its limit"};
   std::optional<Duration> longest;
-  if (time != times.end()) longest = time->second;
-  if (icon.time_limit && icon.time_limit->source.written()) {
-    const Duration limit(static_cast<std::int64_t>(icon.time_limit->number * 1e9));
-    longest = std::min(longest.value_or(limit), limit);
+  bool declared = false;
+  if (time != times.proved.end()) {
+    longest = time->second;
+  } else if (const auto skill = skills.find(icon.skill); skill != skills.end()) {
+    longest = declared_longest(skill->second, code, icon.parameters, &operation, times.declared);
+    declared = longest.has_value();
   }
-  return {longest, longest ? "" : icon.skill};
+  if (icon.time_limit && icon.time_limit->source.written()) {
+    const Duration limit = seconds_of(icon.time_limit->number);
+    if (!longest || limit < *longest) {
+      longest = limit;
+      declared = false;
+    }
+  }
+  return {longest, longest ? "" : icon.skill, declared};
 }
 
 std::optional<Duration> multiplied(Duration time, double by) {
@@ -38,10 +98,6 @@ std::optional<Duration> multiplied(Duration time, double by) {
 }
 
 namespace {
-
-Duration seconds_of(double seconds) {
-  return Duration(static_cast<std::int64_t>(seconds * 1e9));
-}
 
 /// The longest of a whole operation is the longest path, if no token can go round.
 class OperationTimes {
@@ -66,13 +122,14 @@ class OperationTimes {
     Duration shortest{};
     std::optional<Duration> longest;
     std::string unknown;
+    bool declared = false;
   };
 
   IconTime time_of(Place at) const {
     const Icon& icon = graph_.icon(at);
-    IconTime result{at, {}, Duration::zero(), {}, {}};
+    IconTime result{at, {}, Duration::zero(), {}, {}, false};
     if (icon.kind == IconKind::delay) {
-      if (!icon.seconds->source.written()) return {at, {}, std::nullopt, to_text(*icon.seconds), {}};
+      if (!icon.seconds->source.written()) return {at, {}, std::nullopt, to_text(*icon.seconds), {}, false};
       result.shortest = seconds_of(icon.seconds->number);
       result.longest = result.shortest;
       return result;
@@ -84,14 +141,17 @@ class OperationTimes {
     if (const auto sub = graph_.sub_operation(at)) {
       result.longest = whole_[*sub].longest;
       result.unknown = whole_[*sub].unknown;
+      result.declared = whole_[*sub].declared;
       once_shortest = whole_[*sub].shortest;
     } else {
       for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits)) {
         // A value that is missing is noticed before anything moves.
         if (ending.code == no_value && icon.kind == IconKind::skill &&
-            !times_.contains({icon.skill, no_value}))
+            !times_.proved.contains({icon.skill, no_value}))
           continue;
-        const Longest longest = longest_of(icon, ending.code, times_);
+        const Longest longest =
+            longest_of(icon, graph_.program().operations[at.operation], ending.code, skills_, times_);
+        result.declared = result.declared || longest.declared;
         result.codes.emplace_back(ending.code, longest.time);
         if (!longest.time && result.unknown.empty()) result.unknown = longest.unknown;
         result.longest = result.longest && longest.time
@@ -99,7 +159,8 @@ class OperationTimes {
                              : std::nullopt;
       }
     }
-    if (counted) return {at, {}, std::nullopt, to_text(*icon.repeat), std::move(result.codes)};
+    if (counted)
+      return {at, {}, std::nullopt, to_text(*icon.repeat), std::move(result.codes), result.declared};
     // It may end in the first round, by a code that is not normal.
     result.shortest = once_shortest;
     if (result.longest)
@@ -151,6 +212,7 @@ class OperationTimes {
     const auto& icons = icons_[operation];
     std::vector<Duration> shortest(leads_to.size(), Duration::zero()), longest = shortest;
     for (const std::size_t at : order) {
+      whole.declared = whole.declared || icons[at].declared;
       Duration least = Duration::max(), most = Duration::zero();
       for (const std::size_t to : leads_to[at]) {
         least = std::min(least, shortest[to]);

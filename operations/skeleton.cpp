@@ -95,7 +95,7 @@ std::string skeleton_of(const Icon& planned) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     out += fmt::format("  COMPLETION {} CONTINGENCY {} {}\n", ends[i]->codes.front(), i + 1,
                        quoted(ends[i]->text, ""));
-  out += fmt::format("  COMPLETION {} ERROR \"Any other error; the robot stands still.\"\nEND SKILL\n",
+  out += fmt::format("  COMPLETION {} ERROR \"Any other error; the robot comes to rest.\"\nEND SKILL\n",
                      greatest + 1);
 
   out += "\nSkill Module: Method\n  ACTIVITY work\nBEGIN\n  WTM( Coordinator )\n  work\n";

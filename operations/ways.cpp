@@ -21,12 +21,14 @@ constexpr std::size_t looks_an_icon = 20, looks_at_least = 100'000;
 struct Times {
   Duration shortest{};
   std::optional<Duration> longest = Duration::zero();
+  bool declared = false;  // some of it, not proved
 
   void add(Duration time) {
     shortest += time;
     add_longest(time);
   }
-  void add_longest(std::optional<Duration> time) {
+  void add_longest(std::optional<Duration> time, bool is_declared = false) {
+    declared = declared || is_declared;
     // Ages are not known either.
     if (longest && time && time->count() > std::numeric_limits<std::int64_t>::max() - longest->count())
       time.reset();
@@ -183,20 +185,21 @@ class Walk {
   /// All runs of the icon: rounds, and attempts before the last one.
   void after(Place at, const Icon& icon, const Connection& way, const Ending& ending, Times times) {
     std::vector<std::string> unbounded;
+    const Operation& operation = graph_.program().operations[at.operation];
     const auto add = [&](const Longest& longest, double runs) {
       if (runs <= 0) return;
-      times.add_longest(longest.time ? multiplied(*longest.time, runs) : std::nullopt);
+      times.add_longest(longest.time ? multiplied(*longest.time, runs) : std::nullopt, longest.declared);
       if (!longest.time && std::find(unbounded.begin(), unbounded.end(), longest.unknown) == unbounded.end())
         unbounded.push_back(longest.unknown);
     };
-    add(longest_of(icon, ending.code, skill_times_), 1);
+    add(longest_of(icon, operation, ending.code, skills_, skill_times_), 1);
     if (icon.repeat || icon.retries > 0) {
       const bool counted = icon.repeat && !icon.repeat->source.written();
       const double rounds = icon.repeat && !counted ? icon.repeat->number : 1;
       for (const Ending& before : endings_of(graph_, at, skills_, exits_)) {
         if (counted) add({std::nullopt, to_text(*icon.repeat)}, 1);
         // Each round but the last ends normally, and in each as many attempts fail as may.
-        add(longest_of(icon, before.code, skill_times_),
+        add(longest_of(icon, operation, before.code, skills_, skill_times_),
             before.normal() ? rounds - 1 : rounds * icon.retries);
       }
     }
@@ -212,12 +215,14 @@ class Walk {
     // The round that takes longest, of those that are followed by another one.
     std::optional<Duration> longest = Duration::zero();
     Duration shortest = Duration::max();
+    bool declared = false;
     std::vector<std::string> unbounded;
     for (const Left& part : inside_[*sub]) {
       if (part.how != Left::How::exit || part.code != 0) continue;
       shortest = std::min(shortest, part.times.shortest);
       longest = longest && part.times.longest ? std::optional(std::max(*longest, *part.times.longest))
                                               : std::nullopt;
+      declared = declared || part.times.declared;
       unbounded.insert(unbounded.end(), part.unbounded.begin(), part.unbounded.end());
     }
     if (shortest == Duration::max()) shortest = Duration::zero();
@@ -229,7 +234,7 @@ class Walk {
     for (const Left& part : inside_[*sub]) {
       Times times = before;
       times.shortest += part.times.shortest;
-      times.add_longest(part.times.longest);
+      times.add_longest(part.times.longest, part.times.declared);
       std::vector<std::string> icons = told_inside(icon, part), unknown = part.unbounded;
       if (counted) {
         times.longest.reset();
@@ -237,7 +242,7 @@ class Walk {
       } else if (rounds > 1) {
         // A round that ends otherwise than with 0 may be the first.
         if (part.code == 0) times.shortest += multiplied(shortest, rounds - 1).value_or(Duration::zero());
-        times.add_longest(longest ? multiplied(*longest, rounds - 1) : std::nullopt);
+        times.add_longest(longest ? multiplied(*longest, rounds - 1) : std::nullopt, declared);
         unknown.insert(unknown.end(), unbounded.begin(), unbounded.end());
         icons.insert(icons.begin(),
                      fmt::format("{} {}{:g} times", icon.id, part.code == 0 ? "" : "up to ", rounds));
@@ -288,16 +293,17 @@ class Walk {
 /// Ways with the same lines are one.
 std::vector<WayThrough> folded(std::vector<Left> all) {
   using Lines = std::tuple<std::vector<std::string>, std::string, Duration, std::optional<Duration>,
-                           std::vector<std::string>>;
+                           std::vector<std::string>, bool>;
   std::vector<WayThrough> result;
   std::map<Lines, std::size_t> known;
   for (Left& left : all) {
     const std::string end = left.end("");
     const auto [at, fresh] = known.try_emplace(
-        Lines{left.icons, end, left.times.shortest, left.times.longest, left.unbounded}, result.size());
+        Lines{left.icons, end, left.times.shortest, left.times.longest, left.unbounded, left.times.declared},
+        result.size());
     if (fresh) {
-      result.push_back(
-          {std::move(left.icons), end, left.times.shortest, left.times.longest, std::move(left.unbounded)});
+      result.push_back({std::move(left.icons), end, left.times.shortest, left.times.longest,
+                        std::move(left.unbounded), left.times.declared});
     } else {
       ++result[at->second].alike;
     }

@@ -21,6 +21,7 @@ struct WayThrough {
   Duration shortest{};                 // what is known to pass at least: the delays
   std::optional<Duration> longest;     // nothing: some skill has no bound
   std::vector<std::string> unbounded;  // skills without one, "the sensor NAME" and the like, each once
+  bool declared = false;               // some of its times are declared, not proved
   std::size_t alike = 1;               // ways of which the same is told, and which stand here once
 };
 

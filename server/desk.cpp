@@ -24,7 +24,8 @@ Desk::Parts::Parts(operations::SkillRunner& the_runner, operations::Skills the_s
       sink(the_sink),
       options(std::move(the_options)),
       epoch(make_token().substr(0, 12)),
-      cell{std::move(the_skills), options.sensors, options.figures, options.locations, options.unable} {
+      cell{std::move(the_skills), options.sensors, options.figures,         options.locations,
+           options.unable,        options.longest, options.refused_together} {
   status.cell = options.cell;
   status.epoch = epoch;
 }

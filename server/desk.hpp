@@ -37,6 +37,8 @@ struct DeskOptions {
   TaughtRobot* robot = nullptr;
   std::optional<operations::Sensors> figures{};  // that skills report; nothing: not known
   std::map<std::string, std::string> unable{};   // skills that the cell cannot run, and why
+  operations::DeclaredTimes longest{};           // of its skills
+  operations::RefusedTogether refused_together{};
   RunHistory* runs = nullptr;  // gets each execution; null: nobody does. It outlives the desk
   /// How long the cell waits on the wall before it looks for an answer again. A cell in virtual time needs
   /// this: its own time would rush past.

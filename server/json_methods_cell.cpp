@@ -66,7 +66,7 @@ constexpr std::array cell_methods{
     Method{"skills", Role::viewer, false,
            [](const Call& call) {
              const Desk& desk = call.context().desk;
-             call.result(describe(desk.skills(), *call.context().facts(), desk.cell()->unable));
+             call.result(describe(desk.skills(), *call.context().facts(), *desk.cell()));
            }},
     Method{"sensors", Role::viewer, false,
            [](const Call& call) {

@@ -35,14 +35,24 @@ Json describe_parameter(const pan::Parameter& parameter) {
   return one;
 }
 
-Json describe_completion(const pan::Completion& completion, const std::string& skill, const Facts& facts) {
+/// The longest time of what has no parameters set.
+Json describe_completion(const pan::Completion& completion, const pan::Template& skill, const Facts& facts,
+                         const operations::Cell& cell) {
   static constexpr std::array kinds{"normal", "contingency", "error"};
   Json one{{"code", completion.code},
            {"kind", kinds[static_cast<std::size_t>(completion.kind)]},
            {"description", completion.description}};
   if (completion.contingency > 0) one["contingency"] = completion.contingency;
-  const auto time = facts.times.find({skill, completion.code});
-  one["longest_s"] = time == facts.times.end() ? Json() : Json(seconds(time->second));
+  const auto proved = facts.times.find({skill.name, completion.code});
+  const auto declared = cell.longest.find({skill.name, completion.code});
+  std::optional<Duration> longest;
+  if (proved != facts.times.end()) {
+    longest = proved->second;
+  } else if (declared != cell.longest.end()) {
+    longest = operations::declared_longest(skill, completion.code, {}, nullptr, cell.longest);
+    one["declared"] = declared->second.text();
+  }
+  one["longest_s"] = longest ? Json(seconds(*longest)) : Json();
   return one;
 }
 
@@ -59,8 +69,7 @@ Json describe(const KnownRequirement& requirement) {
           {"unit", requirement.unit}};
 }
 
-Json describe(const operations::Skills& skills, const Facts& facts,
-              const std::map<std::string, std::string>& unable) {
+Json describe(const operations::Skills& skills, const Facts& facts, const operations::Cell& cell) {
   Json list = Json::array();
   for (const auto& [name, known] : skills) {
     const auto fact = facts.skills.find(name);
@@ -77,16 +86,16 @@ Json describe(const operations::Skills& skills, const Facts& facts,
       each["parameters"].push_back(describe_parameter(parameter));
     each["completions"] = Json::array();
     for (const pan::Completion& completion : skill.completions)
-      each["completions"].push_back(describe_completion(completion, name, facts));
+      each["completions"].push_back(describe_completion(completion, skill, facts, cell));
     each["contingencies"] = Json::array();
     for (const pan::Contingency& contingency : skill.contingencies)
       each["contingencies"].push_back(
           {{"number", contingency.number}, {"description", contingency.description}});
     each["requirements"] = Json::array();
     each["tool"] = "";
-    const auto why = unable.find(name);
-    each["able"] = why == unable.end();
-    each["unable"] = why == unable.end() ? "" : why->second;
+    const auto why = cell.unable.find(name);
+    each["able"] = why == cell.unable.end();
+    each["unable"] = why == cell.unable.end() ? "" : why->second;
     each["environment"] = "";
     each["pictures"] = Json::array();
     if (fact != facts.skills.end()) {

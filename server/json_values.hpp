@@ -41,9 +41,8 @@ Json describe(const operations::Breakpoint& breakpoint);
 Json describe(const std::vector<operations::Breakpoint>& breakpoints);
 Json describe(const Outlook& outlook);
 Json describe(const IconValues& values);
-/// `unable`: the skills that this cell cannot run, and why.
-Json describe(const operations::Skills& skills, const Facts& facts,
-              const std::map<std::string, std::string>& unable);
+/// `cell`: which of the skills it cannot run, and what it declares of their times.
+Json describe(const operations::Skills& skills, const Facts& facts, const operations::Cell& cell);
 Json describe(const KnownRequirement& requirement);
 Json describe(const operations::Sensors& sensors, const std::map<std::string, LastReading>& readings);
 Json describe(const StoredEntry& entry);

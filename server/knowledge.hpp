@@ -38,7 +38,7 @@ struct SkillFacts {
 
 struct Facts {
   std::map<std::string, SkillFacts> skills;
-  operations::SkillTimes times;
+  operations::ProvedTimes times;
 };
 
 /// The worst of each requirement, by skill and name, in the requirement's unit.

@@ -128,14 +128,17 @@ Json time_or_null(const std::optional<Duration>& time) {
 }
 
 void put_times(Json& json, const operations::Program& program, const operations::Skills& skills,
-               const Facts& facts, std::size_t most_ways, const operations::Stop& stop) {
-  for (const operations::IconTime& time : operations::icon_times(program, skills, facts.times, stop)) {
+               const Facts& facts, const operations::DeclaredTimes& declared, std::size_t most_ways,
+               const operations::Stop& stop) {
+  const operations::SkillTimes times{facts.times, declared};
+  for (const operations::IconTime& time : operations::icon_times(program, skills, times, stop)) {
     const operations::Operation& operation = program.operations[time.at.operation];
     Json each{{"operation", operation.name},
               {"icon", operation.icons[time.at.icon].id},
               {"shortest_s", seconds(time.shortest)},
               {"longest_s", time_or_null(time.longest)},
               {"unknown", time.longest ? "" : time.unknown},
+              {"declared", time.declared},
               {"codes", Json::array()}};
     for (const auto& [code, longest] : time.codes)
       if (code != operations::any_code)
@@ -143,7 +146,7 @@ void put_times(Json& json, const operations::Program& program, const operations:
     json["icons"].push_back(std::move(each));
   }
   if (most_ways == 0) return;
-  const operations::Ways ways = operations::ways_through(program, skills, facts.times, most_ways, stop);
+  const operations::Ways ways = operations::ways_through(program, skills, times, most_ways, stop);
   json["all_ways"] = ways.complete;
   std::optional<Duration> shortest, longest = Duration::zero();
   for (const operations::WayThrough& way : ways.ways) {
@@ -152,6 +155,7 @@ void put_times(Json& json, const operations::Program& program, const operations:
                             {"shortest_s", seconds(way.shortest)},
                             {"longest_s", time_or_null(way.longest)},
                             {"unbounded", way.unbounded},
+                            {"declared", way.declared},
                             {"alike", way.alike}});
     shortest = std::min(shortest.value_or(way.shortest), way.shortest);
     longest = longest && way.longest ? std::optional(std::max(*longest, *way.longest)) : std::nullopt;
@@ -185,7 +189,7 @@ Json checked(const FileSystem& files, const std::string& main, const operations:
             {"shortest_s", nullptr},
             {"longest_s", nullptr}};
   if (well_formed && whole && !diagnostics.has_errors() && cell.skills)
-    put_times(json, *program, *cell.skills, facts, ways, stop);
+    put_times(json, *program, *cell.skills, facts, cell.longest, ways, stop);
   return json;
 }
 

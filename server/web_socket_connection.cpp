@@ -33,7 +33,7 @@ class WebSocketConnection final : public Connection {
     beast::get_lowest_layer(stream_).expires_after(context_.admit_within);
     http::async_read(stream_.next_layer(), buffer_, *parser_,
                      [self = here()](beast::error_code problem, std::size_t) {
-                       if (problem) return self->leave();
+                       if (problem) return self->refuse(problem);
                        self->on_request();
                      });
   }
@@ -47,6 +47,19 @@ class WebSocketConnection final : public Connection {
     return std::static_pointer_cast<WebSocketConnection>(shared_from_this());
   }
 
+  /// What is no request is told so; a client that has gone is not.
+  void refuse(beast::error_code problem) {
+    if (problem == http::error::header_limit)
+      return respond(http::status::request_header_fields_too_large,
+                     "The head of this request is too long.\n");
+    if (problem == http::error::body_limit)
+      return respond(http::status::payload_too_large,
+                     "This is a WebSocket that talks JSON-RPC 2.0, and files.\n");
+    if (problem.category() != http::make_error_code(http::error::bad_method).category() ||
+        problem == http::error::end_of_stream || problem == http::error::partial_message)
+      return leave();
+    respond(http::status::bad_request, "This is no request of HTTP.\n");
+  }
   void on_request() {
     const auto& request = parser_->get();
     const auto text = [](beast::string_view view) { return std::string_view(view.data(), view.size()); };

@@ -18,6 +18,10 @@ namespace {
 // How long the arm backs off after a fault. If it cannot, its drives let go for as long: what it pressed on
 // pushes it away, as far as the friction of its gears allows.
 constexpr runtime::Time back_off_time = std::chrono::milliseconds(300);
+// rad/s or m/s of any joint and loose thing: slower is standing. What creeps at this speed takes minutes for
+// an encoder's count.
+constexpr double still_speed = 1e-6;
+constexpr runtime::Time rests_after = std::chrono::milliseconds(500);
 
 using FaultListener = std::function<void(const ArmFault&)>;
 using SampleListener = std::function<void(const Sample&)>;
@@ -113,6 +117,16 @@ struct Workcell::Parts {
         servos.torques(wanted, q, physics.joint_speeds(), physics.load(wanted.acceleration));
     sensing.advance(torques);
     physics.step(torques, finger_forces());
+  }
+
+  void note_stillness() {
+    const mjData& data = physics.data();
+    double fastest = 0;
+    for (int i = 0; i < physics.model().nv; ++i) fastest = std::max(fastest, std::abs(data.qvel[i]));
+    still_for = fastest < still_speed ? still_for + physics_step : runtime::Time::zero();
+  }
+  bool rests() const {
+    return may_rest && still_for >= rests_after && retreat <= runtime::Time::zero() && motion.idle(now);
   }
 
   std::array<double, 2> finger_forces() {
@@ -222,6 +236,9 @@ struct Workcell::Parts {
   std::vector<std::weak_ptr<FaultListener>> listeners;
   std::vector<std::weak_ptr<SampleListener>> sample_listeners;
   runtime::Time now{};
+  bool may_rest = false;
+  runtime::Time still_for{};  // nothing has moved
+  Sample last;
   bool keep_log;
   runtime::Time log_zero{};
   std::vector<Sample> log;
@@ -234,17 +251,27 @@ Workcell::~Workcell() = default;
 
 void Workcell::advance_to(runtime::Time when) {
   while (parts_->now + physics_step <= when) {
-    parts_->step(parts_->now);
+    const bool rests = parts_->rests();
+    if (!rests) {
+      parts_->step(parts_->now);
+      parts_->note_stillness();
+    }
     parts_->now += physics_step;
-    const Sample sample = parts_->sample();
+    if (!rests) parts_->last = parts_->sample();
+    Sample& sample = parts_->last;
+    sample.time = parts_->now - parts_->log_zero;
     if (!parts_->keep_log) parts_->log.clear();
     if (sample.time >= runtime::Time::zero()) {
       parts_->log.push_back(sample);
       parts_->tell(sample);
     }
-    if (parts_->fault) continue;
+    if (parts_->fault || rests) continue;
     if (auto fault = parts_->look(sample)) parts_->stop_with(std::move(*fault));
   }
+}
+
+void Workcell::let_rest(bool allowed) {
+  parts_->may_rest = allowed;
 }
 
 void Workcell::begin_log(runtime::Time zero) {
@@ -269,6 +296,7 @@ std::optional<std::string> Workcell::move(const Correction& correction, Correcti
 }
 
 void Workcell::stop() {
+  parts_->still_for = {};
   parts_->motion.stop(parts_->now);
 }
 
@@ -282,6 +310,7 @@ const std::optional<ArmFault>& Workcell::fault() const {
 
 void Workcell::reset_fault() {
   parts_->fault.reset();
+  parts_->still_for = {};
   parts_->retreat = runtime::Time::zero();
   parts_->give_way();
   parts_->trail.forget();
@@ -363,6 +392,7 @@ double Workcell::pad_stiffness() const {
 }
 
 void Workcell::gripper_command(double width, double force) {
+  parts_->still_for = {};
   parts_->gripper.command(parts_->gripper_width(), width, force);
 }
 

@@ -74,6 +74,10 @@ class Workcell final : public runtime::World {
   /// Steps until the last whole millisecond at or before `when`.
   void advance_to(runtime::Time when) override;
   runtime::Time now() const;
+  /// Allowed: time passes without physics while nothing in the cell has moved for half a second, until
+  /// something is told to move. Samples come as before. Not allowed, as at first: each step is physics, to
+  /// the bit. For a cell that waits for clients.
+  void let_rest(bool allowed);
 
   /// Gives the controller a relative motion to be made evenly within one period from `begin` on, after all
   /// those given before. A motion that the arm cannot make is refused: the answer says why, and the arm

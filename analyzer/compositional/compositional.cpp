@@ -1,5 +1,7 @@
 #include "analyzer/compositional/compositional.hpp"
 
+#include <algorithm>
+
 #include "analyzer/compositional/breakdown.hpp"
 #include "analyzer/compositional/causes/cloned_blocks.hpp"
 #include "analyzer/compositional/measures/measures.hpp"
@@ -74,14 +76,12 @@ Table<DeviceId, bool> never_lost(const View& view) {
 /// Every step whose time some requirement asks for, but for those that are timed anyway.
 Table<StepId, bool> asked_for(const Problem& problem) {
   Table<StepId, bool> asked(problem.steps.size());
-  std::vector<StepId> open;
-  for (const StepId s : asked.ids()) {
-    if (!is_always_timed(problem.steps[s])) open.push_back(s);
-  }
   for (const Requirement& requirement : problem.requirements) {
-    if (requirement.at.empty()) continue;
-    for (const StepId s : open) {
-      if (requirement.at[s]) asked[s] = true;
+    // Mostly few of very many steps.
+    const auto begin = requirement.at.begin(), end = requirement.at.end();
+    for (auto at = std::find(begin, end, true); at != end; at = std::find(at + 1, end, true)) {
+      const StepId s(static_cast<std::size_t>(at - begin));
+      asked[s] = asked[s] || !is_always_timed(problem.steps[s]);
     }
   }
   return asked;

@@ -9,9 +9,9 @@
 #include "runtime/drivers/force_torque/driver.hpp"
 #include "runtime/drivers/gripper/driver.hpp"
 #include "runtime/drivers/range_finder/driver.hpp"
+#include "runtime/drivers/val/alter_opener.hpp"
 #include "sim/cell/corrected_arm.hpp"
 #include "sim/cell/device_views.hpp"
-#include "sim/cell/val_opener.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/devices/force_torque_emulator.hpp"
 #include "sim/random.hpp"
@@ -260,7 +260,7 @@ struct Cell::Parts {
   runtime::drivers::Wire alter_wire;
   AlterEmulator alter_port;
   Attached<val::Controller, runtime::drivers::ValDriver> val;
-  ValOpener opener;
+  runtime::drivers::val::AlterOpener opener;
   runtime::drivers::AlterDriver alter;
   std::optional<Attached<ForceTorqueEmulator, runtime::drivers::ForceTorqueDriver>> force_torque;
   std::optional<Attached<GripperEmulator, runtime::drivers::GripperDriver>> gripper;

@@ -39,8 +39,9 @@ constexpr double nearer = 0.3;
 constexpr double most_swing = 3.5;
 constexpr double interpreting = 3;  // ms from a profile's end until the skill knows the edge, in the mean
 constexpr double part = 0.25;       // of what is missing that is corrected in a cycle
-constexpr double cycles_a_profile =
-    78.0 / std::chrono::duration<double, std::milli>(runtime::drivers::alter::period).count();
+constexpr double cycle =            // ms
+    std::chrono::duration<double, std::milli>(runtime::drivers::alter::period).count();
+constexpr double cycles_a_profile = 78.0 / cycle;
 constexpr int cycles_to_move = 2;  // from a request to the end of the motion that was given at it
 
 // The map takes a direction from four points of the edge in twice the history. Points are as far apart as the
@@ -50,10 +51,9 @@ void refuse_short_history(double history, double track) {
   if (history >= least) return;
   std::array<char, 200> text{};
   std::snprintf(text.data(), text.size(),
-                "at %g mm in 28 ms the edge is seen every %.1f mm: history must be %.1f mm or more, or the "
-                "edge's direction "
-                "is not known",
-                track, track * cycles_a_profile, std::ceil(10 * least) / 10);
+                "at %g mm in %g ms the edge is seen every %.1f mm: history must be %.1f mm or more, or the "
+                "edge's direction is not known",
+                track, cycle, track * cycles_a_profile, std::ceil(10 * least) / 10);
   throw runtime::ParameterError(text.data());
 }
 

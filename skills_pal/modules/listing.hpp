@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "pal/runtime/skill.hpp"
 #include "skills_pal/modules/commands.hpp"
 #include "skills_pal/modules/signature.hpp"
 

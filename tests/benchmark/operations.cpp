@@ -114,7 +114,7 @@ std::string in_the_cell(std::size_t steps, bool telling) {
   sim::CellOptions options;
   options.keep_log = false;
   sim::Cell cell(scene, options);
-  const auto known = workcell::linked_skills();
+  const auto known = workcell::installed_skills();
   workcell::CellRunner runner(cell, known, runtime::CostPolicy::random, 1);
   std::ostringstream text;
   operations::StepLog log(text);
@@ -187,7 +187,7 @@ class ServedCell {
     return result;
   }
   server::Server server_;
-  std::vector<workcell::KnownSkill> known_ = workcell::linked_skills();
+  std::vector<workcell::KnownSkill> known_ = workcell::installed_skills();
   std::optional<sim::Cell> cell_;
   std::optional<workcell::CellRunner> runner_;
   std::optional<server::Desk> desk_;

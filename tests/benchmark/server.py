@@ -6,6 +6,7 @@ Usage: server.py WORKCELL [--only NAME …] [--minutes N], where NAME is events,
 """
 import argparse
 import json
+import multiprocessing
 import os
 import pathlib
 import platform
@@ -85,40 +86,42 @@ def long_operation(icons):
     return json.dumps({"operation-format": 1, "name": "long", "icons": made + [{"id": "end", "kind": "exit"}]})
 
 
-class Attack(threading.Thread):
-    """Does it again and again, until it is ended."""
+class Attack(multiprocessing.Process):
+    """Does it again and again, until it is ended: in a process of its own, so that what is measured does not wait for it."""
 
-    def __init__(self, what):
+    def __init__(self, server, what):
         super().__init__(daemon=True)
-        self.what, self.over, self.rounds = what, False, 0
+        self.server, self.what = server, what
+        self.over, self.rounds = multiprocessing.Event(), multiprocessing.Value("i", 0)
 
     def run(self):
-        while not self.over:
-            try:
-                self.what()
-                self.rounds += 1
-            except (OSError, Refused, AssertionError):
-                time.sleep(0.001)
+        busy = quiet(self.server)
+        while not self.over.is_set():
+            self.what(busy)
+            self.rounds.value += 1
 
 
 def stop():
     server = Server(given.workcell)
     try:
         text = long_operation(7000)
-        busy = quiet(server)
+        half = long_operation(3500)  # both together fit into a request
+        half_changed = half.replace("-1", "-2")
 
-        def strangers():
-            with socket.create_connection(("127.0.0.1", server.port), timeout=1):
+        def strangers(busy):
+            with socket.create_connection(("127.0.0.1", server.port), timeout=5):
                 pass
 
-        def tokens():
+        def tokens(busy):
             wrong = Client(server.port)
             try:
                 wrong.call("hello", token="wrong")
+            except Refused:
+                pass
             finally:
                 wrong.close()
 
-        def flood():
+        def flood(busy):
             for _ in range(50):
                 busy.send("state")
             for _ in range(50):
@@ -126,23 +129,23 @@ def stop():
 
         held = []
 
-        def silent():
+        def silent(busy):
             if len(held) < 16:
                 held.append(socket.create_connection(("127.0.0.1", server.port), timeout=1))
             time.sleep(0.01)
 
         attacks = {
             "nothing": None,
-            f"checks of an operation of {len(text) // 1024} KiB": lambda: busy.call("operation.check", main="f", files={"f": text}),
-            "loads of it": lambda: busy.call("operation.load", main="f", files={"f": text}),
-            "snapshots with it": lambda: busy.call("snapshot"),
-            "drawings of it": lambda: busy.call("operation.difference", before=text, after=text.replace("-1", "-2")),
+            f"checks of an operation of {len(text) // 1024} KiB": lambda busy: busy.call("operation.check", main="f", files={"f": text}),
+            "loads of it": lambda busy: busy.call("operation.load", main="f", files={"f": text}),
+            "snapshots with it": lambda busy: busy.call("snapshot"),
+            "comparisons of it": lambda busy: busy.call("operation.difference", before=half, after=half_changed),
             "a flood of requests": flood,
             "sockets without a token": strangers,
             "wrong tokens": tokens,
             "16 silent sockets": silent}
         for name, attack in attacks.items():
-            thread = Attack(attack) if attack else None
+            thread = Attack(server, attack) if attack else None
             if thread:
                 thread.start()
             client, times = quiet(server, "viewer"), []
@@ -153,9 +156,9 @@ def stop():
                 time.sleep(0.005)
             client.close()
             if thread:
-                thread.over = True
-                thread.join(30)
-            print(f"stop: during {name}: {spread(times)}" + (f"; {thread.rounds} rounds" if thread else ""))
+                thread.over.set()
+                thread.join(60)
+            print(f"stop: during {name}: {spread(times)}" + (f"; {thread.rounds.value} rounds" if thread else ""), flush=True)
     finally:
         server.end()
 
@@ -176,19 +179,24 @@ def idle():
         server.end()
 
 
-class Reader(threading.Thread):
-    """Takes what comes and counts it: a client as quick as it can be."""
+class Reader(multiprocessing.Process):
+    """Takes what comes and counts it: a client as quick as it can be, in a process of its own."""
 
     def __init__(self, client):
         super().__init__(daemon=True)
-        self.socket, self.bytes = client.socket, 0
+        self.socket, self.bytes = client.socket, multiprocessing.Value("q", 0)
 
     def run(self):
         try:
             while data := self.socket.recv(1 << 20):
-                self.bytes += len(data)
+                self.bytes.value += len(data)
         except OSError:
             pass
+
+
+def cell_seconds(process):
+    """Processor time of the cell's own thread, which is the program's first."""
+    return int(open(f"/proc/{process.pid}/task/{process.pid}/schedstat").read().split()[0]) / 1e9
 
 
 def channels():
@@ -200,15 +208,15 @@ def channels():
             names = [each["channel"] for each in asks.call("channels.list")]
 
             def run():
-                begin, cpu = time.perf_counter(), cpu_seconds(server.process)
+                begin, cell = time.perf_counter(), cell_seconds(server.process)
                 result = asks.call("skill.run", skill="relative-move", parameters={"dz": -20, "speed": 5})
-                took = time.perf_counter() - begin
+                took, worked = time.perf_counter() - begin, cell_seconds(server.process) - cell
                 asks.call("skill.run", skill="relative-move", parameters={"dz": 20, "speed": 5})
-                return took, result["end_s"] - result["begin_s"], cpu_seconds(server.process) - cpu
+                return took, result["end_s"] - result["begin_s"], worked
 
             run()
             without, with_two, readers = [], [], []
-            for _ in range(5 if paced else 3):
+            for _ in range(9 if paced else 3):
                 without.append(run())
                 watchers = [quiet(server, "viewer") for _ in range(2)]
                 for each in watchers:
@@ -220,34 +228,56 @@ def channels():
                 for each in watchers:
                     each.socket.shutdown(socket.SHUT_RDWR)
                 time.sleep(0.2)
-            alone, watched = (statistics.median(each[0] for each in runs) for runs in (without, with_two))
+
+            def more(place):
+                alone, watched = (statistics.median(each[place] for each in runs) for runs in (without, with_two))
+                return alone, watched, f"{100 * (watched / alone - 1):+.1f} %"
+
+            alone, watched, slower = more(0)
             print(f"channels: {'virtual time' if paced else 'at the pace of the wall'}: a skill of {without[0][1]:.2f} s takes {alone:.3f} s alone, "
-                  f"{watched:.3f} s with all {len(names)} channels at their full rate to two clients: {100 * (watched / alone - 1):+.1f} %; "
-                  f"{sum(each.bytes for each in readers) / 1e6:.0f} MB were read")
+                  f"{watched:.3f} s with all {len(names)} channels at their full rate to two clients: {slower}; "
+                  f"processor time of the cell's thread {more(2)[2]}; "
+                  f"{sum(each.bytes.value for each in readers) / 1e6:.0f} MB were read", flush=True)
         finally:
             server.end()
+
+
+class Watcher(threading.Thread):
+    """Reads its events as a page does, answers pings, and keeps nothing."""
+
+    def __init__(self, client):
+        super().__init__(daemon=True)
+        client.call("watch")
+        self.client = client
+
+    def run(self):
+        while True:
+            self.client.step()
+            self.client.events.clear()
 
 
 def memory():
     server = Server(given.workcell, "--fast")
     try:
-        asks, watcher = quiet(server), quiet(server, "viewer")
-        watcher.call("watch")
-        Reader(watcher).start()
+        asks, watcher = quiet(server), Watcher(quiet(server, "viewer"))
+        watcher.start()
         text = long_operation(20)
         asks.call("operation.load", main="f", files={"f": text})
-        begin, marks, runs = time.monotonic(), [], 0
+        marks, runs, spent, last = [], 0, 0, time.monotonic()
         asks.call("watch")
-        while time.monotonic() - begin < 60 * given.minutes:
+        while spent < 60 * given.minutes:
             asks.call("operation.run")
             asks.until(event="state", state="ended")
             asks.events.clear()
             asks.call("operation.check", main="f", files={"f": text})
             asks.call("snapshot")
             runs += 1
-            if time.monotonic() - begin >= len(marks) * 60 * given.minutes / 6:
+            if spent >= len(marks) * 60 * given.minutes / 12:
                 marks.append(resident(server.process))
-        marks.append(resident(server.process))
+                print(f"memory: {spent / 60:.0f} min, {runs} runs: {marks[-1]:.1f} MiB", flush=True)
+            now = time.monotonic()
+            spent, last = spent + min(now - last, 5), now  # the time in which a signal held this program up does not count
+        assert watcher.is_alive(), "the watcher was let go"
         print(f"memory: over {given.minutes:g} min and {runs} runs of an operation of 20 skills: "
               f"{', '.join(f'{each:.0f}' for each in marks)} MiB")
     finally:

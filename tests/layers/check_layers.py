@@ -12,7 +12,7 @@ PROOF = ["problem", "machine", "slice", "zones", "runs", "verdict", "load", "exa
 MODEL = ["pal/support", "pal/pan", "trace"]
 PARTS = [f"analyzer/{part}" for part in PROOF]
 # The runtime, likewise. Other libraries see what it installs, and its drivers.
-KERNEL = ["runtime/include", "runtime/watch", "runtime/kernel", "runtime/executives", "runtime"]
+KERNEL = ["runtime/include", "runtime/plugin", "runtime/watch", "runtime/kernel", "runtime/executives", "runtime"]
 RUNTIME = ["runtime/include", "trace"]
 PROTOCOLS = ["runtime/drivers/val/protocol.hpp", "runtime/drivers/alter/protocol.hpp"]
 COMPILER = ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/rewrite", "pal/check", "analyzer", "analyzer/chart",

@@ -31,17 +31,20 @@ foreach(completion bash-completion/completions/pal zsh/vendor-completions/_pal f
   endif()
 endforeach()
 
-# What is installed is public: each header stands alone, below pal/, and no other is there.
+# What is installed is public: each header stands alone, below pal/ or, for the workcell, pal-workcell/, and no other is there.
 file(GLOB_RECURSE headers RELATIVE "${prefix}/include" "${prefix}/include/*")
 set(all "")
 foreach(header IN LISTS headers)
-  if(NOT header MATCHES "^pal/(runtime|trace)/[a-z_]+\\.hpp$" OR header MATCHES "/(run|mail|scheduler|event_queue)\\.hpp$")
+  if(NOT header MATCHES "^pal/(runtime|trace)/[a-z_]+\\.hpp$|^pal-workcell/(runtime/drivers|skills_pal/(modules|sensing))/[a-z_/]+\\.hpp$"
+     OR header MATCHES "/(run|mail|scheduler|event_queue|bridge|pseudo_terminal)\\.hpp$")
     message(FATAL_ERROR "${header} is installed")
   endif()
+  string(REPLACE "pal-workcell/" "" header "${header}")
   string(APPEND all "#include <${header}>\n")
 endforeach()
 file(WRITE "${WORK}/all_headers.cpp" "${all}")
-run("${COMPILER}" -std=c++20 -fsyntax-only -Wall -Wextra -Werror "-I${prefix}/include" "${WORK}/all_headers.cpp")
+run("${COMPILER}" -std=c++20 -fsyntax-only -Wall -Wextra -Werror "-I${prefix}/include" "-I${prefix}/include/pal-workcell"
+    -isystem /usr/include/eigen3 "${WORK}/all_headers.cpp")
 
 run(${CMAKE_COMMAND} -G "${GENERATOR}" -S "${SKILL}" -B "${WORK}/build" "-DCMAKE_PREFIX_PATH=${prefix}"
     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror ${FLAGS}")

@@ -60,8 +60,9 @@ class Client:
         head = bytes([0x80 | kind]) + (bytes([0x80 | size]) if size < 126 else
                                        b"\xfe" + struct.pack(">H", size) if size < 65536 else
                                        b"\xff" + struct.pack(">Q", size))
-        masked = bytes(byte ^ mask[i % 4] for i, byte in enumerate(data))
-        self.socket.sendall(head + mask + masked)
+        key = (mask * (size // 4 + 1))[:size]
+        masked = int.from_bytes(data, "little") ^ int.from_bytes(key, "little")
+        self.socket.sendall(head + mask + masked.to_bytes(size, "little"))
 
     def receive(self):
         """The next message: text, or bytes."""

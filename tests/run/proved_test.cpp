@@ -6,17 +6,17 @@
 
 #include "pal/runtime/dispatcher.hpp"
 #include "programs/pal/reports/proof_chart.hpp"
-#include "skills_pal/registry.hpp"
 #include "tests/run/support/bench.hpp"
 #include "tests/run/support/touch_cell.hpp"
+#include "tests/support/built_skills.hpp"
 
 using namespace pal;
 using namespace pal::test;
 
 namespace {
 
-program::Proof prove(const skills::RegisteredSkill& skill) {
-  const std::string folder = std::string(PAL_SOURCE_DIR) + "/skills_pal/";
+program::Proof prove(const runtime::SkillPlugin& skill) {
+  const std::string folder = std::string(PAL_SOURCE_DIR) + "/";
   const DiskFileSystem files;
   std::ostringstream out, err;
   program::Session session;
@@ -29,7 +29,7 @@ program::Proof prove(const skills::RegisteredSkill& skill) {
   return std::move(proofs.front());
 }
 
-trace::Trace run(const skills::RegisteredSkill& skill, runtime::Time phase, runtime::Time answer,
+trace::Trace run(const runtime::SkillPlugin& skill, runtime::Time phase, runtime::Time answer,
                  const runtime::RunOptions& options) {
   Tool tool;
   tool.wall = 12;
@@ -44,7 +44,8 @@ trace::Trace run(const skills::RegisteredSkill& skill, runtime::Time phase, runt
 }  // namespace
 
 TEST_CASE("no run measures more than was proved") {
-  for (const skills::RegisteredSkill& skill : skills::registered_skills()) {
+  for (const runtime::SkillPlugin* plugin : built_skills()) {
+    const runtime::SkillPlugin& skill = *plugin;
     // Those that need no more than this cell has; the others run in the workcell (tests/run/skills).
     const auto made = skill.make();
     const auto& needed = made->wiring().devices;

@@ -3,10 +3,10 @@
 #include <sstream>
 
 #include "pal/runtime/dispatcher.hpp"
-#include "skills_pal/registry.hpp"
 #include "tests/run/support/allocation_count.hpp"
 #include "tests/run/support/bench.hpp"
 #include "tests/run/support/touch_cell.hpp"
+#include "tests/support/built_skills.hpp"
 
 using namespace pal;
 using namespace pal::test;
@@ -19,7 +19,7 @@ struct Cell {
 
   runtime::Outcome run(const std::string& name, std::vector<runtime::ParameterValue> parameters = {},
                        const runtime::RunOptions& options = {}) {
-    const auto skill = skills::make_skill(name);
+    const auto skill = test::make_skill(name);
     REQUIRE(skill != nullptr);
     runtime::Device* devices[] = {&sensor, &alter};
     NoWorld world;
@@ -122,7 +122,7 @@ TEST_CASE("the same run gives the same trace, byte for byte") {
 }
 
 TEST_CASE("a skill can be run again") {
-  const auto skill = skills::make_skill("touch");
+  const auto skill = test::make_skill("touch");
   std::string traces[2];
   for (std::string& text : traces) {
     Cell cell;
@@ -146,7 +146,7 @@ class Meter final : public runtime::World {
 
 TEST_CASE("nothing is allocated while the skill runs") {
   const double wall = GENERATE(20.0, 1e9);  // touching, and going back by CM1
-  const auto skill = skills::make_skill("touch");
+  const auto skill = test::make_skill("touch");
   Cell cell;
   cell.tool.wall = wall;
   class Alarm final : public runtime::Device {
@@ -189,7 +189,7 @@ TEST_CASE("forbidden parameters are refused before anything moves") {
 TEST_CASE("a device that stops answering ends the skill with its error completion") {
   Cell cell;
   ScriptedDevice mute("force-torque", cell.sensor.ports());
-  const auto skill = skills::make_skill("touch");
+  const auto skill = test::make_skill("touch");
   runtime::Device* devices[] = {&mute, &cell.alter};
   NoWorld world;
   const auto outcome = runtime::Dispatcher(devices, world).run(*skill, {}, {.horizon = 2s});

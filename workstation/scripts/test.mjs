@@ -1,5 +1,5 @@
-// Runs tests, or prints the figures: test.mjs unit|browser|long|figures [--page FOLDER] [--workcell PROGRAM] [FILTER]. They are bundled first, so that
-// Node 18, which reads no TypeScript, runs them.
+// Runs tests, or prints the figures: test.mjs unit|browser|long|figures [--page FOLDER] [--workcell PROGRAM] [--only NAME] [FILTER]. FILTER
+// chooses files, --only tests by their names. They are bundled first, so that Node 18, which reads no TypeScript, runs them.
 import { buildSync } from "esbuild";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readdirSync, rmSync } from "node:fs";
@@ -18,7 +18,7 @@ try {
     packages: "external", outExtension: { ".js": ".mjs" }, define: { "import.meta.dirname": JSON.stringify(root) }, logLevel: "warning", jsx: "automatic", loader: { ".css": "empty", ".woff2": "empty" },
   });
   const environment = { ...process.env, WORKSTATION: root, WORKSTATION_PAGE: option("--page") ?? join(root, "../build/release/share/pal/workstation"), WORKCELL: option("--workcell") ?? join(root, "../build/release/bin/workcell") };
-  const run = spawnSync(process.execPath, ["--test", "--test-concurrency=1", ...files.map((each) => join(out, each.replace(/\.ts$/, ".mjs")))], { stdio: "inherit", env: environment });
+  const run = spawnSync(process.execPath, ["--test", "--test-concurrency=1", ...(option("--only") ? [`--test-name-pattern=${option("--only")}`] : []), ...files.map((each) => join(out, each.replace(/\.ts$/, ".mjs")))], { stdio: "inherit", env: environment });
   process.exitCode = run.status ?? 1;
 } finally {
   rmSync(out, { recursive: true });

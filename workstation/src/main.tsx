@@ -8,7 +8,7 @@ import "./look/controls.css";
 import "./look/page.css";
 import "./storage/storage.css";
 import { keepBreakpoints } from "./state/breakpoints";
-import { keepBackup, restore } from "./state/backup";
+import { keepBackup, restore, restoreFromDisk } from "./state/backup";
 import { connect, useCell } from "./state/cell";
 import { keepChecking } from "./state/checks";
 import { useDrawing } from "./state/drawing";
@@ -19,6 +19,7 @@ import { currentLanguage } from "./words/words";
 document.documentElement.lang = currentLanguage();
 applyTheme();
 const restored = restore();
+const onDisk = restoreFromDisk();
 keepBackup();
 keepChecking();
 keepBreakpoints();
@@ -27,8 +28,10 @@ keepBreakpoints();
 const stop = useCell.subscribe((now) => {
   if (now.link !== "ready") return;
   stop();
-  const empty = useDrawing.getState().drawing.icons.length === 0;
-  if (!restored && empty) void showLoaded();
+  void onDisk.then((there) => {
+    const empty = useDrawing.getState().drawing.icons.length === 0;
+    if (!restored && !there && empty) void showLoaded();
+  });
 });
 
 createRoot(document.getElementById("page")!).render(<App />);

@@ -31,15 +31,17 @@ TransactionId BusyWindows::add(Transaction transaction) {
   for (const TaskId t : transaction.tasks.ids()) {
     auto& groups = by_processor_[transaction.tasks[t].processor];
     const Task& task = transaction.tasks[t];
+    const bool once = transaction.period == never;
+    const double share =
+        once || task.cost == 0 ? 0 : static_cast<double>(task.cost) / static_cast<double>(transaction.period);
     if (processors.insert(task.processor).second) {
-      groups.push_back({index, task.priority, {}, {}, t, transaction.period, task.cost, task.jitter});
+      groups.push_back(
+          {index, t, task.priority, true, transaction.period, task.cost, task.jitter, share, {}, {}});
     }
     groups.back().priority = std::max(groups.back().priority, task.priority);
     groups.back().tasks.push_back(t);
-    const double cost = static_cast<double>(task.cost);
-    const bool once = transaction.period == never;
-    if (task.cost != 0)
-      groups.back().workers.push_back({t, once ? 0 : cost / static_cast<double>(transaction.period)});
+    groups.back().single = groups.back().tasks.size() == 1;
+    if (task.cost != 0) groups.back().workers.push_back({t, share});
   }
   for (const ProcessorId processor : processors) {
     auto& groups = by_processor_[processor];
@@ -148,7 +150,7 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, Transaction
   for (const Group& group : groups) {
     if (group.priority < priority) break;
     if (group.transaction == own) continue;
-    if (group.tasks.size() > 1) {
+    if (!group.single) {
       work = plus(work, of_group(group, asker, priority, length, shares));
       continue;
     }
@@ -162,15 +164,18 @@ Nanoseconds BusyWindows::of_others(const std::vector<Group>& groups, Transaction
   return work;
 }
 
-BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, const Task& asker) const {
+BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, TaskId task) const {
+  const Task& asker = transactions_[own].tasks[task];
   Foreign foreign;
-  for (const Group& group : by_processor_[asker.processor]) {
+  const std::vector<Group>& groups = by_processor_[asker.processor];
+  foreign.alone.reserve(groups.size());
+  for (const Group& group : groups) {
     if (group.priority < asker.priority) break;
     const bool is_own = group.transaction == own;
     add_load(group, !is_own, asker, foreign.load);
     if (is_own) {
       foreign.own = &group;
-    } else if (group.tasks.size() > 1) {
+    } else if (!group.single) {
       add_foreign(group, asker, foreign);
     } else if (group.cost != 0 && counts(&asker, group.transaction, group.first)) {
       foreign.alone.push_back({group.period, group.jitter, group.cost});
@@ -250,14 +255,14 @@ void BusyWindows::add_load(const Group& group, bool foreign, const Task& self, L
       load.carried += static_cast<double>(cost);
     } else {
       load.carried += static_cast<double>(jitter) * share;
-      if (group.tasks.size() > 1) load.carried -= static_cast<double>(cost);
+      if (!group.single) load.carried -= static_cast<double>(cost);
     }
   };
-  if (group.tasks.size() == 1) {
+  if (group.single) {
     if (group.cost == 0 || !counts(&self, group.transaction, group.first)) return;
     const bool once = group.period == never;
     load.bounded = load.bounded && group.cost < never && (once || group.jitter < never);
-    return add(once, group.workers.front().share, group.cost, group.jitter);
+    return add(once, group.share, group.cost, group.jitter);
   }
   struct Longest {
     double share = 0;
@@ -344,12 +349,11 @@ Nanoseconds BusyWindows::window(ProcessorId processor, int priority, Nanoseconds
 }
 
 BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId task, Nanoseconds part,
-                                            Nanoseconds blocking, Since since) const {
+                                            Nanoseconds blocking, Since since, const Foreign& foreign) const {
   const Transaction& of = transactions_[transaction];
   const Task& self = of.tasks[task];
   if (blocking >= never || self.jitter >= never) return {never};
   const bool preemptive = preemptive_[self.processor];
-  const Foreign foreign = foreign_of(transaction, self);
   const Load& load = foreign.load;
   if (!load.bounded || load.whole >= 1) return {never};
   if (of.period == never) return critical_once(transaction, task, part, blocking, since, foreign);
@@ -411,7 +415,17 @@ BusyWindows::Critical BusyWindows::critical(TransactionId transaction, TaskId ta
 
 Nanoseconds BusyWindows::finish(TransactionId transaction, TaskId task, Nanoseconds part,
                                 Nanoseconds blocking, Since since) const {
-  return critical(transaction, task, part, blocking, since).finish;
+  return critical(transaction, task, part, blocking, since, foreign_of(transaction, task)).finish;
+}
+
+std::vector<Nanoseconds> BusyWindows::finishes(TransactionId transaction, TaskId task,
+                                               const std::vector<Nanoseconds>& parts,
+                                               Nanoseconds blocking) const {
+  const Foreign foreign = foreign_of(transaction, task);
+  std::vector<Nanoseconds> result;
+  for (const Nanoseconds part : parts)
+    result.push_back(critical(transaction, task, part, blocking, Since::occurrence, foreign).finish);
+  return result;
 }
 
 FinishBreakdown BusyWindows::breakdown(TransactionId transaction, TaskId task, Nanoseconds part,
@@ -419,7 +433,7 @@ FinishBreakdown BusyWindows::breakdown(TransactionId transaction, TaskId task, N
   const Transaction& of = transactions_[transaction];
   const Task& self = of.tasks[task];
   const auto& groups = by_processor_[self.processor];
-  const Critical worst = critical(transaction, task, part, blocking, since);
+  const Critical worst = critical(transaction, task, part, blocking, since, foreign_of(transaction, task));
   const Nanoseconds length = closed(worst.length, preemptive_[self.processor]);
   FinishBreakdown breakdown;
   breakdown.blocking = blocking;

@@ -67,6 +67,9 @@ class BusyWindows {
   /// work ends comes before that end, unless windows are half-open.
   Nanoseconds finish(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                      Since since = Since::occurrence) const;
+  /// finish() of each of several parts: what else counts is found once for all of them.
+  std::vector<Nanoseconds> finishes(TransactionId transaction, TaskId task,
+                                    const std::vector<Nanoseconds>& parts, Nanoseconds blocking) const;
 
   /// Adds up to finish(), with `part` and, since the occurrence, the latest release; for a finish that is
   /// bounded.
@@ -103,17 +106,19 @@ class BusyWindows {
     double share = 0;  // of the processor that it needs; 0: of a transaction that occurs once
   };
 
-  /// Tasks of one transaction on one processor.
+  /// Tasks of one transaction on one processor. Windows go through all groups of a processor, and mostly a
+  /// group has one task: what is asked of that one stands together, at the beginning.
   struct Group {
     TransactionId transaction;
-    int priority;  // the greatest of them
-    std::vector<TaskId> tasks;
-    std::vector<Worker> workers;  // those that take time
-    // The first task, which mostly is alone: windows go through all groups of a processor.
     TaskId first{};
+    int priority;  // the greatest of them
+    bool single = true;
     Nanoseconds period = 0;
-    Nanoseconds cost = 0;
+    Nanoseconds cost = 0;  // of the first task, as are jitter and share
     Nanoseconds jitter = 0;
+    double share = 0;
+    std::vector<TaskId> tasks{};
+    std::vector<Worker> workers{};  // those that take time
   };
 
   /// What counts in a window of a task, other than its own transaction: at least `share` of its length, and
@@ -178,7 +183,7 @@ class BusyWindows {
     std::vector<Together> together;
     std::vector<const Group*> several;  // what is too much to be found once, or has alternatives
   };
-  Foreign foreign_of(TransactionId own, const Task& asker) const;
+  Foreign foreign_of(TransactionId own, TaskId asker) const;
   /// Adds the tasks of one of several.
   void add_foreign(const Group& group, const Task& asker, Foreign& foreign) const;
   /// The same as of_others() for the asker.
@@ -193,7 +198,7 @@ class BusyWindows {
   /// Tasks of a transaction that occurs once, which may come before the end of a window of one of them.
   Nanoseconds of_siblings(TransactionId transaction, TaskId task, Nanoseconds length, Shares* shares) const;
   Critical critical(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
-                    Since since) const;
+                    Since since, const Foreign& foreign) const;
   Critical critical_once(TransactionId transaction, TaskId task, Nanoseconds part, Nanoseconds blocking,
                          Since since, const Foreign& foreign) const;
   const Group* group_of(TransactionId transaction, ProcessorId processor) const;

@@ -236,6 +236,11 @@ Nanoseconds Interference::finish(NodeId node, Nanoseconds part, Nanoseconds bloc
   return windows_.finish(transaction_of(node), task_[node], part, blocking, since);
 }
 
+std::vector<Nanoseconds> Interference::finishes(NodeId node, const std::vector<Nanoseconds>& parts,
+                                                Nanoseconds blocking) const {
+  return windows_.finishes(transaction_of(node), task_[node], parts, blocking);
+}
+
 FinishBreakdown Interference::breakdown(NodeId node, Nanoseconds part, Since since) const {
   return windows_.breakdown(transaction_of(node), task_[node], part, blocking(node), since);
 }

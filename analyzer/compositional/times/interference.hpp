@@ -39,6 +39,9 @@ class Interference {
   /// is done at the latest.
   Nanoseconds finish(NodeId node, Nanoseconds part, Nanoseconds blocking,
                      Since since = Since::occurrence) const;
+  /// finish() of each of several parts, counted from the nominal instant.
+  std::vector<Nanoseconds> finishes(NodeId node, const std::vector<Nanoseconds>& parts,
+                                    Nanoseconds blocking) const;
   /// What goes into finish() besides the latest release and the work itself.
   FinishBreakdown breakdown(NodeId node, Nanoseconds part, Since since = Since::occurrence) const;
   /// The same for nodes of one occurrence that keep a processor busy one after the other (joint_chain()). The

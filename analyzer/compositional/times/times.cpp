@@ -79,6 +79,19 @@ class Solver : private AnalysisContext {
     return releases_.latest(n, times_.unbounded_reason, times_.blocked).at;
   }
 
+  /// The work until what is timed of a node: each once, ascending.
+  std::vector<Nanoseconds> timed_parts(NodeId n) const {
+    const Segment& of = segment(n);
+    std::vector<Nanoseconds> parts{of.worst};
+    for (std::size_t s = 0; s < of.steps.size(); ++s) {
+      if (nodes_[n].effects[s] != NodeTimes::unknown) parts.push_back(of.steps[s].worst);
+    }
+    for (const auto& wait : of.waits) parts.push_back(wait.worst);
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    return parts;
+  }
+
   bool update(NodeId n) {
     NodeTimes& mine = times(n);
     const NodeTimes before = mine;
@@ -89,13 +102,15 @@ class Solver : private AnalysisContext {
     interference_.announce(n, mine);
     const Segment& of = segment(n);
     const Nanoseconds keeps = mine.latest >= never ? 0 : interference_.blocking(n);
-    std::map<Nanoseconds, Nanoseconds> known;
+    const std::vector<Nanoseconds> parts = timed_parts(n);
+    const std::vector<Nanoseconds> ends = mine.latest >= never || of.steps.empty()
+                                              ? std::vector<Nanoseconds>()
+                                              : interference_.finishes(n, parts, keeps);
     const auto done = [&](Nanoseconds part) {
       if (mine.latest >= never) return never;
       if (of.steps.empty()) return mine.latest;  // reaching a wait needs no processor
-      const auto [place, fresh] = known.emplace(part, 0);
-      if (fresh) place->second = interference_.finish(n, part, keeps);
-      return place->second;
+      return ends[static_cast<std::size_t>(std::lower_bound(parts.begin(), parts.end(), part) -
+                                           parts.begin())];
     };
     for (std::size_t s = 0; s < of.steps.size(); ++s) {
       if (mine.effects[s] == NodeTimes::unknown) continue;

@@ -104,6 +104,7 @@ struct GenerateOptions {
   std::string depfile_folder;  // stands before relative paths of texts
   ProofLimits limits;
   bool allow_failing = false;  // nothing is proved
+  bool plugin = false;         // also what makes a plug-in of the skill
   bool debug_lines = false;    // debuggers show lines of PAL
   bool explain = false;        // lists what would be generated, and writes nothing
 };

@@ -78,6 +78,7 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
       return status_of_findings(session);
     }
     if (plan) generated = codegen::emit(*plan, {.debug_lines = options.debug_lines});
+    if (plan && options.plugin) generated.push_back(codegen::emit_plugin(*plan, session.sources));
   }
   if (one && !options.allow_failing && !session.diagnostics.has_errors()) {
     const std::vector<Proof> proofs = prove(session, options.limits);

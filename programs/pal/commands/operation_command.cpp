@@ -25,8 +25,8 @@ using operations::Program;
 using operations::Ways;
 
 /// The bounds of DURATION requirements. Of several environments the greatest.
-operations::SkillTimes times_of(const Session& session, const std::vector<Proof>& proofs) {
-  operations::SkillTimes times;
+operations::ProvedTimes times_of(const Session& session, const std::vector<Proof>& proofs) {
+  operations::ProvedTimes times;
   for (const pan::Network& network : session.specification.skills) {
     for (const pan::Requirement& requirement : network.requirements) {
       const auto* completing = std::get_if<pan::Completing>(&requirement.measure);
@@ -50,10 +50,11 @@ void write_ways(const Program& program, const Ways& ways, std::ostream& out) {
   for (const operations::WayThrough& way : ways.ways) {
     out << fmt::format("  {}{}{}{}\n", fmt::join(way.icons, " -> "), way.icons.empty() ? "" : ", ", way.end,
                        way.alike == 1 ? "" : fmt::format(" ({} ways)", way.alike));
-    out << fmt::format("    longest {}; shortest: at least {}\n",
-                       way.longest ? to_text(*way.longest) : std::string("not known"), to_text(way.shortest));
+    out << fmt::format("    longest {}{}; shortest: at least {}\n",
+                       way.longest ? to_text(*way.longest) : std::string("not known"),
+                       way.longest && way.declared ? " (declared, not proved)" : "", to_text(way.shortest));
     if (!way.unbounded.empty())
-      out << fmt::format("    no DURATION is proved of {}\n", fmt::join(way.unbounded, ", "));
+      out << fmt::format("    no DURATION is proved or declared of {}\n", fmt::join(way.unbounded, ", "));
   }
 }
 
@@ -67,6 +68,7 @@ nlohmann::ordered_json json(const Program& program, const Ways& ways) {
     each["longest_ns"] = nullptr;
     if (way.longest) each["longest_ns"] = way.longest->count();
     each["unbounded"] = way.unbounded;
+    each["declared"] = way.declared;
     each["alike"] = way.alike;
     list.push_back(std::move(each));
   }
@@ -163,7 +165,8 @@ ExitStatus check_operation(const OperationOptions& given, const Console& console
     if (!session.diagnostics.has_errors()) proofs = prove(session, options.limits);
     if (!session.diagnostics.has_errors())
       for (const Program& program : programs)
-        ways.push_back(operations::ways_through(program, *cell.skills, times_of(session, proofs)));
+        ways.push_back(
+            operations::ways_through(program, *cell.skills, {times_of(session, proofs), cell.longest}));
   }
   const ExitStatus found = status_of_findings(session);
   const bool wrong = found != ExitStatus::all_hold;

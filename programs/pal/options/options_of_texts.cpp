@@ -22,6 +22,8 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
       ->type_name("FOLDER");
   add_limits(*command, options.limits);
   command->add_flag("--allow-failing", options.allow_failing, "prove nothing, and always generate");
+  command->add_flag("--plugin", options.plugin,
+                    "also write the file that lets programs such as workcell load the skill when they run");
   command->add_flag("--debug-lines", options.debug_lines, "make debuggers show the lines of PAL (#line)");
   command->add_flag("--explain", options.explain,
                     "write nothing: list processors, threads, servers, couriers and channels");

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <ostream>
+#include <string>
 
-#include "programs/pal/reports/json_text.hpp"
 #include "programs/pal/session/measure_text.hpp"
 
 namespace pal::program {
@@ -38,11 +37,12 @@ void write_addends(const std::vector<analyzer::Addend>& addends, const analyzer:
 Json rows_of(const std::vector<analyzer::Addend>& addends) {
   auto rows = Json::array();
   for (const analyzer::Addend& each : addends) {
-    Json row{{"amount_ns", each.amount},
-             {"actor", each.actor},
-             {"what", each.what},
-             {"file", each.file},
-             {"line", each.line}};
+    Json row = Json::object();
+    row["amount_ns"] = each.amount;
+    row["actor"] = each.actor;
+    row["what"] = each.what;
+    row["file"] = each.file;
+    row["line"] = each.line;
     if (!each.inside.empty()) row["inside"] = rows_of(each.inside);
     rows.push_back(std::move(row));
   }
@@ -55,8 +55,8 @@ void write_arithmetic(const analyzer::Verdict& verdict, std::ostream& out) {
   write_addends(verdict.addends, verdict, 0, out);
 }
 
-std::string arithmetic_json(const analyzer::Verdict& verdict) {
-  return json_text(rows_of(verdict.addends));
+Json arithmetic_json(const analyzer::Verdict& verdict) {
+  return rows_of(verdict.addends);
 }
 
 }  // namespace pal::program

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
+#include <nlohmann/json.hpp>
 
 #include "analyzer/verdict/verdict.hpp"
 
@@ -13,6 +13,6 @@ namespace pal::program {
 void write_arithmetic(const analyzer::Verdict& verdict, std::ostream& out);
 
 /// As JSON: [{"amount_ns", "actor", "what", "file", "line"}]; of a load, nanoseconds of work a second.
-std::string arithmetic_json(const analyzer::Verdict& verdict);
+nlohmann::ordered_json arithmetic_json(const analyzer::Verdict& verdict);
 
 }  // namespace pal::program

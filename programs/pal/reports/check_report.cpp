@@ -138,7 +138,7 @@ std::string json(const std::vector<Proof>& proofs, const std::vector<Unchecked>&
                                         {"lost", lost.lost},
                                         {"in", lost.in}});
       }
-      row["addends"] = nlohmann::ordered_json::parse(arithmetic_json(verdict));
+      row["addends"] = arithmetic_json(verdict);
       if (statistics) row["statistics"] = nlohmann::ordered_json::parse(json(verdict.statistics));
       document["requirements"].push_back(std::move(row));
     }

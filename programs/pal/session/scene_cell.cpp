@@ -66,6 +66,10 @@ SceneCell cell_of(const nlohmann::json& told) {
   result.cell.figures = sensors("figures");
   result.cell.locations = told.at("locations").get<std::set<std::string>>();
   result.cell.unable = told.at("unable").get<std::map<std::string, std::string>>();
+  for (const auto& [skill, codes] : told.at("longest").items())
+    for (const auto& [code, text] : codes.items())
+      if (auto formula = operations::Formula::parse(text.get<std::string>()))
+        result.cell.longest.emplace(std::pair(skill, std::stoi(code)), std::move(*formula));
   result.skills = told.at("skills").get<std::string>();
   result.environment = told.at("environment").get<std::string>();
   return result;

@@ -28,15 +28,18 @@ std::string range(const runtime::ParameterSpec& parameter) {
                      parameter.default_value);
 }
 
-void list_skill(const runtime::Skill& skill, std::ostream& out) {
+void list_skill(const runtime::Skill& skill, const operations::DeclaredTimes& longest, std::ostream& out) {
   const runtime::SkillDescription& description = skill.description();
   out << "  " << description.name << '\n';
   for (const std::string_view text : description.descriptions) out << "    " << text << '\n';
   for (const runtime::ParameterSpec& parameter : description.parameters)
     out << fmt::format("    --set {}=…  {} ({})\n", parameter.name, parameter.description, range(parameter));
-  for (const runtime::CompletionSpec& completion : description.completions)
+  for (const runtime::CompletionSpec& completion : description.completions) {
     out << fmt::format("    completion {} ({}): {}\n", completion.code, name(completion.kind),
                        completion.description);
+    const auto time = longest.find({std::string(description.name), completion.code});
+    if (time != longest.end()) out << fmt::format("      longest time in s: {}\n", time->second.text());
+  }
 }
 
 /// All that an operation can be checked against, for programs.
@@ -52,6 +55,11 @@ void list_cell(const ListCommand& command, const std::vector<KnownSkill>& skills
       json[name] = {{"unit", each.unit}, {"description", each.description}};
     return json;
   };
+  const auto longest = [](const operations::DeclaredTimes& all) {
+    Json json = Json::object();
+    for (const auto& [of, formula] : all) json[of.first][std::to_string(of.second)] = formula.text();
+    return json;
+  };
   std::string folder;
   for (const std::string& each : command.skill_folders)
     if (folder.empty() && std::filesystem::is_directory(each)) folder = each;
@@ -62,6 +70,7 @@ void list_cell(const ListCommand& command, const std::vector<KnownSkill>& skills
                   {"locations", *known.locations},
                   {"sensors", sensors(*known.sensors)},
                   {"figures", sensors(*known.figures)},
+                  {"longest", longest(known.longest)},
                   {"unable", known.unable.empty() ? Json::object() : Json(known.unable)}};
   out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
@@ -74,7 +83,8 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
     return ExitStatus::done;
   }
   out << "skills\n";
-  for (const KnownSkill& known : skills) list_skill(*known.make(), out);
+  const operations::DeclaredTimes longest = longest_of(skills);
+  for (const KnownSkill& known : skills) list_skill(*known.make(), longest, out);
   out << "scenes\n";
   for (const sim::Scene& scene :
        sim::list_scenes({command.scene_folders.begin(), command.scene_folders.end()}))

@@ -291,7 +291,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                        *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
   std::vector<Promise> proved;
-  if (command.proof) proved = promises(known, command.skill_folders, outcome, result.events.get());
+  if (command.proof) proved = promises(known, outcome, result.events.get());
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 

@@ -197,13 +197,15 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
                                    &book,
                                    &robot,
                                    known_of_cell.figures,
-                                   known_of_cell.unable};
+                                   known_of_cell.unable,
+                                   known_of_cell.longest};
+  desk_options.refused_together = known_of_cell.refused_together;
   desk_options.runs = &runs;
   if (command.paced <= 0) desk_options.answer_wait = 10ms;
   server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
   clock_reader = &desk;
   desk.tell_time(runner.now());
-  const SkillScholar scholar(known, command.skill_folders, knowledge, pictures);
+  const SkillScholar scholar(known, knowledge, pictures);
   server->start(desk, true);
   const std::string path = command.announcement.empty()
                                ? server::default_announcement(scene.name, server->port())
@@ -216,7 +218,9 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
       continue;
     }
     if (command.paced > 0) {
+      cell.workcell().let_rest(true);
       cell.station().idle(10ms);
+      cell.workcell().let_rest(false);
       desk.tell_time(runner.now());
     } else {
       desk.wait(100ms);

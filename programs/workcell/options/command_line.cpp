@@ -80,6 +80,33 @@ void check_scene_folders(const std::vector<std::string>& folders) {
   }
 }
 
+/// --skills, alike wherever skills run.
+void add_skills_option(CLI::App& app, std::vector<std::string>& skills) {
+  app.add_option(
+         "--skills", skills,
+         "further skills: a file of pal_add_skill(… WORKCELL), or a folder of them; one of a known name "
+         "takes its place")
+      ->type_name("FILE|FOLDER")
+      ->allow_extra_args(false);
+}
+
+/// The skills of this command, of which `wanted` may be a file. What has changed since it was built is told.
+std::vector<KnownSkill> skills_of_command(std::vector<KnownSkill> skills, std::vector<std::string> given,
+                                          std::string& wanted, std::ostream& error) {
+  if (wanted.ends_with(".so")) {
+    given.push_back(wanted);
+    wanted = skill_of_file(wanted).name;
+  }
+  add_skills(skills, given);
+  for (const std::string& path : given) {
+    if (std::filesystem::is_directory(path)) continue;
+    for (const std::string& text : changed_texts(path))
+      error << "workcell: warning: " << path << ": " << text
+            << " has changed since it was built; what runs, and what is proved of it, is the older one\n";
+  }
+  return skills;
+}
+
 /// --on-broken-promise, alike wherever skills run.
 CLI::Option* add_policy(CLI::App& app, std::string& policy) {
   return app
@@ -94,7 +121,9 @@ CLI::Option* add_policy(CLI::App& app, std::string& policy) {
 constexpr const char* first_faults = "a file that says what goes wrong with devices in the first skill";
 
 void describe_run(CLI::App& app, RunCommand& command, std::vector<std::string>& folders) {
-  app.add_option("skill", command.skill, "the skill to run; 'workcell list' shows them")->required();
+  app.add_option("skill", command.skill,
+                 "the skill to run, by its name or its file; 'workcell list' shows them")
+      ->required();
   app.add_option("--scene", command.scene, "a scene's name, or the path of a scene file")
       ->capture_default_str();
   app.add_option("--scenes", folders, "a further folder of scenes, searched first");
@@ -192,6 +221,15 @@ void describe_serve_port(CLI::App& app, ServePortCommand& command, std::vector<s
   where->add_option("--serial", command.serial, "at a serial port, /dev/ttyUSB0 for example");
   app.add_option("--link", command.link,
                  "makes this a symbolic link to the pseudo-terminal while it is there");
+}
+
+void describe_new_skill(CLI::App& app, NewSkillCommand& command) {
+  app.add_option("name", command.name, "what the skill is called in PAL: tap")->required();
+  auto* like = app.add_option("--like", command.like, "begin as a copy of this skill")->type_name("SKILL");
+  app.add_option("--from", command.from, "begin with this PAL file, and activities that do nothing")
+      ->type_name("FILE")
+      ->excludes(like);
+  app.add_option("--output", command.output, "the folder; without it, one named like the skill");
 }
 
 void describe_serve(CLI::App& app, ServeCommand& command, std::vector<std::string>& folders) {
@@ -316,7 +354,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
   return run;
 }
 
-ExitStatus run_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+ExitStatus run_program(const std::vector<std::string>& arguments, const SkillSource& source,
                        std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
   CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
   app.set_version_flag("--version", "workcell " PAL_VERSION);
@@ -327,7 +365,7 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
       "4 with --real-time: code of the skill or of a device did not return;\n"
       "an operation that an EXIT ended with a code other than 0: 100 and the code, if it is 1 to 99, else "
       "100.");
-  std::vector<std::string> folders;
+  std::vector<std::string> folders, skill_files;
   ListCommand list_command;
   CLI::App* list_app =
       app.add_subcommand("list", "shows the skills, their parameters and completions, and the scenes");
@@ -342,6 +380,11 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
       "serve-port", "offers emulated devices of one cell to any program, in real time, until Ctrl-C");
   describe_serve_port(*serve_app, serve_command, folders);
 
+  NewSkillCommand new_command;
+  CLI::App* new_app = app.add_subcommand(
+      "new-skill", "writes a folder with a skill of your own, which builds, is proved and runs");
+  describe_new_skill(*new_app, new_command);
+
   OperationCommand operation_command;
   CLI::App* operation_app = describe_operation(app, operation_command, folders);
   RemoteCommand remote;
@@ -351,6 +394,8 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
       "serve", "opens a workcell for clients, who run skills and operations, until Ctrl-C");
   describe_serve(*cell_app, cell_command, folders);
 
+  for (CLI::App* command : {list_app, run_app, new_app, operation_app, cell_app})
+    add_skills_option(*command, skill_files);
   refuse_empty_values(app);
 
   std::vector<std::string> words = arguments;
@@ -367,20 +412,27 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
   }
   try {
     check_scene_folders(folders);
+    if (!remote.verb.empty()) return command_server(remote, out, error);
+    const std::vector<KnownSkill> skills = skills_of_command(source ? source() : std::vector<KnownSkill>{},
+                                                             skill_files, run_command.skill, error);
     list_command.scene_folders = run_command.scene_folders = serve_command.scene_folders =
         operation_command.scene_folders = cell_command.scene_folders =
             folders_of(folders, "scenes", PAL_SCENE_FOLDER);
     run_command.terminal = terminal;
-    list_command.skill_folders = run_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
+    list_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
+    if (new_app->parsed()) {
+      for (const std::string& each : list_command.skill_folders)
+        if (new_command.skill_folder.empty() && std::filesystem::is_directory(each))
+          new_command.skill_folder = each;
+      return new_skill(new_command, skills, out);
+    }
     if (cell_app->parsed()) {
       if (cell_command.fast) cell_command.paced = 0;
-      cell_command.skill_folders = folders_of({}, "skills", PAL_SKILL_FOLDER);
       if (cell_command.page.empty())
         for (const std::string& folder : folders_of({}, "workstation", PAL_PAGE_FOLDER))
           if (cell_command.page.empty() && std::filesystem::is_directory(folder)) cell_command.page = folder;
       return serve(cell_command, skills, out);
     }
-    if (!remote.verb.empty()) return command_server(remote, out, error);
     if (operation_app->parsed() && operation_command.at_server) {
       const OperationCommand& asked = operation_command;
       return command_server(
@@ -415,11 +467,12 @@ ExitStatus run_program(const std::vector<std::string>& arguments, const std::vec
 
 }  // namespace
 
-ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+ExitStatus main_program(const std::vector<std::string>& arguments, const SkillSource& skills,
                         std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
-  const ExitStatus status = run_program(arguments, skills, out, error, terminal, in);
+  // A report that cannot be written is no success. That is said before a run of minutes, where it is known.
+  const ExitStatus status =
+      out ? run_program(arguments, skills, out, error, terminal, in) : ExitStatus::usage;
   if (out.flush()) return status;
-  // A report that could not be written is no success.
   error << "workcell: error: the standard output cannot be written: is it open, and is there space?\n";
   return status == ExitStatus::done ? ExitStatus::usage : status;
 }

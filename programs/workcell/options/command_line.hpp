@@ -36,7 +36,6 @@ struct RunCommand {
   bool live = false;      // shows progress
   bool terminal = false;  // it goes to a terminal
   bool proof = true;
-  std::vector<std::string> skill_folders;    // of the skills' PAL
   int sweep = 0;                             // runs; 0: one run
   std::string against;                       // second skill of a sweep
   std::string after;                         // a skill that is run before; empty: none
@@ -60,6 +59,14 @@ struct ServePortCommand {
   int tcp = -1;        // port; negative: not by TCP
   std::string serial;  // path of a serial port; empty: at none
   std::string link;    // a symbolic link to the pseudo-terminal
+};
+
+struct NewSkillCommand {
+  std::string name;
+  std::string like;          // a skill that is there
+  std::string from;          // or a PAL file
+  std::string output;        // folder; empty: named like the skill
+  std::string skill_folder;  // where the workcell's skills stand as texts
 };
 
 struct OperationCommand {
@@ -103,7 +110,6 @@ struct ServeCommand {
   std::string page;   // the folder of the page for browsers; empty: the installed one, or none
   std::string store;  // the folder of operations on the disk; empty: none
   bool open = false;  // print the address for a browser
-  std::vector<std::string> skill_folders;  // with the PAL of the skills; the first that is there counts
 };
 
 /// "workcell serve": until Ctrl-C. Throws Failure.
@@ -140,13 +146,17 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
 /// "workcell run". Throws Failure.
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
 
+/// "workcell new-skill". Throws Failure.
+ExitStatus new_skill(const NewSkillCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
+
 /// "workcell serve-port": emulated devices of one cell for any program, in real time, until `control` stops
 /// it. Throws Failure.
 ExitStatus serve_port(const ServePortCommand& command, const runtime::RunControl& control, std::ostream& out);
 
 /// The whole program: reads the command line, runs the command, prints what failed. `terminal`: `out` is a
-/// terminal, so a line on it can be rewritten. `in`: for commands that are given while an operation runs.
-ExitStatus main_program(const std::vector<std::string>& arguments, const std::vector<KnownSkill>& skills,
+/// terminal, so a line on it can be rewritten. Runs nothing if `out` has failed already. `in`: for commands
+/// that are given while an operation runs. Without a source of skills there are none.
+ExitStatus main_program(const std::vector<std::string>& arguments, const SkillSource& skills,
                         std::ostream& out, std::ostream& error, bool terminal = false,
                         std::istream* in = nullptr);
 

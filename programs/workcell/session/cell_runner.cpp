@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "operations/icon_times.hpp"
+#include "pal/support/duration_text.hpp"
 #include "programs/workcell/session/needed_tool.hpp"
 #include "sim/cell/sensor_range.hpp"
 
@@ -91,11 +94,45 @@ SkillResult::Kind kind_of(const runtime::Skill& skill, const runtime::Outcome& o
   return SkillResult::Kind::error;
 }
 
+/// A skill looks at its values when it begins; this begins one of its own, which goes no further.
+operations::RefusedTogether refused_together(const std::vector<KnownSkill>& skills) {
+  return [&skills](const std::string& name,
+                   const std::vector<operations::Parameter>& given) -> std::optional<std::string> {
+    const auto known =
+        std::find_if(skills.begin(), skills.end(), [&](const KnownSkill& each) { return each.name == name; });
+    if (known == skills.end()) return std::nullopt;
+    const auto skill = known->make();
+    try {
+      skill->reset_parameters();
+      for (const operations::Parameter& each : given) {
+        const runtime::ParameterValue value = value_of(each);
+        if (value.text)
+          skill->set_text_parameter(value.name, *value.text);
+        else
+          skill->set_parameter(value.name, value.value);
+      }
+      skill->start();
+    } catch (const runtime::ParameterError& problem) {
+      return problem.what();
+    }
+    return std::nullopt;
+  };
+}
+
 }  // namespace
 
 operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
   operations::Skills result;
   for (const KnownSkill& known : skills) result.emplace(known.name, template_of(known.make()->description()));
+  return result;
+}
+
+operations::DeclaredTimes longest_of(const std::vector<KnownSkill>& skills) {
+  operations::DeclaredTimes result;
+  for (const KnownSkill& known : skills)
+    for (const auto& [code, text] : known.longest)
+      if (auto formula = operations::Formula::parse(text))
+        result.emplace(std::pair(known.name, code), std::move(*formula));
   return result;
 }
 
@@ -115,7 +152,8 @@ std::set<std::string> locations_of(sim::Cell& cell) {
 operations::Cell cell_of(sim::Cell& cell, const std::vector<KnownSkill>& skills, const sim::Scene& scene,
                          const std::vector<std::string>& folders) {
   operations::Cell result{
-      templates_of(skills), sensors_of(cell), figures_of_skills(), locations_of(cell), {}};
+      templates_of(skills), sensors_of(cell),        figures_of_skills(), locations_of(cell), {},
+      longest_of(skills),   refused_together(skills)};
   for (const KnownSkill& known : skills)
     if (const auto why = lacking_tool(*known.make(), scene, folders)) result.unable.emplace(known.name, *why);
   return result;
@@ -125,6 +163,8 @@ CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, r
                        std::uint64_t seed, OnInterrupt on_interrupt, runtime::MessageObserver* messages)
     : cell_(cell),
       known_(skills),
+      templates_(templates_of(skills)),
+      longest_(longest_of(skills)),
       times_(times),
       seed_(seed),
       on_interrupt_(on_interrupt),
@@ -164,6 +204,12 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
   if (margins_ != nullptr) margins_->end();
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
+  const auto longest =
+      operations::declared_longest(templates_.at(name), outcome.code, parameters, nullptr, longest_);
+  if (longest && outcome.duration > *longest)
+    result.reason +=
+        fmt::format("{}broken promise: {} took {}, at most {} is declared", result.reason.empty() ? "" : "; ",
+                    name, to_text(outcome.duration), to_text(*longest));
   if (outcome.fault && control_.load()->stopping()) {
     result.kind = SkillResult::Kind::stopped;
   } else if (outcome.fault && limit && outcome.duration >= *limit) {

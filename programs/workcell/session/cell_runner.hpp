@@ -24,6 +24,9 @@ namespace pal::workcell {
 /// The descriptions of the program's skills.
 operations::Skills templates_of(const std::vector<KnownSkill>& skills);
 
+/// The longest times that the skills declare.
+operations::DeclaredTimes longest_of(const std::vector<KnownSkill>& skills);
+
 /// The sensors that tests and waits can read, and the locations that are taught.
 operations::Sensors sensors_of(const sim::Cell& cell);
 std::set<std::string> locations_of(sim::Cell& cell);
@@ -71,6 +74,8 @@ class CellRunner final : public operations::SkillRunner {
 
   sim::Cell& cell_;
   const std::vector<KnownSkill>& known_;
+  operations::Skills templates_;
+  operations::DeclaredTimes longest_;
   runtime::CostPolicy times_;
   std::uint64_t seed_;  // of the next skill
   std::map<std::string, std::unique_ptr<runtime::Skill>> made_;

@@ -1,51 +1,14 @@
 #include "programs/workcell/session/promise.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <sstream>
-#include <string_view>
 #include <utility>
-#include <variant>
 
 #include "programs/pal/reports/proof_chart.hpp"
 #include "programs/workcell/session/failure.hpp"
 
 namespace pal::workcell {
 namespace {
-
-// What the project calls the folder of the skills: charts and messages name their files by it, wherever the
-// project lies or is installed.
-constexpr std::string_view project_folder = "skills_pal/";
-
-/// The disk, with the skills' folder under the project's name for it.
-class SkillFiles final : public DiskFileSystem {
- public:
-  explicit SkillFiles(std::string folder) : folder_(std::move(folder)) {}
-
-  std::variant<std::string, FileError> read(const std::string& path, std::size_t most) const override {
-    return DiskFileSystem::read(on_disk(path), most);
-  }
-  std::string identity(const std::string& path) const override {
-    return DiskFileSystem::identity(on_disk(path));
-  }
-
- private:
-  std::string on_disk(const std::string& path) const {
-    if (!path.starts_with(project_folder)) return path;
-    return folder_ + "/" + path.substr(project_folder.size());
-  }
-
-  std::string folder_;
-};
-
-/// The first of the folders that has the skill's PAL.
-std::string folder_with(const std::string& file, const std::vector<std::string>& folders) {
-  std::error_code ignored;
-  for (const std::string& folder : folders)
-    if (std::filesystem::exists(std::filesystem::path(folder) / file, ignored)) return folder;
-  throw Failure(ExitStatus::usage, file, "the skill's PAL file is missing, so nothing can be proved about it",
-                "run with --no-proof, or install the skills beside the program");
-}
 
 /// Of a long run, what a chart of its longest interval needs: the events of a second before and after it.
 trace::Trace around(const trace::Trace& tables, const trace::EventSpool& events,
@@ -63,20 +26,18 @@ trace::Trace around(const trace::Trace& tables, const trace::EventSpool& events,
 
 }  // namespace
 
-std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::string>& folders,
-                              const runtime::Outcome& outcome, const trace::EventSpool* events) {
+std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
+                              const trace::EventSpool* events) {
   const trace::Trace& run = outcome.trace;
   std::vector<Promise> result;
   if (skill.pal_file.empty()) return result;
-  const SkillFiles files(folder_with(skill.pal_file, folders));
   std::ostringstream out, err;
   program::Session session;
   program::Selection selection;
-  const std::string folder(project_folder);
-  selection.files = {folder + skill.pal_file};
-  selection.environments = {folder + skill.environment_file};
+  selection.files = {skill.pal_file};
+  selection.environments = {skill.environment_file};
   selection.skill = skill.name;
-  const program::Console console{out, err, files};
+  const program::Console console{out, err, *skill.texts};
   const bool chosen = program::read(selection, console, session);
   std::vector<program::Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = program::prove(session, {});

@@ -31,9 +31,9 @@ struct Promise {
   }
 };
 
-/// Proves the skill from its PAL, as it stands in `folders`, and lays the run beside it. Throws Failure if
-/// the PAL cannot be read or is wrong by now. A skill that names no PAL has no promises.
-std::vector<Promise> promises(const KnownSkill& skill, const std::vector<std::string>& folders,
-                              const runtime::Outcome& outcome, const trace::EventSpool* events = nullptr);
+/// Proves the skill from the PAL that it was generated from, and lays the run beside it. Throws Failure if
+/// this pal finds the PAL wrong. A skill that names no PAL has no promises.
+std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
+                              const trace::EventSpool* events = nullptr);
 
 }  // namespace pal::workcell

@@ -1,14 +1,14 @@
 #include "programs/workcell/session/skill_facts.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <variant>
 
 #include "analyzer/analysis.hpp"
-#include "pal/support/file_system.hpp"
 #include "programs/pal/session/proof.hpp"
 #include "programs/pal/session/selection.hpp"
 #include "programs/workcell/session/needed_tool.hpp"
@@ -93,65 +93,89 @@ void note(const pan::Network& network, const analyzer::Analysis& analysis, serve
   }
 }
 
+/// A skill as its PAL has it.
+struct Studied {
+  program::Session session{};
+  pan::Network network{};
+  pan::Environment environment{};
+};
+
+/// Nothing if the skill names no PAL, or this pal finds it wrong.
+std::unique_ptr<Studied> read(const KnownSkill& skill, const std::function<bool()>& stop) {
+  if (skill.pal_file.empty()) return nullptr;
+  auto studied = std::make_unique<Studied>();
+  studied->session.stop = stop;
+  std::ostringstream out, error;
+  program::Selection selection;
+  selection.files = {skill.pal_file};
+  selection.environments = {skill.environment_file};
+  selection.skill = skill.name;
+  const program::Session& session = studied->session;
+  if (!program::read(selection, {out, error, *skill.texts}, studied->session) ||
+      session.diagnostics.has_errors() || session.specification.skills.empty() ||
+      session.specification.environments.empty())
+    return nullptr;
+  studied->network = session.specification.skills.front();
+  studied->environment = session.specification.environments.front();
+  return studied;
+}
+
+/// Gives the memory that proofs and drawings needed back to the system, which else stays with the program.
+struct Trimmed {
+  Trimmed() = default;
+  ~Trimmed() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
+  }
+  Trimmed(const Trimmed&) = delete;
+  Trimmed& operator=(const Trimmed&) = delete;
+};
+
 }  // namespace
 
-SkillScholar::SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
-                           server::Knowledge& knowledge, const SkillPictures& pictures) {
-  for (const std::string& folder : folders) {
-    if (!std::filesystem::is_directory(folder)) continue;
-    thread_ = std::thread(
-        [this, &known, folder, &knowledge, &pictures] { study(known, folder, knowledge, pictures); });
-    return;
-  }
-}
+SkillScholar::SkillScholar(const std::vector<KnownSkill>& known, server::Knowledge& knowledge,
+                           const SkillPictures& pictures)
+    : thread_([this, &known, &knowledge, &pictures] { study(known, knowledge, pictures); }) {}
 
 SkillScholar::~SkillScholar() {
   ending_ = true;
   if (thread_.joinable()) thread_.join();
 }
 
-void SkillScholar::study(const std::vector<KnownSkill>& known, const std::string& folder,
-                         server::Knowledge& knowledge, const SkillPictures& pictures) const {
-  // The cell's own threads come first; on Linux this is of the thread.
-  constexpr int least_urgent = 19;
-  ::setpriority(PRIO_PROCESS, 0, least_urgent);
-  const DiskFileSystem files;
-  std::ostringstream out, error;
-  const program::Console console{out, error, files};
-  program::Session session;
-  session.stop = [this] { return ending_.load(); };
-  program::Selection selection;
-  const auto found = files.list(folder, ".pal");
-  if (!found) return;
-  selection.files = *found;
-  selection.environments = {folder + "/workcell.pal"};
-  if (!program::read(selection, console, session) || session.diagnostics.has_errors()) return;
-
+void SkillScholar::study(const std::vector<KnownSkill>& known, server::Knowledge& knowledge,
+                         const SkillPictures& pictures) const {
+  // The cell's own threads come first; on Linux this is of the thread. Clients, too, have drawings made,
+  // which wait for each other: so a drawing that has begun must not wait long for a processor.
+  constexpr int less_urgent = 5, least_urgent = 19;
+  ::setpriority(PRIO_PROCESS, 0, less_urgent);
+  const Trimmed trimmed;
   auto facts = std::make_shared<server::Facts>();
-  const pan::Environment* cell = nullptr;
-  for (const pan::Environment& environment : session.specification.environments)
-    if (environment.name == "workcell") cell = &environment;
-  for (const pan::Network& network : session.specification.skills) {
-    auto& skill = facts->skills[network.skill.name] =
-        facts_of(network, cell != nullptr ? cell->name : "", session.sources);
-    for (const KnownSkill& each : known)
-      if (each.name == network.skill.name)
-        if (const auto tool = needed_tool(*each.make())) skill.tool = sim::to_string(*tool);
-  }
-  knowledge.learn(std::make_shared<server::Facts>(*facts));
-  for (const pan::Network& network : session.specification.skills) {
+  std::vector<std::unique_ptr<Studied>> all;
+  for (const KnownSkill& each : known) {
+    auto studied = read(each, [this] { return ending_.load(); });
     if (ending_) return;
-    pictures.draw_modules(network, facts->skills[network.skill.name].pictures);
+    if (!studied) continue;
+    auto& skill = facts->skills[each.name] =
+        facts_of(studied->network, studied->environment.name, studied->session.sources);
+    if (const auto tool = needed_tool(*each.make())) skill.tool = sim::to_string(*tool);
+    all.push_back(std::move(studied));
   }
   knowledge.learn(std::make_shared<server::Facts>(*facts));
-  if (cell == nullptr) return;
+  for (const auto& studied : all) {
+    if (ending_) return;
+    pictures.draw_modules(studied->network, facts->skills[studied->network.skill.name].pictures);
+  }
+  knowledge.learn(std::make_shared<server::Facts>(*facts));
+  ::setpriority(PRIO_PROCESS, 0, least_urgent);
   program::ProofLimits limits;
   limits.threads = 1;
   analyzer::Options options = program::options_of(limits);
   options.stop = [this, usual = options.stop] { return ending_.load() || (usual && usual()); };
-  for (const pan::Network& network : session.specification.skills) {
+  for (const auto& studied : all) {
     if (ending_) return;
-    auto problem = program::problem_of(network, *cell, session);
+    const pan::Network& network = studied->network;
+    auto problem = program::problem_of(network, studied->environment, studied->session);
     if (!problem) continue;
     program::Proof proof;
     proof.analysis = analyzer::analyze(*problem, analyzer::AnalysisChoice::automatic, options);

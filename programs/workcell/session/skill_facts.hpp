@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -16,17 +15,16 @@ namespace pal::workcell {
 /// the knowledge grows meanwhile. A skill without PAL stays as the program knows it.
 class SkillScholar {
  public:
-  /// The PAL is in the first of these folders that is there, and the workcell's times in its workcell.pal.
   /// All outlive the scholar.
-  SkillScholar(const std::vector<KnownSkill>& known, const std::vector<std::string>& folders,
-               server::Knowledge& knowledge, const SkillPictures& pictures);
+  SkillScholar(const std::vector<KnownSkill>& known, server::Knowledge& knowledge,
+               const SkillPictures& pictures);
   /// Leaves what it has not proved yet.
   ~SkillScholar();
   SkillScholar(const SkillScholar&) = delete;
   SkillScholar& operator=(const SkillScholar&) = delete;
 
  private:
-  void study(const std::vector<KnownSkill>& known, const std::string& folder, server::Knowledge& knowledge,
+  void study(const std::vector<KnownSkill>& known, server::Knowledge& knowledge,
              const SkillPictures& pictures) const;
 
   std::atomic<bool> ending_ = false;

@@ -90,7 +90,7 @@ double by_condition_variable(bool fifo) {
   std::condition_variable changed;
   bool asked = false, go = false;
   Time begun{}, ended{};
-  runtime::OsThread server([&] {
+  runtime::OsThread server("server", [&] {
     std::unique_lock lock(mutex);
     for (int i = 0; i < round_trips; ++i) {
       changed.wait(lock, [&] { return asked; });
@@ -99,7 +99,7 @@ double by_condition_variable(bool fifo) {
     }
   });
   std::condition_variable start;
-  runtime::OsThread client([&] {
+  runtime::OsThread client("client", [&] {
     std::unique_lock lock(mutex);
     start.wait(lock, [&] { return go; });
     begun = runtime::monotonic_now();
@@ -231,7 +231,7 @@ void loop_without_skill(std::size_t cycles, Lateness& lateness) {
   std::mutex mutex;
   std::condition_variable changed;
   bool asked = false;
-  runtime::OsThread method([&] {
+  runtime::OsThread method("method", [&] {
     std::unique_lock lock(mutex);
     for (std::size_t i = 0; i < cycles; ++i) {
       changed.wait(lock, [&] { return asked; });
@@ -239,7 +239,7 @@ void loop_without_skill(std::size_t cycles, Lateness& lateness) {
       changed.notify_one();
     }
   });
-  runtime::OsThread control([&] {
+  runtime::OsThread control("control", [&] {
     runtime::Sleeper sleeper;
     Time due = runtime::monotonic_now() + period;
     for (std::size_t i = 0; i < cycles; ++i) {

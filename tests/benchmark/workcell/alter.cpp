@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "sim/cell/cell.hpp"
-#include "skills_pal/registry.hpp"
 #include "tests/benchmark/workcell/row.hpp"
+#include "tests/support/built_skills.hpp"
 
 namespace pal::bench {
 
@@ -14,7 +14,7 @@ std::vector<Row> alter_rows() {
   sim::CellOptions options;
   options.keep_log = false;
   sim::Cell cell(sim::find_scene("nothing", {PAL_SCENE_DIR}), options);
-  const auto touch = skills::make_skill("touch");
+  const auto touch = test::make_skill("touch");
   cell.run(*touch);
   cell.station().idle(cycles * sim::alter_period);
   bool open = false;

@@ -8,9 +8,9 @@
 
 #include "programs/workcell/session/session.hpp"
 #include "sim/model/mujoco_physics.hpp"
-#include "skills_pal/registry.hpp"
 #include "tests/benchmark/workcell/clock.hpp"
 #include "tests/benchmark/workcell/row.hpp"
+#include "tests/support/built_skills.hpp"
 
 namespace pal::bench {
 namespace {
@@ -40,7 +40,7 @@ struct Cost {
 };
 
 Cost session(double reach) {
-  const auto skill = skills::make_skill("touch");
+  const auto skill = test::make_skill("touch");
   workcell::Session session;
   session.scene = free_air();
   session.parameters = {{"reach", reach}, {"approach-speed", 20}};

@@ -27,6 +27,13 @@ def one(icon):
 
 home = one({"kind": "skill", "skill": "move-to-location", "parameters": {"location": "HOME"}})
 assert check(home, "touch")[:2] == (0, []), check(home, "touch")
+# The longest time is what the cell declares for these parameters.
+with tempfile.TemporaryDirectory() as folder:
+    path = pathlib.Path(folder) / "o.op.json"
+    path.write_text(one({"kind": "skill", "skill": "relative-move", "parameters": {"dz": -60, "speed": 20}}))
+    done = subprocess.run([pal, "operation", "check", path, "--scene", "touch", "--format", "json"], capture_output=True, text=True)
+    ways = json.loads(done.stdout)["operations"][0]["ways"]
+    assert [(way["longest_ns"], way["declared"]) for way in ways] == [(7 * 10**9, True), (4 * 10**9, True), (120 * 10**9, True)], ways
 # A whole operation of that cell, without proofs of its own: those of its skills take their time.
 text = pathlib.Path(operation).read_text()
 untaught = text.replace('"PLACE"', '"SHELF"', 1)  # the argument's default names it, too

@@ -1,6 +1,7 @@
 // The examples run in the workcell, from their START to their ends.
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -9,9 +10,11 @@
 #include <sstream>
 #include <utility>
 
+#include "operations/icon_times.hpp"
 #include "operations/load.hpp"
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/cell_runner.hpp"
+#include "skills_pal/longest.hpp"
 
 using namespace pal::workcell;
 
@@ -31,7 +34,7 @@ Answer run(const std::string& example, std::vector<std::string> options, const s
                   log.string()});
   std::istringstream in(lines);
   std::ostringstream out, error;
-  Answer answer{main_program(options, linked_skills(), out, error, false, &in), out.str(), error.str(), {}};
+  Answer answer{main_program(options, installed_skills, out, error, false, &in), out.str(), error.str(), {}};
   std::ifstream file(log);
   for (std::string line; std::getline(file, line);) answer.steps.push_back(nlohmann::json::parse(line));
   std::filesystem::remove(log);
@@ -229,7 +232,7 @@ TEST_CASE("sensors are read by their lines, between skills") {
 TEST_CASE("a skill without its tool is refused, with scenes that have it") {
   std::ostringstream out, error;
   std::istringstream in;
-  CHECK(main_program({"run", "standoff"}, linked_skills(), out, error, false, &in) ==
+  CHECK(main_program({"run", "standoff"}, installed_skills, out, error, false, &in) ==
         ExitStatus::wrong_specification);
   INFO(error.str());
   CHECK(error.str().find("choose one with --scene: ") != std::string::npos);
@@ -287,7 +290,7 @@ TEST_CASE("a skill that is stopped leaves the arm at rest, and runs again") {
                                           [&] { executor->stop(); });
   };
   sim::Cell cell(sim::find_scene("touch", {PAL_SOURCE_DIR "/sim/scenes"}), options);
-  const std::vector<KnownSkill> skills = linked_skills();
+  const std::vector<KnownSkill> skills = installed_skills();
   CellRunner runner(cell, skills, runtime::CostPolicy::worst, 1);
   operations::Executor made(*program, runner);
   executor = &made;
@@ -300,4 +303,101 @@ TEST_CASE("a skill that is stopped leaves the arm at rest, and runs again") {
 
   CHECK(made.run() == operations::ExecutionState::ended);
   CHECK(made.last_code() == 0);
+}
+
+namespace {
+
+using Parameters = std::vector<pal::operations::Parameter>;
+
+pal::operations::Parameter parameter(const char* name, pal::operations::Value value) {
+  return {name, std::move(value), {}, {}};
+}
+
+}  // namespace
+
+TEST_CASE("skills keep the longest times that the cell declares, from one end of their ranges to the other") {
+  struct Case {
+    const char *scene, *skill;
+    Parameters parameters;
+    int code;
+  };
+  const Case cases[] = {
+      {"nothing", "touch", {parameter("reach", 300.0), parameter("approach-speed", 60.0)}, 1},
+      {"nothing", "touch", {parameter("reach", 1.0), parameter("approach-speed", 1.0)}, 1},
+      {"touch", "touch", {parameter("approach-speed", 5.0)}, 0},
+      {"touch", "press", {parameter("approach-speed", 20.0), parameter("time", 0.1)}, 0},
+      {"nothing", "press", {parameter("search-distance", 20.0), parameter("approach-speed", 60.0)}, 1},
+      {"touch",
+       "relative-move",
+       {parameter("dz", -60.0), parameter("rz", 60.0), parameter("speed", 40.0)},
+       0},
+      {"touch", "relative-move", {parameter("dz", -1.0), parameter("speed", 500.0)}, 0},
+      {"touch", "relative-move", {parameter("dx", 300.0), parameter("dy", 300.0), parameter("dz", 300.0)}, 1},
+      {"touch", "move-to-location", {parameter("speed", 5.0)}, 0},
+      {"parts", "pick-at-location", {parameter("approach", 200.0), parameter("speed", 20.0)}, 0},
+      {"parts", "pick-at-location", {parameter("location", std::string("PLACE"))}, 1},
+      {"pallet", "palletize", {parameter("placed", 9.0)}, 1},
+  };
+  for (const Case& each : cases) {
+    INFO(each.skill << " in " << each.scene);
+    pal::sim::Cell cell(pal::sim::find_scene(each.scene, {PAL_SOURCE_DIR "/sim/scenes"}));
+    const auto known = installed_skills();
+    CellRunner runner(cell, known, pal::runtime::CostPolicy::worst, 1);
+    const auto result = runner.run(each.skill, each.parameters, std::nullopt);
+    INFO(result.reason);
+    CHECK(result.code == each.code);
+    CHECK(result.reason.find("is declared") == std::string::npos);
+    const auto longest = pal::operations::declared_longest(templates_of(known).at(each.skill), each.code,
+                                                           each.parameters, nullptr, longest_of(known));
+    CHECK(longest);
+  }
+}
+
+TEST_CASE("a skill that takes longer than is declared says so") {
+  pal::sim::Cell cell(pal::sim::find_scene("touch", {PAL_SOURCE_DIR "/sim/scenes"}));
+  auto known = installed_skills();
+  for (KnownSkill& skill : known)
+    if (skill.name == "touch") skill.longest = {{0, "0.01 * reach"}};
+  CellRunner runner(cell, known, pal::runtime::CostPolicy::worst, 1);
+  const auto result = runner.run("touch", {}, std::nullopt);
+  INFO(result.reason);
+  CHECK(result.code == 0);
+  CHECK(result.reason.find("broken promise: touch took ") != std::string::npos);
+  CHECK(result.reason.find("at most 600 ms is declared") != std::string::npos);
+}
+
+TEST_CASE("each formula of a longest time can be read, and names parameters of its skill") {
+  const auto known = installed_skills();
+  const auto skills = templates_of(known);
+  const auto longest = longest_of(known);
+  std::size_t written = 0;
+  for (const KnownSkill& skill : known) written += skill.longest.size();
+  CHECK(longest.size() == written);
+  for (const auto& [of, formula] : longest) {
+    INFO(of.first << ' ' << of.second << ": " << formula.text());
+    const auto usual =
+        pal::operations::declared_longest(skills.at(of.first), of.second, {}, nullptr, longest);
+    CHECK(usual);
+    const auto& codes = skills.at(of.first).completions;
+    CHECK(std::any_of(codes.begin(), codes.end(), [&](const auto& each) { return each.code == of.second; }));
+  }
+}
+
+TEST_CASE("the document of longest times has each of them") {
+  std::ifstream file(PAL_SOURCE_DIR "/docs/workcell/longest-times.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  std::size_t rows = 0;
+  for (const pal::skills::LongestTime& each : pal::skills::longest_times()) {
+    if (each.skill == "touch-read-first") continue;  // as touch
+    const std::string row = "| " + std::string(each.skill) + " | " + std::to_string(each.code) + " | `" +
+                            std::string(each.seconds) + "` |\n";
+    CAPTURE(row);
+    CHECK(text.str().find(row) != std::string::npos);
+    ++rows;
+  }
+  const std::string table = text.str().substr(text.str().find("| --- |"));
+  const auto lines =
+      std::count(table.begin(), table.begin() + static_cast<std::ptrdiff_t>(table.find("\n\n")), '\n');
+  CHECK(static_cast<std::size_t>(lines) == rows);
 }

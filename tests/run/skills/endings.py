@@ -46,12 +46,13 @@ what a completion says is not so, and writes **false** in that row. A share of t
 | place 0, palletize 0 | a part within 2 mm of the place, the fingers open |
 | all others | the arm stands still, 0.8 s after the end |
 
-"5 of 5: 0": how many of the runs of a row ended with which code. The program runs five seeds a row if not told
-otherwise. Rows with "of 1" ran with one seed: those of touch and follow-edge, and most of press and rub. Force "at the
-most" is what the tool or the fingers meet; "pressed" is how hard the sensor is pushed, also by what the fingers hold.
+"5 of 5: 0": how many of the runs of a row ended with which code.
+{seeds} `skill_endings --row N --seed N` runs one of them.
+Force "at the most" is what the tool or the fingers meet; "pressed" is how hard the sensor is pushed, also by what the fingers hold.
 Reasons are cut.
 
 """
+NUMBERS = {1: "one seed", 2: "two seeds", 3: "three seeds", 4: "four seeds", 5: "five seeds"}
 
 
 def completions(pal):
@@ -97,6 +98,23 @@ def table(wanted, found):
     return INTRODUCTION + "\n".join(lines) + "\n"
 
 
+def seeds_of(rows):
+    """How many rows ran with how many seeds, in words."""
+    seeds = {tuple(row.split(" | ")[:4]): int(row.split(" | ")[4].split()[2].rstrip(":")) for row in rows.splitlines()[2:]}
+    counts = [(number, list(seeds.values()).count(number)) for number in sorted(set(seeds.values()), reverse=True)]
+    if len(counts) == 1:
+        return f"Each of the {len(seeds)} rows ran with {NUMBERS[counts[0][0]]}."
+    return f"Of {len(seeds)} rows " + ", ".join(f"{count} ran with {NUMBERS[number]}" for number, count in counts) + "."
+
+
+def falsehoods(rows):
+    """The rows that are false, in words: the page says so before its table."""
+    false = [" ".join(part.strip() for part in row.strip("| ").split(" | ")[:4]) for row in rows.splitlines()[2:] if "**false**" in row]
+    if not false:
+        return "No row is false."
+    return f"**False today**, {len(false)} of the rows: {'; '.join(false)}. There the code 0 says more than physics shows."
+
+
 def self_test():
     pal = 'SKILL a-b\n  COMPLETION 0 NORMAL        "Good."\n  COMPLETION 1 CONTINGENCY 1 "Bad."\nEND SKILL\n'
     wanted = completions(pal)
@@ -105,6 +123,12 @@ def self_test():
     found = runs(test)
     assert found == {("a-b", 0): ["one"]}, found
     assert problems(wanted, found) == ["no run ends with a-b 1"]
+    rows = "| head |\n| --- |\n" + "| a | b | free | defaults | 4 of 5: 0 | x | |\n| a | b | free | defaults | 1 of 5: 1 | x | |\n"
+    assert seeds_of(rows) == "Each of the 1 rows ran with five seeds.", seeds_of(rows)
+    rows += "| a | c | free | defaults | 1 of 1: 0 | x | |\n"
+    assert falsehoods(rows) == "No row is false."
+    assert "1 of the rows: a d free defaults." in falsehoods(rows + "| a | d | free | defaults | 1 of 1: 0 | x | **false**: off |\n")
+    assert seeds_of(rows) == "Of 2 rows 1 ran with five seeds, 1 ran with one seed.", seeds_of(rows)
     assert problems(wanted, runs(test.replace("a-b 0", "a-b 7")))[-1] == "'one' ends with a-b 7, which no template has"
 
 
@@ -128,7 +152,7 @@ def main(arguments):
         rows = Path(arguments[arguments.index("--physics") + 1]).read_text()
         if "**false**" in rows:
             wrong.append("a row of the table in physics is false")
-        physics = ABOUT_PHYSICS + rows
+        physics = ABOUT_PHYSICS.format(seeds=seeds_of(rows) + "\n" + falsehoods(rows)) + rows
     text = table(wanted, found) + ("\n" + physics if physics else "")
     if "--write" in arguments or "--physics" in arguments:
         (root / TABLE).write_text(text)

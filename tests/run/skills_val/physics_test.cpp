@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "skills_pal/registry.hpp"
 #include "tests/run/skills/support/physical_run.hpp"
 #include "tests/run/skills/support/slower.hpp"
 #include "tests/run/skills/support/workshop.hpp"
+#include "tests/support/built_skills.hpp"
 
 using namespace pal;
 using namespace pal::test;
@@ -20,7 +20,7 @@ double in_ms(Duration time) {
 /// Runs the skill in a workcell that is slower than workcell.pal.
 runtime::Outcome run_slower(Workshop& shop, const std::string& skill, const Slower& slower,
                             ProvedBounds& bounds) {
-  const auto slow = slow_down(skills::make_skill(skill), slower);
+  const auto slow = slow_down(test::make_skill(skill), slower);
   runtime::Outcome outcome = shop.cell().run(*slow);
   bounds.observe(outcome.trace);
   return outcome;

@@ -48,7 +48,8 @@ Answer workcell(const std::vector<std::string>& arguments) {
       {"named-touch", [] { return std::make_unique<NamedTouch>(); }},
       {"touch", [] { return std::make_unique<pal::test::WrittenTouch>(false); }},
       {"touch-read-first", [] { return std::make_unique<pal::test::WrittenTouch>(true); }}};
-  const ExitStatus status = main_program(arguments, skills, out, error);
+  const ExitStatus status = main_program(
+      arguments, [&] { return skills; }, out, error);
   return {status, out.str(), error.str()};
 }
 
@@ -254,6 +255,10 @@ TEST_CASE("a standard output that cannot be written is no success") {
   CHECK(main_program({"list"}, {}, out, error) == ExitStatus::usage);
   CHECK(error.str() ==
         "workcell: error: the standard output cannot be written: is it open, and is there space?\n");
+  // Where it is known before, nothing is run.
+  const Folder folder;
+  CHECK(main_program({"run", "touch", "--output", folder.path()}, {}, out, error) == ExitStatus::usage);
+  CHECK_FALSE(fs::exists(folder.path()));
   // A command that goes on for long says so at once.
   pal::runtime::RunControl control;
   std::ostream again(&full);

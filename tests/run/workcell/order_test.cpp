@@ -6,8 +6,8 @@
 #include "pal/trace/spool.hpp"
 #include "programs/workcell/reports/comparison.hpp"
 #include "sim/cell/cell.hpp"
-#include "skills_pal/touch/touch.hpp"
 #include "tests/run/workcell/written_touch.hpp"
+#include "tests/support/built_skills.hpp"
 
 using namespace pal;
 using namespace pal::workcell;
@@ -22,7 +22,7 @@ Session session() {
 }
 
 std::unique_ptr<runtime::Skill> generated(bool read_first) {
-  return read_first ? skills::touch_read_first_skill() : skills::touch_skill();
+  return read_first ? test::make_skill("touch-read-first") : test::make_skill("touch");
 }
 
 }  // namespace

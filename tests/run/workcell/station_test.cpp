@@ -5,8 +5,7 @@
 #include "programs/workcell/session/session.hpp"
 #include "runtime/drivers/streams/carrier.hpp"
 #include "sim/cell/cell.hpp"
-#include "skills_pal/registry.hpp"
-#include "skills_pal/touch/touch.hpp"
+#include "tests/support/built_skills.hpp"
 
 using namespace pal;
 using namespace pal::workcell;
@@ -22,7 +21,7 @@ Session station_session() {
 }
 
 SessionResult run(const Session& session) {
-  return run_session(*skills::touch_skill(), session);
+  return run_session(*test::make_skill("touch"), session);
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ TEST_CASE("the phase is from the skill's beginning to the first tick") {
 
 TEST_CASE("skills run one after the other, and ALTER is answered between them") {
   sim::Cell cell(station_session().scene);
-  const auto skill = skills::touch_skill();
+  const auto skill = test::make_skill("touch");
   CHECK(cell.run(*skill).code == 0);
   const runtime::Time first = cell.station().begun();
   cell.rest(1s);
@@ -79,7 +78,7 @@ TEST_CASE("a device whose line is cut refuses the next skill, and is used when i
   options.seed = 5;
   options.faults = std::get<0>(sim::read_faults("at 500 ms force-torque unplug"));
   sim::Cell cell(station_session().scene, options);
-  const auto skill = skills::touch_skill();
+  const auto skill = test::make_skill("touch");
   CHECK(cell.run(*skill).reason == "force-torque: the link is broken: unplugged");
   cell.rest(2s);
   const runtime::Outcome refused = cell.run(*skill);
@@ -190,7 +189,7 @@ TEST_CASE("each fault of the arm ends the skill with the template's code and the
     Session one = station_session();
     one.scene = sim::find_scene(each.scene, {PAL_SCENE_DIR});
     one.parameters = each.parameters;
-    const SessionResult result = run_session(*skills::make_skill(each.skill), one);
+    const SessionResult result = run_session(*test::make_skill(each.skill), one);
     CHECK(result.outcome.code == each.code);
     CHECK(result.outcome.fault == each.fault);
     CHECK((each.fault ? result.outcome.reason : result.controller).find(each.said) == 0);

@@ -153,8 +153,12 @@ TEST_CASE("the longest time of loops counts rounds and attempts") {
   none.code = 1;
   none.kind = pan::Completion::Kind::contingency;
   skills["go"].completions = skills["one"].completions = skills["two"].completions = {done, none};
-  const SkillTimes times{{{"go", 0}, 2s},  {{"go", 1}, 3s},  {{"one", 0}, 2s},
-                         {{"one", 1}, 2s}, {{"two", 0}, 3s}, {{"two", 1}, 3s}};
+  const SkillTimes times{{{{"go", 0}, 2s},
+                          {{"go", 1}, 3s},
+                          {{"one", 0}, 2s},
+                          {{"one", 1}, 2s},
+                          {{"two", 0}, 3s},
+                          {{"two", 1}, 3s}}};
   const auto longest = [&](const std::string& text) {
     return ways_through(program_of(text), skills, times).ways.at(0).longest;
   };

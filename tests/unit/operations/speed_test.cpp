@@ -90,7 +90,7 @@ double seconds_of(const std::string& text, Diagnostics& diagnostics, Ways& ways)
   CHECK(check_shape(*program, diagnostics));
   if (!diagnostics.has_errors()) {
     CHECK(check_cell(*program, {going(), {}, {}, {}, {}}, diagnostics));
-    ways = ways_through(*program, going(), {{{"go", 0}, std::chrono::seconds(1)}});
+    ways = ways_through(*program, going(), {{{{"go", 0}, std::chrono::seconds(1)}}});
   }
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }

@@ -25,7 +25,7 @@ TEST_CASE("times add up along each way") {
       R"({"id": "a", "kind": "skill", "skill": "go", "next": "d", "error": "end"},)"
       R"({"id": "d", "kind": "delay", "seconds": 2, "next": "b"},)"
       R"({"id": "b", "kind": "skill", "skill": "back", "next": "end"}, {"id": "end", "kind": "exit"})"));
-  const Ways ways = ways_through(program, go_and_back(), {{{"go", 0}, 3s}, {{"back", 0}, 5s}});
+  const Ways ways = ways_through(program, go_and_back(), {{{{"go", 0}, 3s}, {{"back", 0}, 5s}}});
   REQUIRE(ways.ways.size() == 2);
   CHECK(ways.ways[0].icons == std::vector<std::string>{"a (0)", "d", "b (0)"});
   CHECK(ways.ways[0].longest == Duration(10s));

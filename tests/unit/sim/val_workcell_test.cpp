@@ -2,11 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/drivers/alter/driver.hpp"
+#include "runtime/drivers/val/alter_opener.hpp"
 #include "runtime/drivers/val/driver.hpp"
 #include "runtime/drivers/wire.hpp"
 #include "sim/cell/cell.hpp"
 #include "sim/cell/corrected_arm.hpp"
-#include "sim/cell/val_opener.hpp"
 #include "sim/controller/motion_controller.hpp"
 #include "sim/devices/alter_emulator.hpp"
 #include "sim/val/controller.hpp"
@@ -100,7 +100,7 @@ TEST_CASE("VAL in the workcell: OPENI and CLOSEI wait for the fingers") {
 TEST_CASE("VAL in the workcell: VAL opens ALTER, and TOOL sets the point that turns") {
   Bench cell("nothing");
   pal::runtime::drivers::ValDriver val(cell.timeline, cell.wire.a());
-  ValOpener opener(val);
+  pal::runtime::drivers::val::AlterOpener opener(val);
   std::string problem = "no answer yet";
   const auto done = [&](const std::string& text) { problem = text; };
   opener.open({.world = false, .cumulative = true}, done);

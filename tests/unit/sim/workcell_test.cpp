@@ -1,6 +1,7 @@
 #include "sim/workcell.hpp"
 
 #include <catch2/catch.hpp>
+#include <ctime>
 
 #include "tests/unit/sim/support.hpp"
 
@@ -49,6 +50,32 @@ TEST_CASE("physics advances in whole milliseconds, whatever the calls") {
   for (std::size_t i = 0; i < one.log().size(); ++i) REQUIRE(one.log()[i].tool == many.log()[i].tool);
   one.advance_to(40ms + 999us);
   CHECK(one.now() == 40ms);
+}
+
+TEST_CASE("a cell that rests takes no processor, and moves as before when it is told to") {
+  for (const char* name : {"touch", "parts", "sponge"}) {
+    INFO(name);
+    Workcell rests(scene(name), {.keep_log = false}), steps(scene(name), {.keep_log = false});
+    std::size_t samples = 0;
+    const auto listener = rests.on_sample([&samples](const Sample&) { ++samples; });
+    rests.let_rest(true);
+    const std::clock_t begin = std::clock();
+    rests.advance_to(300s);
+    // Each step of physics takes some 50 us: all 300,000 of them 15 s.
+    CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 3);
+    CHECK(samples == 300'000);
+    rests.let_rest(false);
+    steps.advance_to(10s);
+    CHECK((rests.tool().translation() - steps.tool().translation()).norm() < 1e-7);
+    CHECK((rests.wrench().force - steps.wrench().force).norm() < 0.01);
+    rests.let_rest(true);
+    for (Workcell* each : {&rests, &steps}) {
+      REQUIRE_FALSE(each->move({0, 0, 1, 0, 0, 0}, CorrectionFrame::tool, each->now()));
+      each->advance_to(each->now() + 1s);
+    }
+    CHECK((rests.tool().translation() - steps.tool().translation()).norm() < 2e-5);
+    CHECK((rests.tool().translation() - rests.set_point().translation()).norm() < 2e-4);
+  }
 }
 
 TEST_CASE("a start that is raised is raised by that much") {

@@ -1,8 +1,8 @@
 // The canvas: icons and lines of the operation that is shown, an overview, and everything that is done there by
 // mouse or finger. The keyboard is in keys.ts.
-import { Background, BackgroundVariant, ConnectionMode, MiniMap, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
+import { Background, BackgroundVariant, ConnectionMode, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
 import "@xyflow/react/dist/base.css";
-import { useCallback, useEffect, useMemo, useRef, type DragEvent } from "react";
+import { useCallback, useEffect, useMemo, useRef, type DragEvent, type MouseEvent } from "react";
 import type { Point } from "../model/operation";
 import { useCell } from "../state/cell";
 import { select, shownOperation, useDrawing } from "../state/drawing";
@@ -17,9 +17,9 @@ import { FlowNodes } from "./flow";
 import { IconMenu } from "./IconMenu";
 import { IconNode, type IconNodeType } from "./IconNode";
 import { InsertList } from "./InsertList";
-import { everywhere, onCanvas, openMenu } from "./keys";
+import { besides, everywhere, onCanvas, openMenu } from "./keys";
 import { Lines } from "./Lines";
-import { runStateOf } from "./runState";
+import { Overview } from "./Overview";
 import { useView } from "./view";
 import "./canvas.css";
 
@@ -44,7 +44,7 @@ export function Canvas() {
     // An empty canvas begins at the left, where START goes.
     const height = document.querySelector(".canvas")?.clientHeight ?? 800;
     if (shownOperation(useDrawing.getState()).icons.length === 0) void flow.setViewport({ x: 64, y: Math.round(height / 2.5), zoom: 1 });
-    else void flow.fitView({ minZoom: 0.5, maxZoom: 1, padding: 0.12 });
+    else void flow.fitView({ maxZoom: 1, padding: 0.06 });
   }), [fits, flow]);
 
   const onNodesChange = useCallback((changes: NodeChange<IconNodeType>[]) => changed(changes), []);
@@ -68,13 +68,13 @@ export function Canvas() {
     if (text === "") return;
     event.preventDefault();
     const at = flow.screenToFlowPosition({ x: event.clientX, y: event.clientY });
-    insertIcon(JSON.parse(text) as Offer, [at.x - 92, at.y - 28]);
+    insertIcon(JSON.parse(text) as Offer, besides(shownOperation(useDrawing.getState()), [at.x - 92, at.y - 28]));
   }, [flow]);
 
   return (
     <div className="canvas" role="application" aria-label={t("canvas.label", { name: operation.name })} tabIndex={operation.icons.length === 0 ? 0 : -1}
       onDrop={onDrop} onDragOver={(event) => event.dataTransfer.types.includes(offerType) && event.preventDefault()}
-      onFocus={(event) => focused(event.target as HTMLElement)}>
+      onFocus={(event) => focused(event.target as HTMLElement)} onMouseDownCapture={toNearestConnector}>
       <ReactFlow<IconNodeType> nodes={nodes} edges={[]} nodeTypes={nodeTypes} onNodesChange={onNodesChange} onConnect={onConnect} onConnectEnd={onConnectEnd}
         onNodeDoubleClick={(_, node) => openIcon(node.data.operation, node.id)} zoomOnDoubleClick={false}
         onNodeContextMenu={(event, node) => (event.preventDefault(), openMenu(node.id, [event.clientX, event.clientY]))}
@@ -86,10 +86,7 @@ export function Canvas() {
         elevateNodesOnSelect={false} proOptions={{ hideAttribution: true }}>
         <Background variant={BackgroundVariant.Dots} gap={24} size={1.5} color="var(--dots)" bgColor="var(--canvas)" />
         <Lines operation={operation} prefix={prefix} />
-        {operation.icons.length > 4 && (
-          <MiniMap<IconNodeType> pannable zoomable ariaLabel={t("canvas.overview")} nodeColor={mapColour} nodeBorderRadius={8} nodeStrokeWidth={0}
-            maskColor="var(--map-mask)" bgColor="var(--surface)" style={{ width: 176, height: 112 }} />
-        )}
+        {operation.icons.length > 4 && <Overview />}
         <CanvasTools />
         <Follow />
       </ReactFlow>
@@ -117,6 +114,22 @@ function changed(changes: NodeChange<IconNodeType>[]): void {
   if (selects) select(chosen);
 }
 
+/** Of connectors that lie close together the nearest one is meant, whichever lies on top. */
+function toNearestConnector(event: MouseEvent): void {
+  const pressed = (event.target as Element).closest(".connector");
+  if (!pressed) return;
+  const away = (each: Element) => {
+    const box = each.getBoundingClientRect();
+    return Math.hypot(box.left + box.width / 2 - event.clientX, box.top + box.height / 2 - event.clientY);
+  };
+  const near = [...event.currentTarget.querySelectorAll(".connector")].reduce((best, each) => (away(each) < away(best) ? each : best), pressed);
+  if (near === pressed) return;
+  event.stopPropagation();
+  event.preventDefault();
+  const { clientX, clientY, button, buttons } = event;
+  near.dispatchEvent(new globalThis.MouseEvent("mousedown", { bubbles: true, cancelable: true, view: window, clientX, clientY, button, buttons }));
+}
+
 /** A drag is one entry of the history, from its beginning to its end. */
 function dropped(): void {
   const { dragged } = useView.getState();
@@ -132,13 +145,6 @@ function focused(target: HTMLElement): void {
 function insertAt(target: HTMLElement, screen: Point, at: { x: number; y: number }): void {
   if (!target.classList.contains("react-flow__pane")) return;
   useView.setState({ insert: { at: [at.x, at.y - 28], screen, text: "" } });
-}
-
-function mapColour(node: IconNodeType): string {
-  const run = runStateOf(useCell.getState(), node.data.path);
-  if (run === "acting" || run === "halted") return "var(--accent)";
-  if (run === "failed") return "var(--error)";
-  return node.selected ? "var(--accent)" : "var(--edge-strong)";
 }
 
 const writes = (element: Element | null) => element?.closest("input, textarea, [contenteditable], [role='listbox'], [role='menu'], [role='dialog'] select") !== null;

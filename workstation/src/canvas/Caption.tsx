@@ -1,6 +1,7 @@
-// The line below an icon: the proved time that it may take; while it acts, how long it has; how it failed.
+// The line below an icon: the longest time that it may take; while it acts, how long it has; how it failed.
 import { memo, useEffect, useState } from "react";
 import type { Icon } from "../model/operation";
+import { causeOf } from "../state/cause";
 import { useCell } from "../state/cell";
 import { useChecks } from "../state/checks";
 import { clock, duration, t } from "../words/words";
@@ -19,10 +20,10 @@ export const Caption = memo(function Caption({ icon, operation, path, run }: Pro
   const acts = icon.kind === "skill" || icon.kind === "operation" || icon.kind === "delay" || icon.kind === "wait" || icon.kind === "test" || icon.kind === "zero" || icon.kind === "planned";
   if (!acts) return null;
   const longest = times?.longest_s;
-  const proved = !times ? "" : longest === null || longest === undefined ? t("time.unknown") : t("time.most", { time: duration(longest) });
+  const proved = !times ? "" : longest === null || longest === undefined ? t("time.unknown") : t(times.declared ? "time.mostDeclared" : "time.most", { time: duration(longest) });
   if (run === "acting") return <div className="caption acting"><Since /> {proved}</div>;
-  if (run === "failed" && reason !== "") return <div className="caption failed" title={reason}>{reason}</div>;
-  return <div className="caption" data-unknown={longest === null || undefined} title={times?.unknown || undefined}>{proved}</div>;
+  if (run === "failed" && reason !== "") return <div className="caption failed" title={reason}>{causeOf(reason).what}</div>;
+  return <div className="caption" data-unknown={longest === null || undefined} title={times?.unknown || (times?.declared ? t("time.declared") : undefined)}>{proved}</div>;
 });
 
 /** Seconds since what acts had begun, once a quarter of a second. */

@@ -45,7 +45,7 @@ export function ChoiceList<T>({ label, title, text, onText, screen, choices, not
     <div className="floating" style={{ left, top }} onBlur={(event) => !event.currentTarget.contains(event.relatedTarget) && onClose()}>
       <div className="floating-head">
         <div className="floating-title" id={`${id}-title`}>{title}</div>
-        <input ref={input} className="input" role="combobox" aria-label={label} aria-expanded="true" aria-controls={`${id}-list`} autoComplete="off" spellCheck={false}
+        <input ref={input} className="input" role="combobox" aria-label={label} aria-expanded={choices.length > 0} aria-controls={choices.length > 0 ? `${id}-list` : undefined} autoComplete="off" spellCheck={false}
           {...(choices[at] ? { "aria-activedescendant": `${id}-${at}` } : {})} value={text} onChange={(event) => onText(event.target.value)} onKeyDown={pressed} />
       </div>
       {choices.length === 0 ? <p className="nothing">{nothing}</p> : (

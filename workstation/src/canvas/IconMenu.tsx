@@ -56,7 +56,7 @@ export function IconMenu() {
   return (
     <>
       <span ref={anchor} className="menu-anchor" style={{ position: "fixed", left: menu?.screen[0] ?? 0, top: menu?.screen[1] ?? 0 }} />
-      <Popover className="popover" triggerRef={anchor} isOpen={icon !== undefined} placement="bottom start" onOpenChange={(open) => !open && close()}>
+      <Popover className="popover" aria-label={t("menu.label", { icon: menu?.icon ?? "" })} triggerRef={anchor} isOpen={icon !== undefined} placement="bottom start" onOpenChange={(open) => !open && close()}>
         {icon && (
           <Menu className="menu" autoFocus="first" aria-label={t("menu.label", { icon: icon.id })} onAction={(key) => act(String(key))} onClose={close}>
             <Item id="open" symbol="settings" word="menu.open" keys="Enter" />

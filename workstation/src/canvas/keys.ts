@@ -1,6 +1,6 @@
 // The keyboard on the canvas. Everything that the mouse does is done here, too; `keys` is also what the help shows.
 import type { Icon, Operation, Point } from "../model/operation";
-import { outputs } from "../model/ports";
+import { lines, outputs } from "../model/ports";
 import { enter, say, select, shownOperation, useDrawing } from "../state/drawing";
 import { connectIcons, copySelected, disconnect, nudge, pasteClip, popOpen, portFor, redoSaid, removeSelected, undoSaid } from "../state/edits";
 import { openIcon, openWindow } from "../state/windows";
@@ -29,6 +29,7 @@ export const keys: readonly { keys: string; word: Word }[] = [
   { keys: "Ctrl+↓", word: "key.enter" },
   { keys: "Ctrl+↑", word: "key.leave" },
   { keys: "Shift+F10", word: "key.menu" },
+  { keys: "?", word: "key.offer" },
   { keys: "F5", word: "key.run" },
   { keys: "F6", word: "key.pause" },
   { keys: "F8", word: "key.step" },
@@ -41,8 +42,8 @@ const centre = (icon: Icon): Point => {
   return [(icon.at?.[0] ?? 0) + width / 2, (icon.at?.[1] ?? 0) + height / 2];
 };
 
-/** The nearest icon in the direction of an arrow key: what lies straight ahead counts as nearer. */
-export function nearest(operation: Operation, from: string, dx: number, dy: number): string | undefined {
+/** The nearest icon in the direction of an arrow key: what lies straight ahead counts as nearer. At most `widest` times as far aside as ahead. */
+export function nearest(operation: Operation, from: string, dx: number, dy: number, widest = 3): string | undefined {
   const start = operation.icons.find((icon) => icon.id === from);
   if (!start) return operation.icons[0]?.id;
   const [x, y] = centre(start);
@@ -51,11 +52,17 @@ export function nearest(operation: Operation, from: string, dx: number, dy: numb
     if (icon === start) continue;
     const [cx, cy] = centre(icon);
     const ahead = (cx - x) * dx + (cy - y) * dy, aside = Math.abs((cx - x) * dy) + Math.abs((cy - y) * dx);
-    if (ahead <= 4 || aside > 3 * ahead) continue;
+    if (ahead <= 4 || aside > widest * ahead) continue;
     const cost = ahead + 2 * aside;
     if (!best || cost < best.cost) best = { id: icon.id, cost };
   }
   return best?.id;
+}
+
+/** At the end of a row: the icon of the next row to which a line leads, or the one from which it comes. */
+function along(operation: Operation, from: string, dx: number): string | undefined {
+  const all = lines(operation);
+  return dx > 0 ? all.find((line) => line.from === from)?.to : dx < 0 ? all.find((line) => line.to === from)?.from : undefined;
 }
 
 export function focusIcon(id: string | undefined): void {
@@ -74,7 +81,7 @@ function arrow(event: KeyboardEvent, [dx, dy]: [number, number]): void {
     if (dy < 0 && state.trail.length > 0) enter(state.trail.slice(0, -1), [state.trail.at(-1)!]);
     return focusIcon(useDrawing.getState().focus ?? shownOperation(useDrawing.getState()).icons[0]?.id);
   }
-  const next = state.focus === undefined ? operation.icons[0]?.id : nearest(operation, state.focus, dx, dy);
+  const next = state.focus === undefined ? operation.icons[0]?.id : nearest(operation, state.focus, dx, dy, 1) ?? along(operation, state.focus, dx) ?? nearest(operation, state.focus, dx, dy);
   if (next === undefined) return say(t("said.noNeighbour"));
   select([next], next);
   focusIcon(next);
@@ -130,21 +137,47 @@ function insertBeside(text: string): void {
   const operation = shownOperation(state);
   const beside = operation.icons.find((icon) => icon.id === state.focus);
   const open = beside && outputs(beside).find((port) => port.to === undefined);
-  const at: Point = beside ? [(beside.at?.[0] ?? 0) + sizeOf(beside).width + 64, beside.at?.[1] ?? 0] : [0, 0];
   const box = document.querySelector(`.icon[data-id="${CSS.escape(state.focus ?? "")}"]`)?.getBoundingClientRect();
   const screen: Point = box ? [Math.min(box.right + 24, innerWidth - 340), Math.min(box.top, innerHeight - 400)] : [innerWidth / 2 - 160, innerHeight / 3];
-  useView.setState({ insert: { at: freePlace(operation, at), screen, text, from: beside && open ? { icon: beside.id, port: open.name } : undefined } });
+  useView.setState({ insert: { at: placeBehind(operation, beside), screen, text, from: beside && open ? { icon: beside.id, port: open.name } : undefined } });
+}
+
+const room = 32;
+
+/** The icons that a new one at this place would lie on or touch. */
+function inTheWay(operation: Operation, [x, y]: Point): Icon[] {
+  return operation.icons.filter((icon) => {
+    const [left, top] = icon.at ?? [0, 0], { width, height } = sizeOf(icon);
+    return left < x + 184 + room && x < left + width + room && top < y + 48 + room && y < top + height + room;
+  });
 }
 
 /** Down from `at`, the first place where a new icon lies on no other. */
 export function freePlace(operation: Operation, at: Point): Point {
-  for (let [x, y] = at; ; y += 32) {
-    const hit = operation.icons.some((icon) => {
-      const [left, top] = icon.at ?? [0, 0], { width, height } = sizeOf(icon);
-      return left < x + 216 && x < left + width + 32 && top < y + 80 && y < top + height + 32;
-    });
-    if (!hit) return [x, y];
-  }
+  for (let [x, y] = at; ; y += 32) if (inTheWay(operation, [x, y]).length === 0) return [x, y];
+}
+
+/** Where a new icon goes that follows this one: at its right, or in a new row when this one is as long as is read well. */
+export function placeBehind(operation: Operation, before: Icon | undefined): Point {
+  if (!before) return freePlace(operation, [0, 0]);
+  const [x, y] = before.at ?? [0, 0];
+  const first = Math.min(...operation.icons.map((icon) => icon.at?.[0] ?? 0));
+  const longest = (document.querySelector(".canvas")?.clientWidth ?? 1024) / 0.85;
+  const right = x + sizeOf(before).width + 64;
+  if (right + 184 - first <= longest) return freePlace(operation, [right, y]);
+  // Behind START, which begins the row above.
+  const start = operation.icons.find((icon) => icon.kind === "start" && icon.at?.[0] === first);
+  return freePlace(operation, [start ? first + sizeOf(start).width + 64 : first, y + 136]);
+}
+
+/** `at`; if a new icon would touch others there, the nearest place beside them, so that every connector can be reached. */
+export function besides(operation: Operation, at: Point): Point {
+  const others = inTheWay(operation, at);
+  if (others.length === 0) return at;
+  const right = Math.max(...others.map((icon) => (icon.at?.[0] ?? 0) + sizeOf(icon).width)) + room;
+  const left = Math.min(...others.map((icon) => icon.at?.[0] ?? 0)) - room - 184;
+  const aside = [right, left].sort((a, b) => Math.abs(a - at[0]) - Math.abs(b - at[0])).map((x): Point => [x, at[1]]);
+  return aside.find((each) => inTheWay(operation, each).length === 0) ?? freePlace(operation, at);
 }
 
 function withCtrl(event: KeyboardEvent): boolean {

@@ -6,6 +6,9 @@ import { meaningsOf } from "../model/codes";
 import { setField } from "../model/edit";
 import { iconOf, operationNamed, type Icon } from "../model/operation";
 import { outputs } from "../model/ports";
+import { isLoaded } from "../canvas/runState";
+import { pathsTo } from "../state/acts";
+import { causeOf } from "../state/cause";
 import { useCell } from "../state/cell";
 import { useDrawing } from "../state/drawing";
 import { change, rename } from "../state/edits";
@@ -35,6 +38,7 @@ export function IconForm({ operation, id, onRenamed }: Props) {
   if (!icon) return <p className="nothing">{t("form.gone")}</p>;
   return (
     <div className="form">
+      <Failed operation={operation} id={id} />
       <NameField key={id} operation={operation} id={id} onRenamed={onRenamed} />
       <Fields icon={icon} operation={operation} />
       {icon.kind !== "case" && icon.kind !== "question" && outputs(icon).length > 0 && (
@@ -44,6 +48,22 @@ export function IconForm({ operation, id, onRenamed }: Props) {
         </details>
       )}
       <TextBox label={t("form.note")} long value={icon.note ?? ""} onChange={(note) => change(operation, id, "edit.note", (each) => setField(each, "note", note || undefined), `${operation}/${id}/note`)} />
+    </div>
+  );
+}
+
+/** Why it came to nothing when it ran last: what is to be changed stands below. */
+function Failed({ operation, id }: { operation: string; id: string }) {
+  const drawing = useDrawing((state) => state.drawing);
+  const run = useCell((cell) => {
+    if (!isLoaded(cell, drawing.name)) return undefined;
+    return pathsTo(drawing, operation).map((prefix) => cell.present?.runs.get(prefix + id)).find((each) => each?.kind !== undefined && each.kind !== "normal");
+  });
+  if (!run) return null;
+  return (
+    <div className="finding" data-severity="error">
+      <Symbol name="error" size={18} />
+      <div><p>{t("form.failed", { code: run.code ?? 0 })}</p>{run.reason !== "" && <p className="finding-hint">{causeOf(run.reason).what}</p>}</div>
     </div>
   );
 }

@@ -6,7 +6,7 @@ import { iconOf, operationNamed, withOperation, type Operation } from "../model/
 import { useCell } from "../state/cell";
 import { useChecks } from "../state/checks";
 import { edit, shownOperation, useDrawing } from "../state/drawing";
-import { openWindow, useWindows } from "../state/windows";
+import { openIcon, openWindow, useWindows } from "../state/windows";
 import { Miniature } from "../palette/Miniature";
 import { Symbol } from "../symbols/Symbol";
 import { duration, t } from "../words/words";
@@ -39,10 +39,14 @@ export function Inspector() {
 
 function One({ operation, icon }: { operation: string; icon: string }) {
   const count = useChecks((state) => state.findings.get(`${operation}/${icon}`)?.length ?? 0);
+  // One form for one icon: not here what a window over the page already shows.
+  const dialog = useWindows((state) => state.open.some((each) => each.kind === "icon" && each.about === `${operation}/${icon}`));
   return (
     <>
       {count > 0 && <FindingsList operation={operation} icon={icon} />}
-      <IconForm operation={operation} id={icon} onRenamed={() => {}} />
+      {dialog
+        ? <><p className="hint">{t("inspector.inDialog")}</p><Button className="button" onPress={() => openIcon(operation, icon)}><Symbol name="settings" size={16} />{t("inspector.toDialog")}</Button></>
+        : <IconForm operation={operation} id={icon} onRenamed={() => {}} />}
     </>
   );
 }
@@ -56,7 +60,7 @@ function Whole({ operation }: { operation: Operation }) {
   }, { run: `operation:${operation.name}:${run}` });
   return (
     <>
-      {main && result && result.ways.length > 0 && <Times shortest={result.shortest_s} longest={result.longest_s} runs={result.runs} />}
+      {main && result && result.ways.length > 0 && <Times shortest={result.shortest_s} longest={result.longest_s} runs={result.runs} declared={result.ways.some((way) => way.declared)} />}
       <TextBox label={t("inspector.description")} long value={operation.description ?? ""} onChange={(description) => put({ description }, "description")} />
       <h3 className="section-title">{t("findings.all")}</h3>
       <FindingsList operation={operation.name} icon="" />
@@ -64,12 +68,13 @@ function Whole({ operation }: { operation: Operation }) {
   );
 }
 
-function Times({ shortest, longest, runs }: { shortest: number | null; longest: number | null; runs: boolean }) {
+function Times({ shortest, longest, runs, declared }: { shortest: number | null; longest: number | null; runs: boolean; declared: boolean }) {
   if (!runs) return null;
   return (
     <div className="times">
-      <div><span>{t("times.shortest")}</span><b>{shortest === null || (shortest < 0.005 && longest === null) ? t("times.unknown") : duration(shortest)}</b></div>
+      <div><span>{t("times.shortest")}</span><b>{shortest === null || shortest < 0.005 ? t("times.unknown") : duration(shortest)}</b></div>
       <div><span>{t("times.longest")}</span><b>{longest === null ? t("times.unknown") : duration(longest)}</b></div>
+      {declared && longest !== null && <p className="hint">{t("time.declared")}</p>}
       <Button className="button quiet small" onPress={() => openWindow("ways")}>{t("times.ways")}</Button>
     </div>
   );

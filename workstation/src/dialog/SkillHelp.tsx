@@ -50,7 +50,7 @@ export default function SkillHelp({ about }: { about: string }) {
             {skill.completions.map((each) => (
               <tr key={each.code}>
                 <th scope="row">{each.code}</th><td>{t(`completion.${each.kind}`)}</td><td>{each.description}</td>
-                <td>{each.longest_s === null || each.longest_s === undefined ? t("help.notProved") : `≤ ${duration(each.longest_s)}`}</td>
+                <td>{each.longest_s === null || each.longest_s === undefined ? t("help.notProved") : <><span>≤ {duration(each.longest_s)}</span>{each.declared !== undefined && <span className="hint"> {t("help.declared", { formula: each.declared })}</span>}</>}</td>
               </tr>
             ))}
           </tbody>
@@ -78,6 +78,8 @@ export default function SkillHelp({ about }: { about: string }) {
 
 function Pictures({ pictures }: { pictures: readonly { title: string; path: string }[] }) {
   const [shown, setShown] = useState<string>();
+  // Whole at first; what is too small to be read is enlarged.
+  const [large, setLarge] = useState(false);
   if (pictures.length === 0) return null;
   return (
     <section>
@@ -87,7 +89,8 @@ function Pictures({ pictures }: { pictures: readonly { title: string; path: stri
           <Button key={each.path} className="button small" data-selected={shown === each.path || undefined} onPress={() => setShown(shown === each.path ? undefined : each.path)}>{each.title}</Button>
         ))}
       </div>
-      {shown && <div className="picture" tabIndex={0}><img src={shown} alt={pictures.find((each) => each.path === shown)?.title ?? ""} /></div>}
+      {shown && <Button className="button small quiet enlarge" onPress={() => setLarge(!large)}><Symbol name={large ? "minus" : "plus"} size={14} />{t(large ? "help.whole" : "help.large")}</Button>}
+      {shown && <div className="picture" tabIndex={0} data-large={large || undefined}><img src={shown} alt={pictures.find((each) => each.path === shown)?.title ?? ""} /></div>}
     </section>
   );
 }

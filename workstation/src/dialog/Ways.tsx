@@ -12,8 +12,9 @@ export default function Ways() {
         {result.ways.map((way, i) => (
           <li key={i}>
             <p className="way-times">
-              <b>{t("ways.from", { time: duration(way.shortest_s) })}</b>
+              {way.shortest_s >= 0.005 && <b>{t("ways.from", { time: duration(way.shortest_s) })}</b>}
               {way.longest_s === null ? <span className="hint">{t("ways.unknown", { why: way.unbounded.join(", ") })}</span> : <b>{t("ways.to", { time: duration(way.longest_s) })}</b>}
+              {way.declared && way.longest_s !== null && <span className="hint">{t("time.declared")}</span>}
               {way.alike > 1 && <span className="hint">{t("ways.alike", { count: way.alike })}</span>}
             </p>
             <p className="way-icons">{[...way.icons, way.end].join(" → ")}</p>

@@ -77,7 +77,7 @@ function FileMenu() {
           </Menu>
         </Popover>
       </MenuTrigger>
-      <Tool symbol="save" text={t("file.save")} keys="Ctrl+S" onPress={() => void save()} disabled={!changed && named} />
+      <span className="save-tool"><Tool symbol="save" text={t("file.save")} keys="Ctrl+S" onPress={() => void save()} disabled={!changed && named} /></span>
     </>
   );
 }

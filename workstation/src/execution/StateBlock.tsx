@@ -2,6 +2,7 @@
 import { useEffect, useState } from "react";
 import { Button } from "react-aria-components";
 import { useFollow } from "../canvas/Follow";
+import { causeOf, culprit } from "../state/cause";
 import { useCell } from "../state/cell";
 import { useChecks } from "../state/checks";
 import { useDrawing } from "../state/drawing";
@@ -26,6 +27,11 @@ function useTold(): Told {
   const link = useCell((cell) => cell.link);
   const snapshot = useCell((cell) => cell.present?.snapshot);
   const name = useDrawing((state) => state.drawing.name);
+  const failed = useCell((cell) => {
+    const icon = culprit(cell.present);
+    const cause = causeOf((icon === undefined ? "" : cell.present?.runs.get(icon)?.reason) || (cell.present?.snapshot.state === "failed" ? cell.present.snapshot.reason : "")).what;
+    return icon === undefined ? cause : cause === "" ? nested(icon) : `${nested(icon)}: ${cause}`;
+  });
   if (link === "no-token") return { look: "away", symbol: "lock", headline: t("state.noToken"), detail: "" };
   if (link !== "ready" || !snapshot) return { look: "away", symbol: "warning", headline: t(link === "connecting" ? "state.connecting" : "state.away"), detail: t("state.awayDetail") };
   if (snapshot.hold) return { look: "stopped", symbol: "hand", headline: t("state.hold"), detail: snapshot.hold.by + (snapshot.hold.reason ? `: ${snapshot.hold.reason}` : "") };
@@ -40,8 +46,10 @@ function useTold(): Told {
     case "running": return { look: "acting", symbol: "run", headline: t(snapshot.pausing ? "state.pausing" : "state.running"), detail: other + nested(snapshot.here?.icon ?? snapshot.token) };
     case "paused": return { look: "halted", symbol: "pause", headline: t("state.paused"), detail: other + t("state.before", { icon: nested(snapshot.token) }) };
     case "stopped": return { look: "stopped", symbol: "stop", headline: t("state.stopped"), detail: other + nested(snapshot.token) };
-    case "failed": return { look: "failed", symbol: "error", headline: t("state.failed"), detail: snapshot.reason || snapshot.token };
-    case "ended": return { look: "ended", symbol: "tick", headline: t("state.ended"), detail: t("state.code", { code: snapshot.last_code }) };
+    case "failed": return { look: "failed", symbol: "error", headline: t("state.failed"), detail: failed };
+    case "ended": return snapshot.last_code !== 0
+      ? { look: "failed", symbol: "error", headline: t("state.ended"), detail: [t("state.code", { code: snapshot.last_code }), failed].filter(Boolean).join(" · ") }
+      : { look: "ended", symbol: "tick", headline: t("state.ended"), detail: t("state.code", { code: snapshot.last_code }) };
     default: return { look: "idle", symbol: "minus", headline: t("state.ready"), detail: t("state.cell", { name: snapshot.cell }) };
   }
 }
@@ -57,7 +65,7 @@ export function StateBlock() {
         <span className="state-detail" title={detail}>{detail}</span>
       </div>
       {look === "acting" && <Running />}
-      {(look === "acting" || look === "halted" || look === "stopped" || look === "failed") && here && (
+      {look !== "idle" && look !== "ended" && look !== "away" && here && (
         <Button className="button quiet only state-jump" aria-label={t("state.jump")} onPress={() => useFollow.setState((state) => ({ jump: state.jump + 1 }))}><Symbol name="target" /></Button>
       )}
       {(look === "idle" || look === "ended") && <Bounds />}
@@ -78,14 +86,18 @@ function Running() {
 /** How long the operation takes, at least and at most; or what stands in its way. */
 function Bounds() {
   const result = useChecks((state) => state.result);
-  if (!result) return null;
+  const empty = useDrawing((state) => state.drawing.icons.length === 0);
+  // Nothing is wrong with an empty canvas.
+  if (!result || empty) return null;
   if (result.errors > 0)
     return <Button className="button quiet small state-findings" data-error onPress={() => openWindow("findings", "/")}><Symbol name="error" size={16} />{t("state.errors", { count: result.errors })}</Button>;
   // Nothing is proved yet: a time would say nothing.
   if (result.shortest_s === null || result.ways.length === 0 || (result.shortest_s < 0.005 && result.longest_s === null)) return null;
   return (
     <Button className="button quiet small state-bounds" onPress={() => openWindow("ways")}>
-      {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}
+      {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) })
+        // Nobody proves a shortest time: none but that of delays is known.
+        : result.shortest_s < 0.005 ? t("state.atMost", { time: duration(result.longest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}
     </Button>
   );
 }

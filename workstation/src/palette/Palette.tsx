@@ -1,10 +1,9 @@
 // The palette: all icons there are, in groups, with a search. An icon comes to the canvas by drag, by double click,
 // by Enter, or by the plus that a finger finds more easily.
-import { useMemo, useState, type DragEvent } from "react";
+import { useMemo, useState, type DragEvent, type KeyboardEvent } from "react";
 import { Button, Input, SearchField } from "react-aria-components";
 import { offerType } from "../canvas/Canvas";
-import { freePlace, focusIcon } from "../canvas/keys";
-import { sizeOf } from "../canvas/shape";
+import { focusIcon, placeBehind } from "../canvas/keys";
 import { outputs } from "../model/ports";
 import { shownOperation, useDrawing } from "../state/drawing";
 import { insertIcon } from "../state/edits";
@@ -22,8 +21,7 @@ function add({ offer }: Offered): void {
   const operation = shownOperation(state);
   const beside = operation.icons.find((icon) => icon.id === state.focus) ?? operation.icons.at(-1);
   const open = beside && outputs(beside).find((port) => port.to === undefined);
-  const at = beside ? freePlace(operation, [(beside.at?.[0] ?? 0) + sizeOf(beside).width + 64, beside.at?.[1] ?? 0]) : ([0, 0] as [number, number]);
-  const id = insertIcon(offer, at, beside && open && offer.kind !== "start" ? { icon: beside.id, port: open.name } : undefined);
+  const id = insertIcon(offer, placeBehind(operation, beside), beside && open && offer.kind !== "start" ? { icon: beside.id, port: open.name } : undefined);
   focusIcon(id);
 }
 
@@ -32,6 +30,9 @@ export function Palette() {
   const offered = useOffers();
   const shown = useMemo(() => (text === "" ? offered : offered.map((group) => ({ ...group, offers: matching(group.offers, text) })).filter((group) => group.offers.length > 0)), [offered, text]);
   const first = shown[0]?.offers[0];
+  // One stop of Tab; arrows lead through the list.
+  const [at, setAt] = useState("");
+  const stop = shown.some((group) => group.offers.some((each) => each.key === at)) ? at : first?.key;
   return (
     <nav className="palette panel" aria-label={t("palette.label")}>
       <div className="panel-head">
@@ -42,11 +43,11 @@ export function Palette() {
         </SearchField>
         <Button className="button quiet only" aria-label={t("palette.fold")} onPress={() => useWindows.setState({ palette: false })}><Symbol name="left" /></Button>
       </div>
-      <div className="groups">
+      <div className="groups" onKeyDown={arrows}>
         {shown.map((group) => (
           <section key={group.word} aria-label={t(group.word)}>
             <h2>{t(group.word)}</h2>
-            <ul>{group.offers.map((each) => <li key={each.key}><OfferItem offered={each} /></li>)}</ul>
+            <ul>{group.offers.map((each) => <li key={each.key}><OfferItem offered={each} stop={each.key === stop} onFocus={() => setAt(each.key)} /></li>)}</ul>
           </section>
         ))}
         {shown.length === 0 && <p className="nothing">{t("palette.nothing", { text })}</p>}
@@ -55,25 +56,41 @@ export function Palette() {
   );
 }
 
-function OfferItem({ offered }: { offered: Offered }) {
+function arrows(event: KeyboardEvent<HTMLElement>): void {
+  const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+  const all = [...event.currentTarget.querySelectorAll<HTMLElement>(".offer-main")];
+  const here = all.indexOf(document.activeElement as HTMLElement);
+  if (by === undefined || here < 0) return;
+  event.preventDefault();
+  all[here + by]?.focus();
+}
+
+function OfferItem({ offered, stop, onFocus }: { offered: Offered; stop: boolean; onFocus(): void }) {
+  const skill = offered.offer.kind === "skill" ? offered.offer.skill : undefined;
+  const pressed = (event: KeyboardEvent) => {
+    if (event.key === "Enter") add(offered);
+    else if (event.key === "?" && skill !== undefined) openWindow("skill", skill);
+    else return;
+    event.preventDefault();
+  };
   const drag = (event: DragEvent) => {
     event.dataTransfer.setData(offerType, JSON.stringify(offered.offer));
     event.dataTransfer.effectAllowed = "copy";
   };
   return (
     <div className="offer" data-unable={offered.unable !== "" || undefined} title={offered.unable || offered.text}>
-      <button type="button" className="offer-main" draggable onDragStart={drag} onDoubleClick={() => add(offered)}
-        onKeyDown={(event) => event.key === "Enter" && (event.preventDefault(), add(offered))} data-offer={offered.key}>
+      <button type="button" className="offer-main" tabIndex={stop ? 0 : -1} onFocus={onFocus} draggable onDragStart={drag} onDoubleClick={() => add(offered)}
+        onKeyDown={pressed} data-offer={offered.key}>
         <Miniature family={offered.family} symbol={offered.symbol} />
         <span className="offer-words">
           <span className="offer-name">{offered.name}</span>
           {offered.unable !== "" && <span className="offer-unable">{t("palette.unable")}</span>}
         </span>
       </button>
-      {offered.offer.kind === "skill" && (
-        <Button className="button quiet only offer-act offer-help" aria-label={t("palette.help", { name: offered.name })} onPress={() => openWindow("skill", offered.offer.skill)}><Symbol name="help" size={16} /></Button>
+      {skill !== undefined && (
+        <Button excludeFromTabOrder className="button quiet only offer-act offer-help" aria-label={t("palette.help", { name: offered.name })} onPress={() => openWindow("skill", skill)}><Symbol name="help" size={16} /></Button>
       )}
-      <Button className="button quiet only offer-act" aria-label={t("palette.add", { name: offered.name })} onPress={() => add(offered)}><Symbol name="plus" size={16} /></Button>
+      <Button excludeFromTabOrder className="button quiet only offer-act" aria-label={t("palette.add", { name: offered.name })} onPress={() => add(offered)}><Symbol name="plus" size={16} /></Button>
     </div>
   );
 }

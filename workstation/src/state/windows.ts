@@ -35,8 +35,31 @@ export function openWindow(kind: WindowKind, about = ""): void {
   const there = open.find((each) => each.id === id);
   if (there) return raise(id);
   const shift = (opened++ % 6) * 28;
-  const x = Math.max(16, Math.min(innerWidth - 480, 320 + shift)), y = 96 + shift;
+  const [x, y] = (kind === "icon" ? besideIcon(about) : beyondTop(kind)) ?? [Math.max(16, Math.min(innerWidth - 480, 320 + shift)), 96 + shift];
   useWindows.setState({ open: [...open, { id, key: opened, kind, about, x, y }] });
+}
+
+/** A wide window hides not all of the one below it. */
+function beyondTop(kind: WindowKind): [number, number] | undefined {
+  const top = useWindows.getState().open.at(-1);
+  if (!top || kind === "findings" || innerWidth < 1100) return undefined;
+  return [top.x >= 300 ? Math.max(16, top.x - 560) : Math.min(innerWidth - 696, top.x + 140), 96];
+}
+
+const room = 424;
+
+/** A dialog hides neither its icon nor what is said of a fault, where there is room beside them. */
+function besideIcon(about: string): [number, number] | undefined {
+  const id = about.slice(about.lastIndexOf("/") + 1);
+  const box = document.querySelector(`.icon[data-id="${CSS.escape(id)}"]`)?.getBoundingClientRect();
+  const told = document.querySelector(".go-on")?.getBoundingClientRect();
+  const top = box ? Math.max(80, Math.min(box.top - 64, innerHeight - 560)) : 96;
+  const taken = useWindows.getState().open;
+  const free = (x: number) => x >= 8 && x + room <= innerWidth && !(told && x < told.right && top < told.bottom) && !taken.some((each) => Math.abs(each.x - x) < 16 && Math.abs(each.y - top) < 16);
+  const places = [...(box ? [box.right + 24, box.left - room] : []), ...(told ? [told.right + 12] : [])];
+  // No room: at the edge, where the least of it is hidden.
+  const x = places.find(free) ?? (told ? innerWidth - room : undefined);
+  return x === undefined ? undefined : [x, top];
 }
 
 /** The icon has another name now. */

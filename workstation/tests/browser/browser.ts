@@ -3,10 +3,12 @@ import { existsSync, mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
+const program = process.env.CHROMIUM ?? "/usr/bin/chromium";
+export const launch = { executablePath: program, args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] };
+
 export async function browser(): Promise<Browser> {
-  const program = process.env.CHROMIUM ?? "/usr/bin/chromium";
   if (!existsSync(program)) throw new Error(`${program} is missing: apt-get install chromium (scripts/setup does it)`);
-  return chromium.launch({ executablePath: program, args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] });
+  return chromium.launch(launch);
 }
 
 export const errors = new WeakMap<Page, string[]>();

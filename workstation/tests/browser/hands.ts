@@ -1,5 +1,5 @@
 // Drawing an operation from a list of its icons, as a person does it with a mouse, or with the keyboard alone.
-import type { Page } from "playwright-core";
+import type { Locator, Page } from "playwright-core";
 import { drop, field, icon, insert, line } from "./browser";
 
 /** A number or a text that is typed into a field, or an entry that is chosen from a list. */
@@ -72,38 +72,45 @@ export async function walkTo(page: Page, id: string): Promise<void> {
   throw new Error(`arrows do not lead to ${id}`);
 }
 
-async function tabTo(page: Page, wanted: () => Promise<boolean>, back = false): Promise<void> {
+/** Tab, or Shift+Tab to what lies before: a person sees on which side it is. */
+export async function tabTo(page: Page, wanted: Locator): Promise<void> {
   for (let i = 0; i < 80; ++i) {
-    if (await wanted()) return;
-    await page.keyboard.press(back ? "Shift+Tab" : "Tab");
+    const way = await wanted.evaluate((each) => {
+      const here = document.activeElement;
+      if (here === each) return "there";
+      return here && here.compareDocumentPosition(each) & Node.DOCUMENT_POSITION_PRECEDING ? "back" : "on";
+    });
+    if (way === "there") return;
+    await page.keyboard.press(way === "back" ? "Shift+Tab" : "Tab");
   }
   throw new Error("Tab does not lead there");
 }
 
 async function setByKeyboard(page: Page, label: string, setting: Setting): Promise<void> {
-  const active = (what: ReturnType<typeof list>) => what.evaluate((each) => each === document.activeElement);
   if (typeof setting === "string") {
-    await tabTo(page, () => active(field(page, label)));
+    await tabTo(page, field(page, label));
     await page.keyboard.press("Control+a");
     return page.keyboard.type(setting);
   }
   if ("press" in setting) {
-    await tabTo(page, () => active(form(page).getByRole("button", { name: setting.press })));
+    await tabTo(page, form(page).getByRole("button", { name: setting.press }));
     return page.keyboard.press("Enter");
   }
-  await tabTo(page, () => active(list(page, label)));
+  await tabTo(page, list(page, label));
   await page.keyboard.press("Enter");
   await page.getByRole("option").first().waitFor();
   await page.keyboard.type(setting.choose);
   await page.keyboard.press("Enter");
   await page.getByRole("option").first().waitFor({ state: "detached" });
+  // The focus comes back with the next frame.
+  await list(page, label).and(page.locator(":focus")).waitFor();
 }
 
 export async function dialogByKeyboard(page: Page, name: string, settings: Record<string, Setting> = {}): Promise<void> {
   await page.keyboard.press("Enter");
   await form(page).waitFor();
   for (const [label, setting] of Object.entries(settings)) await setByKeyboard(page, label, setting);
-  await tabTo(page, () => field(page, "Name").evaluate((each) => each === document.activeElement), true);
+  await tabTo(page, field(page, "Name"));
   await page.keyboard.press("Control+a");
   await page.keyboard.type(name);
   await page.keyboard.press("Tab");

@@ -1,11 +1,12 @@
 // The store: save, open, rename, versions with their difference, a conflict with a choice, export and import; tidy; step; a
 // page that crashes with a drawing that was not saved; a page of another origin.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { act, browser, drawing, icon, imported, openPage, shot, untilState } from "./browser";
+import { act, browser, drawing, icon, imported, launch, openPage, shot, untilState } from "./browser";
 import { cell, type Cell } from "./cell";
 
 let chromium: Browser, served: Cell, page: Page;
@@ -113,6 +114,47 @@ test("a drawing that was not saved survives a crash of the page", async () => {
   await page.goto(served.url);
   await icon(page, "only-here").waitFor();
   await page.locator(".unsaved").waitFor();
+});
+
+/** The browser's own program, of the profile in this folder. */
+function programOf(profile: string): number {
+  for (const pid of readdirSync("/proc").filter((each) => /^\d+$/.test(each))) {
+    let words: string[] = [];
+    try {
+      words = readFileSync(`/proc/${pid}/cmdline`, "utf8").split("\0");
+    } catch {
+      // It has just ended.
+    }
+    if (words.includes(`--user-data-dir=${profile}`) && !words.some((each) => each.startsWith("--type="))) return Number(pid);
+  }
+  throw new Error("the browser of this profile is not there");
+}
+
+test("a drawing that was not saved survives a crash of the whole browser", async () => {
+  const profile = mkdtempSync(join(tmpdir(), "profile-"));
+  const begun = async () => {
+    const context = await chromium.browserType().launchPersistentContext(profile, { ...launch, locale: "en-US" });
+    const there = context.pages()[0] ?? (await context.newPage());
+    await there.goto(served.url);
+    return there;
+  };
+  try {
+    const first = await begun();
+    await first.locator('[data-offer="skill:touch"]').waitFor();
+    await imported(first, JSON.stringify({ "operation-format": 1, name: "killed", icons: [{ id: "begin", kind: "start", at: [0, 0] }] }));
+    await first.locator('[data-offer="skill:touch"]').dblclick();
+    await icon(first, "touch").waitFor();
+    await first.waitForTimeout(700);
+    process.kill(programOf(profile), "SIGKILL");
+    await first.waitForEvent("close").catch(() => {});
+    const again = await begun();
+    await icon(again, "begin").waitFor();
+    await icon(again, "touch").waitFor();
+    await again.locator(".unsaved").waitFor();
+    await again.context().close();
+  } finally {
+    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+  }
 });
 
 test("a page of another origin does not get in", async () => {

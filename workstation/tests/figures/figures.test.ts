@@ -6,8 +6,11 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import type { Browser, Page } from "playwright-core";
-import { act, browser, imported, openPage, untilState } from "../browser/browser";
+import { act, browser, imported, openPage, state } from "../browser/browser";
 import { cell, type Cell } from "../browser/cell";
+import { noHistory, record, undo, type History } from "../../src/model/history";
+import { operationNamed, withOperation } from "../../src/model/operation";
+import { randomDrawing, randomEdit, randomOf } from "../unit/random";
 
 const example = readFileSync(join(process.env.WORKSTATION!, "../examples/operations/rub_in_square.op.json"), "utf8");
 const say = (what: string, value: string, wanted: string) => console.log(`${what.padEnd(52)} ${value.padStart(20)}   wanted: ${wanted}`);
@@ -36,6 +39,11 @@ async function ready(from: Browser, served: Cell): Promise<void> {
     await page.context().close();
   }
   say("page ready with the skills of the cell, median of 5", `${Math.round(at(times.sort((a, b) => a - b), 0.5))} ms`, "under 1000 ms");
+}
+
+/** Asked seldom, so that the asking does not count. */
+async function untilState(page: Page, wanted: string, longest: number): Promise<void> {
+  for (const end = Date.now() + longest; (await state(page).textContent()) !== wanted; await page.waitForTimeout(100)) if (Date.now() > end) throw new Error(`not ${wanted}`);
 }
 
 /** From the message with the event to the first frame after the canvas has changed. */
@@ -125,12 +133,32 @@ async function slowed(from: Browser): Promise<void> {
   say("processor time of the cell, two pages more", `${((three / one - 1) * 100).toFixed(1)} %`, "under 1 %");
 }
 
+/** A hundred random edits from each of twenty seeds, taken back one by one. */
+function undone(): void {
+  const seeds = 20;
+  let whole = 0;
+  for (let seed = 1; seed <= seeds; ++seed) {
+    const random = randomOf(seed), place = { path: [], selected: [] };
+    const first = randomDrawing(random);
+    let drawing = first, history: History = noHistory;
+    for (let i = 0; i < 100; ++i) {
+      const after = withOperation(drawing, drawing.name, randomEdit(random, operationNamed(drawing, drawing.name)!));
+      history = record(history, { label: "edit.add", before: drawing, after, placeBefore: place, placeAfter: place });
+      drawing = after;
+    }
+    for (let step = undo(history); step; step = undo(history)) ({ history, entry: { before: drawing } } = step);
+    if (JSON.stringify(drawing) === JSON.stringify(first)) ++whole;
+  }
+  say("undo of 100 random edits gives the first bytes", `${whole} of ${seeds}`, "all");
+}
+
 test("figures", async () => {
   console.log(`${cpus()[0]?.model ?? "?"}, ${cpus().length} processors, load ${loadavg()[0]!.toFixed(1)}, node ${process.version}`);
   const [chromium, served] = await Promise.all([browser(), cell("touch")]);
   console.log(`chromium ${chromium.version()}`);
   try {
     bundle();
+    undone();
     await ready(chromium, served);
     await colours(chromium, served);
     await panning(chromium, served);

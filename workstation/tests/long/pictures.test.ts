@@ -58,6 +58,19 @@ test("the cell touch", () => at("touch", ["--paced", "2"], async (page) => {
   await shot(page, "stopped");
 }));
 
+test("a fault", () => at("touch", ["--fast"], async (page) => {
+  const side = (id: string, direction: number, distance: number, next: string, x: number) => ({ id, kind: "skill", skill: "rub", parameters: { direction, distance }, next, at: [x, 0] });
+  await imported(page, JSON.stringify({ "operation-format": 1, name: "rub-in-square", icons: [
+    { id: "start", kind: "start", next: "find", at: [0, 0] }, { id: "find", kind: "skill", skill: "touch", next: "side-1", at: [168, 0] },
+    side("side-1", 0, 20, "side-2", 416), side("side-2", 90, 2, "done", 664), { id: "done", kind: "exit", at: [912, 0] },
+  ] }));
+  await act(page, "run").click();
+  await untilState(page, "Failed");
+  await page.locator(".go-on .choices li").first().waitFor();
+  await page.waitForTimeout(400);
+  await shot(page, "fault");
+}));
+
 test("the cell delivery", () => at("delivery-middle", ["--fast"], async (page) => {
   await page.getByRole("button", { name: "Show or hide the palette" }).click();
   await imported(page, example("pick_by_identity"));

@@ -75,8 +75,8 @@ class DeviceHost {
 
   /// As deliver(), for a device that knows which request it answers. Requests before that one, which have no
   /// answer yet, will have none. The answer to a request that is open no more is noted as a broken promise,
-  /// and is lost. deliver() answers the oldest request that is open; one that is withdrawn, and whose time
-  /// is over, is passed over as soon as a younger one may be answered.
+  /// and is lost. deliver() answers the oldest request that is open. It passes over one that was withdrawn
+  /// and is late, as soon as a younger one may be answered.
   virtual bool answer([[maybe_unused]] Request request, std::size_t port, std::span<const double> fields) {
     return deliver(port, fields);
   }

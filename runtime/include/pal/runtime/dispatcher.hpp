@@ -32,9 +32,8 @@ class Dispatcher {
   /// - a parameter that is not allowed;
   /// - a device that is missing, or has other ports than the skill needs;
   /// - a device that is null, or a time of the options that is nothing or too long;
-  /// - a dispatcher, a skill, a device or a world that is running already, in another thread or in this one
-  /// (a
-  ///   device may begin a run in its receive).
+  /// - a dispatcher, a skill, a device or a world that is running already;
+  /// - a run that a device begins in its own receive.
   Outcome run(Skill& skill, std::span<const ParameterValue> parameters = {}, const RunOptions& options = {});
 
   /// The same with parameters in braces: run(skill, {{"reach", 40}}).

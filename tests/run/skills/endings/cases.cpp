@@ -1,8 +1,7 @@
 #include "tests/run/skills/endings/cases.hpp"
+#include "tests/support/built_skills.hpp"
 
 #include <utility>
-
-#include "skills_pal/registry.hpp"
 
 namespace pal::test {
 
@@ -15,7 +14,7 @@ runtime::ParameterValue named(const std::string& name, const std::string& text) 
 /// Each parameter alone at each end of its range; `kept` are not touched, and stand in all.
 std::vector<Parameters> corners(const std::string& skill, const Parameters& kept = {}) {
   std::vector<Parameters> result;
-  const auto made = skills::make_skill(skill);
+  const auto made = test::make_skill(skill);
   for (const runtime::ParameterSpec& each : made->description().parameters) {
     bool fixed = each.type == runtime::ParameterType::text;
     for (const runtime::ParameterValue& keep : kept) fixed = fixed || keep.name == each.name;

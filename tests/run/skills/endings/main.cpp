@@ -1,12 +1,14 @@
-// skill_endings [--share] [--seeds N] [WORD…]: runs skills in physics and holds what their completions say
-// against what the simulator knows. Prints the table of docs/skills_endings.md. Ends with 1 if a row is
-// false. A word chooses skills by name; --share runs every row's skill once, in a part of the rows.
+// skill_endings [--share] [--seeds N] [--seed N] [--row N] [--list] [SKILL…]: runs skills in physics and
+// holds what their completions say against what the simulator knows. Prints the table of
+// docs/skills_endings.md. Ends with 1 if a row is false. Skills are chosen by name, one row by its number;
+// --list prints the rows and their numbers and runs nothing. --share runs one row in sixty, with one seed.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,9 +23,16 @@ using namespace pal;
 using namespace pal::test;
 
 struct Wanted {
-  std::uint64_t seeds = 5;
+  std::uint64_t first = 1, last = 5;  // seeds
   std::size_t every = 1;
   std::vector<std::string> skills;
+  std::optional<std::size_t> row;
+  bool only_list = false;
+
+  bool has(std::size_t number, const EndingCase& one) const {
+    if (row) return number == *row;
+    return number % every == 0 && (skills.empty() || std::ranges::find(skills, one.skill) != skills.end());
+  }
 };
 
 /// What the runs of one row that ended with the same code came to.
@@ -81,7 +90,7 @@ bool write_rows(const EndingCase& one, const Wanted& wanted) {
   if (!one.lines.empty()) changed.emplace(one.scene, one.lines);
   const sim::Scene scene = changed ? changed->scene() : test::scene(one.scene);
   std::map<int, Row> rows;
-  for (std::uint64_t seed = 1; seed <= wanted.seeds; ++seed) {
+  for (std::uint64_t seed = wanted.first; seed <= wanted.last; ++seed) {
     const RunEnd end = run_one(one, scene, seed);
     Row& row = rows[end.code];
     ++row.count;
@@ -95,8 +104,8 @@ bool write_rows(const EndingCase& one, const Wanted& wanted) {
   for (const auto& [code, row] : rows) {
     good = good && row.untrue.empty();
     std::cout << fmt::format("| {} | {} | {} | {} | {} of {}: {} | {:.2f} to {:.2f} {} | {} |\n", one.skill,
-                             one.scene, one.begins, words(one.parameters), row.count, wanted.seeds, code,
-                             row.least, row.greatest, row.name,
+                             one.scene, one.begins, words(one.parameters), row.count,
+                             wanted.last - wanted.first + 1, code, row.least, row.greatest, row.name,
                              row.untrue.empty() ? row.reason.substr(0, 90) : "**false**: " + row.untrue)
               << std::flush;
   }
@@ -111,25 +120,34 @@ int main(int count, char** arguments) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string_view word = words[i];
     if (word == "--share") {
-      wanted.seeds = 1;
+      wanted.last = 1;
       wanted.every = 60;
     } else if (word == "--seeds" && i + 1 < words.size()) {
-      wanted.seeds = std::stoul(words[++i]);
+      wanted.last = std::stoul(words[++i]);
+    } else if (word == "--seed" && i + 1 < words.size()) {
+      wanted.first = wanted.last = std::stoul(words[++i]);
+    } else if (word == "--row" && i + 1 < words.size()) {
+      wanted.row = std::stoul(words[++i]);
+    } else if (word == "--list") {
+      wanted.only_list = true;
     } else {
       wanted.skills.emplace_back(word);
     }
   }
   try {
-    std::cout << "| skill | scene | begins | parameters | ends: code | physics shows | reason |\n"
-                 "| --- | --- | --- | --- | --- | --- | --- |\n";
+    if (!wanted.only_list)
+      std::cout << "| skill | scene | begins | parameters | ends: code | physics shows | reason |\n"
+                   "| --- | --- | --- | --- | --- | --- | --- |\n";
     bool good = true;
     std::size_t number = 0;
     for (const EndingCase& one : ending_cases()) {
-      if (number++ % wanted.every != 0) continue;
-      if (!wanted.skills.empty() &&
-          std::find(wanted.skills.begin(), wanted.skills.end(), one.skill) == wanted.skills.end())
-        continue;
-      good = write_rows(one, wanted) && good;
+      const std::size_t here = number++;
+      if (!wanted.has(here, one)) continue;
+      if (wanted.only_list)
+        std::cout << fmt::format("{} | {} | {} | {} | {}\n", here, one.skill, one.scene, one.begins,
+                                 ::words(one.parameters));
+      else
+        good = write_rows(one, wanted) && good;
     }
     return good ? 0 : 1;
   } catch (const std::exception& problem) {

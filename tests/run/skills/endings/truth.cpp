@@ -1,9 +1,8 @@
 #include "tests/run/skills/endings/truth.hpp"
+#include "tests/support/built_skills.hpp"
 
 #include <algorithm>
 #include <numbers>
-
-#include "skills_pal/registry.hpp"
 
 namespace pal::test {
 
@@ -12,7 +11,7 @@ namespace {
 const runtime::ParameterSpec& spec(const std::string& skill, const std::string& name) {
   static std::map<std::string, std::unique_ptr<runtime::Skill>> made;
   auto& known = made[skill];
-  if (!known) known = skills::make_skill(skill);
+  if (!known) known = test::make_skill(skill);
   for (const runtime::ParameterSpec& each : known->description().parameters)
     if (each.name == name) return each;
   throw std::runtime_error(skill + " has no parameter " + name);

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "skills_pal/registry.hpp"
 #include "tests/run/skills/support/workshop.hpp"
+#include "tests/support/built_skills.hpp"
 
 namespace pal::test {
 
@@ -17,7 +17,7 @@ sim::Scene scene(const std::string& name) {
 }
 
 workcell::SessionResult run(const PhysicalRun& wanted) {
-  std::unique_ptr<runtime::Skill> skill = skills::make_skill(wanted.skill);
+  std::unique_ptr<runtime::Skill> skill = test::make_skill(wanted.skill);
   if (!skill) throw std::runtime_error("there is no skill " + wanted.skill);
   workcell::Session session;
   std::optional<ChangedScene> changed;

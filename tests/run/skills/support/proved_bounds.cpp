@@ -7,7 +7,7 @@
 
 #include "pal/support/file_system.hpp"
 #include "programs/pal/reports/proof_chart.hpp"
-#include "skills_pal/registry.hpp"
+#include "tests/support/built_skills.hpp"
 
 namespace pal::test {
 
@@ -50,15 +50,9 @@ class RewrittenDisk final : public DiskFileSystem {
   Rewritten rewritten_;
 };
 
-const skills::RegisteredSkill& registered(const std::string& name) {
-  for (const skills::RegisteredSkill& skill : skills::registered_skills())
-    if (skill.name == name) return skill;
-  throw std::runtime_error("there is no skill " + name);
-}
-
 program::Proof prove(const std::string& name, const FileSystem& files, std::size_t most_states) {
-  const skills::RegisteredSkill& skill = registered(name);
-  const std::string folder = PAL_SOURCE_DIR "/skills_pal/";
+  const runtime::SkillPlugin& skill = built_skill(name);
+  const std::string folder = PAL_SOURCE_DIR "/";
   std::ostringstream out, err;
   program::Session session;
   program::Selection selection;
@@ -78,7 +72,7 @@ ProvedBounds::ProvedBounds(const std::string& skill, const std::optional<Slower>
     : proof_(prove(skill, SlowerDisk(slower), most_states)) {}
 
 ProvedBounds::ProvedBounds(const std::string& skill, const Rewritten& rewritten)
-    : proof_(prove(skill, RewrittenDisk(std::string(registered(skill).pal_file), rewritten),
+    : proof_(prove(skill, RewrittenDisk(std::string(built_skill(skill).pal_file), rewritten),
                    program::ProofLimits{}.max_states)) {}
 
 void ProvedBounds::observe(const trace::Trace& run) {

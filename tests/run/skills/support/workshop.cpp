@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "sim/picture/body_pose.hpp"
-#include "skills_pal/registry.hpp"
 #include "tests/run/skills/support/physical_run.hpp"
+#include "tests/support/built_skills.hpp"
 
 namespace pal::test {
 
@@ -50,7 +50,7 @@ Workshop::Workshop(const sim::Scene& scene, const sim::CellOptions& options) : c
 
 runtime::Outcome Workshop::run(const std::string& name,
                                const std::vector<runtime::ParameterValue>& parameters) {
-  const auto skill = skills::make_skill(name);
+  const auto skill = test::make_skill(name);
   if (!skill) throw std::runtime_error("there is no skill " + name);
   begun_ = cell_.workcell().log().size();
   runtime::Outcome outcome = cell_.run(*skill, parameters);
