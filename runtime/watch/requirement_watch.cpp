@@ -15,6 +15,11 @@ trace::Marks marks(std::span<const int> rows, std::size_t size) {
   return result;
 }
 
+/// Then its worst value is the shortest one.
+bool has_least_only(const RequirementSpec& spec) {
+  return spec.least > Time::zero() && spec.most == Time::max();
+}
+
 template <class Meter, class... Others>
 constexpr bool is_one_of = (std::is_same_v<Meter, Others> || ...);
 
@@ -186,7 +191,7 @@ void RequirementWatch::measured(const Watched& watched, Time value) {
   std::optional<Time>& worst = worst_[watched.requirement];
   const Time before = worst.value_or(value);
   worst = spec(watched).measure == Measure::load ? value
-          : spec(watched).most == Time::max()    ? std::min(before, value)
+          : has_least_only(spec(watched))        ? std::min(before, value)
                                                  : std::max(before, value);
   if (margins_ != nullptr) margins_->set(watched.requirement, *worst);
 }

@@ -47,6 +47,8 @@ runtime::Outcome outcome_of(const codegen::Plan& plan, std::uint64_t seed, runti
 trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
                  runtime::Time horizon) {
   runtime::Outcome outcome = outcome_of(plan, seed, costs, horizon);
+  std::erase_if(outcome.trace.events,
+                [](const trace::Event& event) { return event.kind == trace::Kind::broken; });
   if (outcome.fault) {
     // What led to the fault is a run all the same, up to the instant before.
     const std::int64_t end = outcome.trace.events.empty() ? 0 : outcome.trace.events.back().time_ns;
@@ -235,6 +237,7 @@ TEST_CASE("what a run watches of each requirement is what the referee measures i
           outcome.broken_promises.begin(), outcome.broken_promises.end(),
           [&start](const runtime::BrokenPromise& each) { return each.promise.starts_with(start); });
       INFO(requirement.name << " " << requirement.phase.text);
+      if (getenv("DBG")) std::cout << requirement.name << " fault " << outcome.fault << outcome.reason << " live " << (live->worst ? live->worst->count() : -1) << " ref " << worst.value_or(-1) << "\n", std::cout << told(events);
       // After a failure it goes on with what is left; what goes on for too long is noted before it is
       // measured.
       const bool failed = noted && breaks && (requirement.measure == Requirement::Measure::response);
