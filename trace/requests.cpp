@@ -1,6 +1,7 @@
 #include "trace/requests.hpp"
 
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -17,10 +18,14 @@ std::vector<std::int32_t> requests_of(const Trace& tables) {
       requests.emplace(Name(channel.sender, message.substr(asks.size()), channel.receiver),
                        static_cast<std::int32_t>(c));
   }
+  std::set<std::string_view> by_itself;
+  for (const Actor& actor : tables.actors)
+    if (actor.by_itself) by_itself.insert(actor.name);
   std::vector<std::int32_t> request_of;
   for (const Channel& answer : tables.channels) {
     const auto found = requests.find(Name(answer.receiver, answer.message, answer.sender));
-    request_of.push_back(found == requests.end() ? -1 : found->second);
+    const bool answers = found != requests.end() && by_itself.count(answer.sender) == 0;
+    request_of.push_back(answers ? found->second : -1);
   }
   return request_of;
 }

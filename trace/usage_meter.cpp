@@ -44,6 +44,7 @@ std::optional<Occurrence> UsageMeter::finish(std::int64_t time_ns) {
   if (runnable_ == 0) return std::nullopt;
   work_ += time_ns - from_;
   runnable_ = 0;
+  runs_.assign(runs_.size(), false);
   return Occurrence{since_, time_ns, -1, -1};
 }
 

@@ -158,7 +158,8 @@ std::vector<BrokenPromise> Promises::take() {
   return std::move(broken_);
 }
 
-std::vector<MeasuredRequirement> Promises::measured() const {
+std::vector<MeasuredRequirement> Promises::measured() {
+  requirements_.end(clock_.now);
   std::vector<MeasuredRequirement> all;
   for (std::size_t r = 0; r < wiring_.requirements.size(); ++r) {
     const RequirementSpec& spec = wiring_.requirements[r];

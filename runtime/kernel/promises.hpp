@@ -65,8 +65,8 @@ class Promises final : public EventWatcher {
 
   /// What was broken. Once.
   std::vector<BrokenPromise> take();
-  /// How near the run came to each requirement.
-  std::vector<MeasuredRequirement> measured() const;
+  /// How near the run came to each requirement. Once, after its end.
+  std::vector<MeasuredRequirement> measured();
 
  private:
   /// What was seen of one promise.

@@ -380,6 +380,16 @@ void RequirementWatch::may_be_due(const Watched& watched, std::int64_t since_ns)
     soonest_ = std::min(soonest_, Time(since_ns) + spec(watched).most + Time(1));
 }
 
+void RequirementWatch::end(Time now) {
+  for (Watched& watched : watched_) {
+    auto* busy = std::get_if<Busy>(&watched.meter);
+    if (busy == nullptr) continue;
+    for (trace::UsageMeter& meter : busy->meters) {
+      if (const auto over = meter.finish(now.count())) measured(watched, Time(over->length_ns()));
+    }
+  }
+}
+
 Time RequirementWatch::due() {
   soonest_ = Time::max();
   Time due = Time::max();

@@ -49,6 +49,9 @@ class RequirementWatch {
   /// below; of a load the share of the run so far. Nothing: none was seen.
   const std::optional<Time>& worst(std::size_t requirement) const { return worst_[requirement]; }
 
+  /// The runtime has ended the skill: what goes on until then counts. It breaks nothing any more.
+  void end(Time now);
+
   /// The earliest instant at which something that still goes on is too long; Time::max(): none.
   Time due();
   /// No later than due() after the events since due() was called.

@@ -184,6 +184,17 @@ TEST_CASE("a busy period is noted while it goes on") {
   CHECK(outcome.broken_promises[0].measured == 32ms);
 }
 
+TEST_CASE("a busy period that a fault ends counts until then") {
+  Bell bell;
+  bell.work = {30};
+  RequirementSpec busy = spec(Measure::busy, -1, 1);
+  busy.processors = only(0);
+  busy.most = 20ms;
+  const auto outcome = bell.require(busy, OnBrokenPromise::stop);
+  CHECK(outcome.fault);
+  CHECK(outcome.requirements[0].worst == 20ms + 1ns);
+}
+
 TEST_CASE("losses are counted while the skill runs") {
   Bell bell;
   bell.work = {30, 1};  // the rings at 30 and 40 ms find their slot full

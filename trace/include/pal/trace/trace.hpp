@@ -60,6 +60,7 @@ struct Actor {
   std::string processor;  // of a thread
   int priority = 0;
   std::int32_t parent = -1;  // of a block of CONCURRENT: the actor whose CONCURRENT begins it
+  bool by_itself = false;  // of a device: it answers nothing, whatever its messages are called. Not in files
 };
 
 struct Statement {
