@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace pal::workcell {
 namespace {
@@ -56,7 +57,11 @@ void MarginMeter::tell() {
     const runtime::RequirementSpec& spec = wiring_->requirements[i];
     const auto worst = margins_->worst(i);
     if (!worst) continue;
-    knowledge_.measure(std::string(wiring_->skill), std::string(spec.name), in_unit(spec.measure, *worst),
+    // One with two limits is shown by its upper one.
+    std::string_view name = spec.name;
+    if (name.ends_with(".least")) continue;
+    if (name.ends_with(".most")) name.remove_suffix(std::string_view(".most").size());
+    knowledge_.measure(std::string(wiring_->skill), std::string(name), in_unit(spec.measure, *worst),
                        spec.most == runtime::Time::max(), spec.measure == Measure::load);
   }
 }
