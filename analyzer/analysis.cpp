@@ -184,6 +184,28 @@ void explore(const Provers& provers, const Problem& problem, const Options& opti
   }
 }
 
+/// The same of one requirement, for an answer as soon as possible. Most requirements hold while their text is
+/// edited, and slices show that; runs that break one are looked for before that only for a moment.
+void settle_soon(const Provers& provers, const Problem& problem, const Options& options, std::size_t r,
+                 const std::vector<Verdict>& bounds, Analysis& analysis) {
+  const auto open = static_cast<double>(
+      std::count_if(analysis.verdicts.begin() + static_cast<std::ptrdiff_t>(r), analysis.verdicts.end(),
+                    [](const Verdict& verdict) { return verdict.state == State::undecided; }));
+  const Options here = share_of(options, 0.8 / open);
+  const Requirement& requirement = problem.requirements[r];
+  Verdict& verdict = analysis.verdicts[r];
+  look_for_long_run(problem, requirement, share_of(here, 0.1), verdict);
+  if (verdict.state == State::undecided) explore_slice(problem, requirement, share_of(here, 0.7), verdict);
+  if (verdict.state == State::undecided) look_for_run(problem, requirement, share_of(here, 0.3), {}, verdict);
+  if (verdict.state == State::undecided) look_by_walks(problem, requirement, share_of(here, 0.5), verdict);
+  if (verdict.state == State::undecided && verdict.gave_up) {
+    Options brief = here;
+    brief.max_states = std::min(options.max_states, brief_exploration);
+    explore(provers, problem, brief, {r}, bounds, analysis);
+  }
+  tell(options, analysis);
+}
+
 /// Decides what is open by what is cheap: first by runs, as pal simulate makes them.
 void settle(const Provers& provers, const Problem& problem, const Options& options,
             const std::vector<Verdict>& bounds, Analysis& analysis) {
@@ -195,6 +217,10 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
     const Requirement& requirement = problem.requirements[r];
     Verdict& verdict = analysis.verdicts[r];
     if (verdict.state != State::undecided) continue;
+    if (options.verdicts_only) {
+      settle_soon(provers, problem, options, r, bounds, analysis);
+      continue;
+    }
     look_for_long_run(problem, requirement, share_of(here, 0.25), verdict);
     const bool more = verdict.gave_up && brief.max_states > glance(problem);
     if (verdict.state == State::undecided && more) {
@@ -259,57 +285,6 @@ std::size_t glance_at_held(const Problem& problem, std::size_t held) {
   return share < least_of_held ? 0 : std::min(whole, share);
 }
 
-/// What a moment's exploration shows of every requirement.
-Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
-                     const std::vector<Verdict>& bounds) {
-  enum class Kind { open, held, settled_load };
-  const auto kind_of = [&bounds](std::size_t r) {
-    return settled_load(bounds[r])           ? Kind::settled_load
-           : bounds[r].state == State::holds ? Kind::held
-                                             : Kind::open;
-  };
-  Analysis all;
-  all.verdicts = bounds;
-  for (Verdict& verdict : all.verdicts) verdict.gave_up = true;
-  for (const Kind kind : {Kind::open, Kind::held, Kind::settled_load}) {
-    Problem part = problem;
-    part.requirements.clear();
-    std::vector<std::size_t> which;
-    for (std::size_t r = 0; r < bounds.size(); ++r) {
-      if (kind_of(r) != kind) continue;
-      which.push_back(r);
-      part.requirements.push_back(problem.requirements[r]);
-    }
-    const std::size_t classes = kind == Kind::open   ? glance(problem)
-                                : kind == Kind::held ? glance_at_held(problem, which.size())
-                                                     : most_of_load;
-    if (which.empty() || classes == 0) continue;
-    Options how = options;
-    how.max_states = std::min(options.max_states, classes);
-    Analysis shown = provers.exact(part, how);
-    all.statistics += shown.statistics;
-    for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
-  }
-  return all;
-}
-
-/// A bound settles no load of the long run if there is none.
-void say_ends(const Problem& problem, const Options& options, Analysis& analysis) {
-  const auto open = [](const Verdict& verdict) { return settled_load(verdict) && verdict.gave_up; };
-  if (std::none_of(analysis.verdicts.begin(), analysis.verdicts.end(), open)) return;
-  Options brief = options;
-  brief.max_states = std::min(options.max_states, glance(problem));
-  if (!every_run_ends(problem, brief)) return;
-  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
-    Verdict& verdict = analysis.verdicts[r];
-    if (!open(verdict)) continue;
-    verdict.state = State::never;
-    verdict.bound.reset();
-    verdict.addends.clear();
-    verdict.explanation = nothing_measured(problem.requirements[r], true);
-  }
-}
-
 template <class Key, class Value>
 bool same(const Table<Key, Value>& one, const Table<Key, Value>& other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end());
@@ -343,6 +318,114 @@ void share_bounds(const Problem& problem, Analysis& analysis) {
       shared.statistics = verdict.statistics;
       verdict = std::move(shared);
     }
+  }
+}
+
+/// Classes of a time where slices, which are smaller, are explored next; fewer once the skill has shown to be
+/// larger than that.
+constexpr std::size_t brief_look = 15'000;
+constexpr std::size_t briefer_look = 3'000;
+
+/// Explores one requirement after the other, loads last, and tells what is known by then: of what has not
+/// been looked at only bounds.
+void look_at_each(const Provers& provers, const Problem& problem, const Options& options,
+                  const std::vector<std::size_t>& which, Analysis& all) {
+  Problem part = problem;
+  std::size_t most = brief_look;
+  std::vector<bool> seen(all.verdicts.size());
+  for (const bool loads : {false, true}) {
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      const Requirement& requirement = problem.requirements[which[i]];
+      if ((requirement.measure == Requirement::Measure::load) != loads) continue;
+      share_bounds(problem, all);
+      Verdict& verdict = all.verdicts[which[i]];
+      seen[which[i]] = true;
+      if (verdict.state == State::undecided || verdict.method != Method::exact) {
+        part.requirements = {requirement};
+        Options how = options;
+        if (!loads) how.max_states = std::min(how.max_states, most);
+        Analysis shown = provers.exact(part, how);
+        all.statistics += shown.statistics;
+        verdict = std::move(shown.verdicts.front());
+        if (!loads && verdict.gave_up) most = briefer_look;
+      }
+      Analysis now = all;
+      for (std::size_t r = 0; r < seen.size(); ++r) {
+        if (!seen[r] && now.verdicts[r].state == State::holds) now.verdicts[r].state = State::undecided;
+      }
+      tell(options, now);
+    }
+  }
+}
+
+/// What a moment's exploration shows of every requirement.
+Analysis look_at_all(const Provers& provers, const Problem& problem, const Options& options,
+                     const std::vector<Verdict>& bounds) {
+  enum class Kind { open, held, settled_load };
+  const auto kind_of = [&bounds](std::size_t r) {
+    return settled_load(bounds[r])           ? Kind::settled_load
+           : bounds[r].state == State::holds ? Kind::held
+                                             : Kind::open;
+  };
+  Analysis all;
+  all.verdicts = bounds;
+  for (Verdict& verdict : all.verdicts) verdict.gave_up = true;
+  for (const Kind kind : {Kind::open, Kind::held, Kind::settled_load}) {
+    Problem part = problem;
+    part.requirements.clear();
+    std::vector<std::size_t> which;
+    std::vector<std::pair<std::size_t, std::size_t>> twins;  // of a requirement that measures the same
+    for (std::size_t r = 0; r < bounds.size(); ++r) {
+      if (kind_of(r) != kind) continue;
+      const auto twin = std::find_if(which.begin(), which.end(), [&](std::size_t other) {
+        return measure_the_same(problem.requirements[other], problem.requirements[r]);
+      });
+      if (options.verdicts_only && kind == Kind::held && twin != which.end()) {
+        twins.emplace_back(r, *twin);
+        continue;
+      }
+      which.push_back(r);
+      part.requirements.push_back(problem.requirements[r]);
+    }
+    const std::size_t classes = kind == Kind::open   ? glance(problem)
+                                : kind == Kind::held ? glance_at_held(problem, which.size())
+                                                     : most_of_load;
+    if (which.empty() || classes == 0) continue;
+    Options how = options;
+    how.max_states = std::min(options.max_states, classes);
+    if (kind == Kind::open && options.verdicts_only) {
+      look_at_each(provers, problem, how, which, all);
+      continue;
+    }
+    Analysis shown = provers.exact(part, how);
+    all.statistics += shown.statistics;
+    for (std::size_t i = 0; i < which.size(); ++i) all.verdicts[which[i]] = std::move(shown.verdicts[i]);
+    // One holds by its own bound; there is something to measure if there is for the other.
+    for (const auto& [twin, other] : twins) {
+      if (all.verdicts[other].state != State::never) continue;
+      all.verdicts[twin].state = State::never;
+      all.verdicts[twin].bound.reset();
+      all.verdicts[twin].addends.clear();
+      all.verdicts[twin].explanation = all.verdicts[other].explanation;
+    }
+  }
+  return all;
+}
+
+/// A bound settles no load of the long run if there is none.
+void say_ends(const Problem& problem, const Options& options, Analysis& analysis) {
+  const auto open = [](const Verdict& verdict) { return settled_load(verdict) && verdict.gave_up; };
+  if (std::none_of(analysis.verdicts.begin(), analysis.verdicts.end(), open)) return;
+  Options brief = options;
+  brief.max_states = std::min(options.max_states, glance(problem));
+  if (!every_run_ends(problem, brief)) return;
+  for (std::size_t r = 0; r < analysis.verdicts.size(); ++r) {
+    Verdict& verdict = analysis.verdicts[r];
+    if (!open(verdict)) continue;
+    verdict.state = State::never;
+    verdict.bound.reset();
+    verdict.addends.clear();
+    verdict.explanation = nothing_measured(problem.requirements[r], true);
   }
 }
 
@@ -416,28 +499,33 @@ void say_what_grows(const Problem& problem, const Options& options, Analysis& an
 
 Analysis analyze_automatically(const Provers& provers, const Problem& problem, const Options& options,
                                bool thorough) {
-  const Analysis proofs = provers.compositional(problem, share_of(options, 0.6));
+  Analysis proofs = provers.compositional(problem, share_of(options, 0.6));
+  proofs.bounds_only = true;
   tell(options, proofs);
-  Analysis analysis = look_at_all(provers, problem, share_of(options, 0.2), proofs.verdicts);
+  // Where only verdicts are asked it decides most of them, loads among them, which nothing else does.
+  const double for_all = options.verdicts_only ? 0.6 : 0.2;
+  Analysis analysis = look_at_all(provers, problem, share_of(options, for_all), proofs.verdicts);
   std::vector<Verdict> bounds = confronted(proofs.verdicts, analysis);
   withdraw_refuted(bounds);
   for (std::size_t r = 0; r < bounds.size(); ++r) complete(analysis.verdicts[r], bounds[r]);
   say_ends(problem, share_of(options, 0.2), analysis);
   tell(options, analysis);
-  say_what_grows(problem, share_of(options, 0.2), analysis);
+  if (!options.verdicts_only) say_what_grows(problem, share_of(options, 0.2), analysis);
   tell(options, analysis);
   settle(provers, problem, options, bounds, analysis);
+  if (options.verdicts_only) say_what_grows(problem, share_of(options, 0.2), analysis);
   share_bounds(problem, analysis);
   if (thorough) {
     search_all(problem, options, analysis);
-  } else {
+  } else if (!options.verdicts_only) {
     look_whether_exact(problem, share_of(options, 0.2), analysis);
   }
   const auto go_on = [&options] { return !(options.stop && options.stop()); };
   if (go_on()) explore_further(provers, problem, options, thorough, State::undecided, bounds, analysis);
   Options failing = options;
   failing.max_states = std::min(options.max_states, most_of_failing);
-  if (!thorough && go_on()) explore_further(provers, problem, failing, false, State::fails, bounds, analysis);
+  if (!thorough && !options.verdicts_only && go_on())
+    explore_further(provers, problem, failing, false, State::fails, bounds, analysis);
   // The runs that were found since may contradict bounds, also those that are not used.
   withdraw_refuted(confronted(std::move(bounds), analysis), analysis.verdicts);
   analysis.statistics.seconds += proofs.statistics.seconds;
@@ -504,6 +592,16 @@ void withhold(Analysis& analysis, const std::string& why) {
     verdict.exact = false;
     verdict.explanation = why;
   }
+}
+
+void withhold_if_time_stands(const ZenoSearch& look, Analysis& analysis) {
+  if (look.found)
+    withhold(analysis, "a loop goes round for ever at one instant, so nothing is claimed about times");
+  if (look.suspected)
+    withhold(
+        analysis,
+        "a loop may go round for ever at one instant: no run shows that, and it could not be excluded, so "
+        "nothing is claimed about times");
 }
 
 /// Without memory the exploration ends, as at its other limits, and what is known is kept.
@@ -573,6 +671,9 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
     how.known = [&](const Analysis& known) {
       Analysis all = known;
       join(by_rows, all);
+      say_unread(problem, all);
+      withhold_if_time_stands(look, all);
+      all.bounds_only = all.bounds_only || !look.excluded;
       options.known(all);
     };
   }
@@ -584,14 +685,8 @@ Analysis analyze_with(const Provers& provers, const Problem& problem, AnalysisCh
   say_unread(problem, analysis);
   const bool goes_on = !look.found && !look.excluded && !look.suspected && options.max_states > first_look;
   if (goes_on) look = find_zeno_run(problem, {options.max_states, options.stop});
+  withhold_if_time_stands(look, analysis);
   analysis.zeno_run = std::move(look.found);
-  if (analysis.zeno_run)
-    withhold(analysis, "a loop goes round for ever at one instant, so nothing is claimed about times");
-  if (look.suspected)
-    withhold(
-        analysis,
-        "a loop may go round for ever at one instant: no run shows that, and it could not be excluded, so "
-        "nothing is claimed about times");
   withdraw_refuted(analysis.verdicts);
   set_taken_as_lost(problem, lost_events(problem, analysis.never_lost, options.stop), analysis.verdicts);
   for (Verdict& verdict : analysis.verdicts) add_up(verdict);

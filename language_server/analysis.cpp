@@ -67,10 +67,18 @@ void visit_provable(const Analysis& analysis, const std::function<bool()>& stop,
 }  // namespace
 
 Proofs prove(const Analysis& analysis, const Prover& prover, Depth depth, double seconds,
-             const std::function<bool()>& stop) {
+             const std::function<bool()>& stop, const std::function<void(Proofs)>& told) {
   Proofs proofs;
+  std::function<void(SkillProof)> told_of_one;
+  if (told) {
+    told_of_one = [&](SkillProof now) {
+      Proofs all = proofs;
+      all.push_back(std::move(now));
+      told(std::move(all));
+    };
+  }
   visit_provable(analysis, stop, [&](const auto& skill, const auto& environment) {
-    proofs.push_back(prover.prove(skill, environment, analysis.sources, depth, seconds, stop));
+    proofs.push_back(prover.prove(skill, environment, analysis.sources, depth, seconds, stop, told_of_one));
   });
   return proofs;
 }

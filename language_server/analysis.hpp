@@ -48,10 +48,11 @@ bool is_current(const Analysis& analysis, const Workspace& workspace, const std:
 std::shared_ptr<const Analysis> analyze(const Workspace& workspace, std::vector<std::string> inputs,
                                         const std::function<bool()>& stop);
 
-/// Proofs of all skills of an analysis; empty if it has errors.
+/// Proofs of all skills of an analysis; empty if it has errors. `told` as in Prover::prove(): it gets what is
+/// known of the skills up to the one at work.
 using Proofs = std::vector<SkillProof>;
 Proofs prove(const Analysis& analysis, const Prover& prover, Depth depth, double seconds,
-             const std::function<bool()>& stop);
+             const std::function<bool()>& stop, const std::function<void(Proofs)>& told = {});
 
 /// Whether another look, with Depth::whole, can say more.
 bool is_whole(const Proofs& proofs);

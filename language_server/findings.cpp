@@ -140,6 +140,7 @@ const Known& Session::known(const std::string& root) {
   }
   if (known.analysis == nullptr || !is_current(*known.analysis, workspace_, known.inputs)) {
     known.analysis = analyze(workspace_, known.inputs, {});
+    known.under_way = nullptr;
     if (!known.analysis->diagnostics.has_errors()) known.sound = known.analysis;
   }
   return known;
@@ -155,8 +156,9 @@ std::vector<Diagnostic> Session::findings(const Known& known, const std::string&
     }
   };
   add(known.analysis->diagnostics.sorted());
-  if (known.proofs == nullptr || known.proved != known.analysis) return result;
-  for (const auto& proof : *known.proofs) {
+  const Proofs* proofs = known.current();
+  if (proofs == nullptr) return result;
+  for (const auto& proof : *proofs) {
     add(proof.findings);
     if (proof.ended) continue;  // what had no time to be decided is no finding while typing
     for (const auto& requirement : proof.requirements) add(requirement.findings);
@@ -170,7 +172,7 @@ std::vector<Diagnostic> Session::findings(const Known& known, const std::string&
 std::vector<Diagnostic> Session::causes(const Known& known, const std::string& path) const {
   std::vector<Diagnostic> result;
   const auto file = known.analysis->file(path);
-  for (const auto& proof : *known.proofs) {
+  for (const auto& proof : *known.current()) {
     for (const auto& each : proof.requirements) {
       if (each.state != "fails" || each.findings.empty() || !each.cause.valid()) continue;
       Diagnostic made = each.findings.front();
@@ -179,7 +181,8 @@ std::vector<Diagnostic> Session::causes(const Known& known, const std::string& p
       made.where = each.cause;
       made.message = "'" + each.name + "' fails here: " + each.cause_text;
       made.fix.clear();
-      for (std::size_t i = 0; known.advice != nullptr && i < known.advice->size(); ++i) {
+      const bool advised = known.advice != nullptr && known.proved == known.analysis;
+      for (std::size_t i = 0; advised && i < known.advice->size(); ++i) {
         const auto& advice = (*known.advice)[i];
         for (const auto& cure : advice.cures) {
           if (advice.skill != proof.skill || cure.edits.empty() || made.hint.starts_with("cure: ")) continue;
@@ -224,6 +227,7 @@ void Session::publish() {
       for (const std::shared_ptr<const void>& each : {std::shared_ptr<const void>(known->second.analysis),
                                                       std::shared_ptr<const void>(known->second.proofs),
                                                       std::shared_ptr<const void>(known->second.proved),
+                                                      std::shared_ptr<const void>(known->second.under_way),
                                                       std::shared_ptr<const void>(known->second.advice)})
         state.from.push_back(each);
     }
@@ -243,7 +247,8 @@ void Session::publish() {
   // A mistake here may be a finding in a file that is not open.
   std::map<std::string, std::vector<const Known*>> elsewhere;
   for (const auto& [root, known] : known_) {
-    if (known.analysis == nullptr || (known.analysis->diagnostics.all().empty() && known.proofs == nullptr))
+    if (known.analysis == nullptr ||
+        (known.analysis->diagnostics.all().empty() && known.current() == nullptr))
       continue;
     for (std::size_t i = 0; i < known.analysis->sources.size(); ++i) {
       const auto& path = known.analysis->path(FileId(i));
@@ -257,6 +262,7 @@ void Session::publish() {
       state.from.push_back(known->analysis);
       state.from.push_back(known->proofs);
       state.from.push_back(known->proved);
+      state.from.push_back(known->under_way);
     }
     publish(path, std::move(state), nullptr, [&](Json& list) {
       for (const auto* known : all) add(*known, path, list);
@@ -272,6 +278,7 @@ void Session::publish() {
 
 bool Session::check(const std::function<bool()>& newer) {
   if (to_check_.empty()) return true;
+  jobs_.clear();  // of a check that a newer text ended: what is still to be proved is found again
   std::set<std::string> roots;
   for (const auto& [path, of] : roots_of_open()) roots.insert(of.begin(), of.end());
   std::erase_if(known_, [&](const auto& each) { return !roots.contains(each.first); });
@@ -300,11 +307,27 @@ void Session::proved(const ProofJob& job, Proofs proofs) {
   if (found == known_.end() || found->second.analysis != job.analysis) return;  // of an earlier text
   found->second.proved = job.analysis;
   found->second.proofs = std::make_shared<const Proofs>(std::move(proofs));
+  found->second.under_way = nullptr;
   found->second.advice = nullptr;
   publish();
   tell_changed("proof");
   if (refreshes_hints_) ask_client("workspace/inlayHint/refresh", nullptr);
   if (refreshes_lenses_) ask_client("workspace/codeLens/refresh", nullptr);
+}
+
+void Session::told(const ProofJob& job, Proofs proofs) {
+  const auto found = known_.find(job.analysis->root);
+  if (found == known_.end() || found->second.analysis != job.analysis || found->second.proved == job.analysis)
+    return;
+  const auto says = [](const ProvedRequirement& each) { return each.state != "open" || !each.bound.empty(); };
+  if (std::none_of(proofs.begin(), proofs.end(), [&](const SkillProof& proof) {
+        return std::any_of(proof.requirements.begin(), proof.requirements.end(), says);
+      }))
+    return;
+  found->second.under_way = std::make_shared<const Proofs>(std::move(proofs));
+  publish();
+  tell_changed("proof");
+  if (refreshes_hints_) ask_client("workspace/inlayHint/refresh", nullptr);
 }
 
 void Session::advised(const ProofJob& job, AllAdvice advice) {

@@ -73,6 +73,27 @@ bool holds(const SourceSpan& where, FileId file, std::uint32_t offset) {
   return where.file == file && where.begin <= offset && offset <= where.end;
 }
 
+struct Proved {
+  const SkillProof* proof = nullptr;
+  const ProvedRequirement* of = nullptr;  // nullptr: it is not among them
+};
+
+Proved proved_in(const Proofs* proofs, const std::string& skill, const std::string& requirement) {
+  for (std::size_t i = 0; proofs != nullptr && i < proofs->size(); ++i) {
+    const SkillProof& proof = (*proofs)[i];
+    for (const auto& each : proof.requirements) {
+      if (proof.skill == skill && each.name == requirement) return {&proof, &each};
+    }
+  }
+  return {};
+}
+
+const char* remark(const SkillProof& proof, const ProvedRequirement& requirement) {
+  if (requirement.state == "fails") return ", fails";
+  if (requirement.state == "open") return ", not decided yet";
+  return proof.ended && requirement.state == "undecided" ? ", not decided in time" : "";
+}
+
 }  // namespace
 
 Json Session::inlay_hint(const Json& params) {
@@ -84,9 +105,10 @@ Json Session::inlay_hint(const Json& params) {
   const auto to = position_of(member(member(params, "range"), "end"));
   for (const auto& root : roots_of(path)) {
     const auto known = known_.find(root);
-    if (known == known_.end() || known->second.proofs == nullptr) continue;
+    if (known == known_.end()) continue;
     if (root == path) add_bounds(known->second, path, *text, all);
-    if (known->second.proved != known->second.analysis) continue;  // its places are those of an earlier text
+    if (known->second.proofs == nullptr || known->second.proved != known->second.analysis)
+      continue;  // its places are those of an earlier text
     add_slacks(known->second, path, all);
     add_shares(known->second, path, all);
   }
@@ -104,24 +126,18 @@ void Session::add_bounds(const Known& known, const std::string& path, const Text
   for (std::size_t i = 0; tree != nullptr && i < tree->units.size(); ++i) {
     const auto* skill = std::get_if<syntax::SkillUnit>(&tree->units[i]);
     if (skill == nullptr) continue;
-    for (const auto& proof : *known.proofs) {
-      if (proof.skill != skill->name.text) continue;
-      for (const auto& requirement : skill->requirements) {
-        const auto found = std::find_if(proof.requirements.begin(), proof.requirements.end(),
-                                        [&](const auto& each) { return each.name == requirement.name.text; });
-        if (found == proof.requirements.end()) continue;
-        // Of an earlier text: what it said till the new proof is there.
-        const bool old = known.proved != known.analysis;
-        const bool open = proof.ended && found->state == "undecided";
-        hints.push_back({{"position", json_of(text.position(requirement.where.end))},
-                         {"label", (old ? "(was) " : "") + found->bound + " of " + found->limit +
-                                       (found->exact ? ", exact" : "") +
-                                       (found->state == "fails" ? ", fails"
-                                        : open                  ? ", not decided in time"
-                                                                : "")},
-                         {"paddingLeft", true},
-                         {"tooltip", found->measure + " in " + proof.environment + ": " + found->state}});
-      }
+    for (const auto& requirement : skill->requirements) {
+      // Of an earlier text: what it said till the new proof says something.
+      const auto now = proved_in(known.current(), skill->name.text, requirement.name.text);
+      const bool says = now.of != nullptr && (now.of->state != "open" || !now.of->bound.empty());
+      const auto shown = says ? now : proved_in(known.proofs.get(), skill->name.text, requirement.name.text);
+      if (shown.of == nullptr) continue;
+      const auto& each = *shown.of;
+      hints.push_back({{"position", json_of(text.position(requirement.where.end))},
+                       {"label", (says ? "" : "(was) ") + each.bound + " of " + each.limit +
+                                     (each.exact ? ", exact" : "") + remark(*shown.proof, each)},
+                       {"paddingLeft", true},
+                       {"tooltip", each.measure + " in " + shown.proof->environment + ": " + each.state}});
     }
   }
 }
@@ -242,19 +258,16 @@ Json Session::requirements(const Json& params) {
                   {"limit", ""},
                   {"exact", false},
                   {"message", ""}};
-        for (std::size_t k = 0; here.proved == analysis && here.proofs != nullptr && k < here.proofs->size();
-             ++k) {
-          for (const auto& each : (*here.proofs)[k].requirements) {
-            if ((*here.proofs)[k].skill != network.skill.name || each.name != requirement.name) continue;
-            std::string message;
-            for (const auto& finding : each.findings)
-              message += (message.empty() ? "" : "\n") + finding.message;
-            made["state"] = each.state;
-            made["bound"] = each.bound;
-            made["limit"] = each.limit;
-            made["exact"] = each.exact;
-            made["message"] = message;
-          }
+        const auto found = proved_in(here.current(), network.skill.name, requirement.name);
+        if (found.of != nullptr) {
+          std::string message;
+          for (const auto& finding : found.of->findings)
+            message += (message.empty() ? "" : "\n") + finding.message;
+          made["state"] = found.of->state;
+          made["bound"] = found.of->bound;
+          made["limit"] = found.of->limit;
+          made["exact"] = found.of->exact;
+          made["message"] = message;
         }
         list.push_back(std::move(made));
       }

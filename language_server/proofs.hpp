@@ -24,8 +24,8 @@ struct Share {
 /// What is known of one requirement.
 struct ProvedRequirement {
   std::string name;
-  std::string state;                 // "holds", "fails", "undecided", "never"
-  std::string bound;                 // "7.3 ms", "<= 9 ms", "no bound"
+  std::string state;                 // "holds", "fails", "undecided", "never"; "open": its proof goes on
+  std::string bound;                 // "7.3 ms", "<= 9 ms", "no bound"; of what is open perhaps ""
   std::string limit;                 // "10 ms"
   std::string measure;               // "age of pc-force at TXM( motion to MC1 ) in SM1"
   std::string explanation;           // one paragraph; may be empty
@@ -89,10 +89,12 @@ class Prover {
   virtual ~Prover() = default;
 
   /// Takes about `seconds` at most. Once `stop` says true it ends soon, and what it gives is not used. All
-  /// places are those of `sources`, which `skill` and `environment` come from.
+  /// places are those of `sources`, which `skill` and `environment` come from. `told` is called now and then,
+  /// if it is given, with what is known by then: what is not decided is open, and there are no charts.
   virtual SkillProof prove(const pan::Network& skill, const pan::Environment& environment,
                            const SourceManager& sources, Depth depth, double seconds,
-                           const std::function<bool()>& stop) const = 0;
+                           const std::function<bool()>& stop,
+                           const std::function<void(SkillProof)>& told) const = 0;
 
   /// Likewise. Edits are of files of `sources`.
   virtual Advice advise(const pan::Network& skill, const pan::Environment& environment,

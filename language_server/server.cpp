@@ -156,8 +156,16 @@ class Server {
   void prove(const ProofJob& job, const std::function<bool()>& stop) {
     for (const Depth depth : {Depth::quick, Depth::whole}) {
       if (stop()) return;
+      std::function<void(Proofs)> told;
+      if (depth == Depth::quick) {
+        told = [this, &job](Proofs now) {
+          give([this, job, known = std::make_shared<Proofs>(std::move(now))] {
+            session_.told(job, std::move(*known));
+          });
+        };
+      }
       auto proofs = std::make_shared<Proofs>(
-          language_server::prove(*job.analysis, *options_.prover, depth, job.seconds, stop));
+          language_server::prove(*job.analysis, *options_.prover, depth, job.seconds, stop, told));
       if (stop()) return;
       const bool whole = is_whole(*proofs);
       give([this, job, proofs] { session_.proved(job, std::move(*proofs)); });
@@ -230,7 +238,9 @@ std::string replay(const std::string& script, const FileSystem& files, const Opt
     const auto never = [] { return false; };
     for (const auto& job : session.take_jobs()) {
       for (const Depth depth : {Depth::quick, Depth::whole}) {
-        Proofs proofs = prove(*job.analysis, *options.prover, depth, job.seconds, never);
+        const auto told = [&](Proofs now) { session.told(job, std::move(now)); };
+        Proofs proofs = prove(*job.analysis, *options.prover, depth, job.seconds, never,
+                              depth == Depth::quick ? std::function<void(Proofs)>(told) : nullptr);
         const bool whole = is_whole(proofs);
         session.proved(job, std::move(proofs));
         if (whole) break;

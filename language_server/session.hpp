@@ -31,9 +31,15 @@ struct Known {
   std::shared_ptr<const Analysis> sound;     // the last one without errors
   std::shared_ptr<const Analysis> proved;    // the one that `proofs` are of
   std::shared_ptr<const Proofs> proofs;
+  std::shared_ptr<const Proofs> under_way;  // of `analysis`, while its proof goes on; else nullptr
   std::shared_ptr<const AllAdvice> advice;  // of `proved`; nullptr: not yet
-  std::vector<std::string> inputs;          // the files that an analysis begins with
-  std::uint64_t inputs_of = 0;              // the structure of the workspace that they are of
+
+  /// What is known of the requirements of the present text: nullptr if nothing is.
+  const Proofs* current() const {
+    return proved == analysis && proofs != nullptr ? proofs.get() : under_way.get();
+  }
+  std::vector<std::string> inputs;  // the files that an analysis begins with
+  std::uint64_t inputs_of = 0;      // the structure of the workspace that they are of
 };
 
 /// Whether the name is that of a file of operations.
@@ -57,6 +63,8 @@ class Session {
   /// The proofs to be made for what was checked; earlier ones are of no use any more.
   std::vector<ProofJob> take_jobs();
   void proved(const ProofJob& job, Proofs proofs);
+  /// What is known while the proof goes on.
+  void told(const ProofJob& job, Proofs proofs);
   void advised(const ProofJob& job, AllAdvice advice);
   /// The client is told that a proof goes on, and that it has ended.
   void show_progress(const ProofJob& job);

@@ -227,6 +227,7 @@ class Analyzer {
       verdict.explanation = nothing_measured(requirement, true);
       return;
     }
+    if (options_.verdicts_only && keeps_load(requirement, machine, graph, verdict)) return;
     const std::vector<LoadBound> bounds = load_bounds(machine, graph, requirement.processors, limits());
     std::string others;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -254,6 +255,19 @@ class Analyzer {
       verdict.explanation +=
           "; a run keeps " + processor_name(processor_of(shown)) + " busy for " + turn_text(shown->shown);
     forget_full_load(verdict);
+  }
+
+  /// Whether it is shown that no processor exceeds the limit, by what is cheaper than the least bound.
+  bool keeps_load(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph,
+                  Verdict& verdict) {
+    const Fraction limit{requirement.limit, 1'000'000'000};
+    const LoadDecision decision = decide_loads(machine, graph, requirement.processors, limit, limits());
+    if (decision.state != Is::holds) return false;
+    verdict.bound = Duration(per_second(decision.load));
+    verdict.state = Is::holds;
+    verdict.explanation =
+        "each processor is busy for at most " + percent_text(decision.load) + " of the time in the long run";
+    return true;
   }
 
   /// That a processor is not busy for more than the whole time says nothing of it.

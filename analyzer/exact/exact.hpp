@@ -26,6 +26,9 @@ struct Options {
   /// left until `deadline`.
   std::function<double()> clock;
   std::optional<double> deadline = {};  // by the clock: from then on `stop` says true
+  /// Only whether each requirement holds is asked: a bound that suffices is as good as one that a run
+  /// attains.
+  bool verdicts_only = false;
   /// Called now and then by what chooses between analyses, with what is known of all requirements by now.
   std::function<void(const Analysis&)> known = {};
   /// For the statistics: the most memory that the program took since it was last asked, in bytes.
@@ -44,6 +47,9 @@ struct Analysis {
   std::optional<ZenoRun> zeno_run = {};
   /// Devices that were proved to lose no event, by the compositional analysis; empty: it proved none.
   Table<DeviceId, bool> never_lost = {};
+  /// While the analysis goes on (Options::known): what holds has a bound that suffices, but it is not known
+  /// yet whether time stands still in some run, or whether anything is measured at all.
+  bool bounds_only = false;
 };
 
 /// Whether every run ends. Then a load, which is that of the long run, has no meaning. False also where

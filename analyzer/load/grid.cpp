@@ -7,6 +7,7 @@ namespace pal::analyzer {
 namespace {
 
 constexpr std::size_t tries_between_stops = 4096;
+constexpr std::size_t nodes_between_stops = 64;  // each may have very many successors
 
 Nanoseconds down(Nanoseconds value, Nanoseconds unit) {
   const Nanoseconds rest = ((value % unit) + unit) % unit;
@@ -239,7 +240,7 @@ bool Grid::explore(const Limits& limits) {
   most_ = limits.classes;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     if (nodes_.size() > limits.classes || edges_.size() > 8 * limits.classes) return false;
-    if (n % 4096 == 0 && limits.stop && limits.stop()) return false;
+    if (n % nodes_between_stops == 0 && limits.stop && limits.stop()) return false;
     expand(static_cast<int>(n));
   }
   return true;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "analyzer/machine/machine.hpp"
@@ -19,7 +20,8 @@ using Measure = Requirement::Measure;
 /// A witness with more firings takes too long to be replayed and read.
 constexpr std::size_t most_firings = 100'000;
 
-/// Runs of so many events, so many of each. In short ones most loops are seen already.
+/// Runs of so many events, so many of each. In short ones most loops are seen already. The long ones are made
+/// if a short one measured less than two values, or measured one again that began as early.
 struct Round {
   std::size_t events;
   std::uint64_t runs;
@@ -108,13 +110,22 @@ class Lineage {
   std::vector<int> then_;
 };
 
+/// Whether something is measured again that began as early. In a loop that grows it is, in each turn or two.
+bool grows_for_a_while(const Simulation& made) {
+  std::unordered_set<Nanoseconds> births;
+  return std::any_of(made.measured.begin(), made.measured.end(),
+                     [&births](const Measurement& each) { return !births.insert(each.born).second; });
+}
+
 class Search {
  public:
   Search(const Problem& problem, const Requirement& requirement, const std::function<bool()>& stop)
       : problem_(problem), watch_(watch_of(problem, requirement)), machine_(problem, watch_), stop_(stop) {}
 
   std::optional<GrowingLoop> run() {
+    bool may_be_seen = true;
     for (const Round& round : rounds) {
+      if (!std::exchange(may_be_seen, false)) break;
       for (std::uint64_t number = 0; number < round.runs; ++number) {
         if (stop_ && stop_()) return std::nullopt;
         SimulationOptions how;
@@ -125,7 +136,11 @@ class Search {
         how.max_events = round.events;
         how.stop = stop_;
         how.record = false;
-        if (auto found = in(simulate(machine_, how))) return found;
+        const Simulation made = simulate(machine_, how);
+        const bool grows = grows_for_a_while(made);
+        may_be_seen = may_be_seen || grows || made.measured.size() < 2;
+        if (!grows) continue;
+        if (auto found = in(made)) return found;
       }
     }
     return std::nullopt;
@@ -157,7 +172,6 @@ class Search {
   }
 
   std::optional<GrowingLoop> in(const Simulation& made) const {
-    if (made.measured.empty()) return std::nullopt;
     for (const Stretch& stretch : candidates(made)) {
       if (!repeats(made.script, stretch)) continue;
       if (auto found = repeated(made.script, stretch)) return found;

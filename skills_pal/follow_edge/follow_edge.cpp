@@ -28,7 +28,8 @@ constexpr int lost_after = 5;  // profiles
 // mm beside where the edge is expected; along an edge it is seen within 1 mm. A tool that is as far from
 // where it should be above the edge cannot tell it from another one.
 constexpr double strays_from = 3;
-// The thesis's law looks at every second profile while it aligns, and may be several mm off.
+// The thesis's law may be several mm off. One profile with more ends it: what it corrects from profile to
+// profile may lead the tool as far to the other side.
 constexpr double strays_from_literal = 6;
 // mm and deg: so near the edge the tool begins to go along it.
 constexpr double beside_edge = 1, square_to_it = 2;
@@ -105,7 +106,7 @@ class Method final : public SM1Activities {
 
   bool decide_pc_lost(const Edge& edge) override {
     unseen_ = edge.seen ? 0 : unseen_ + 1;
-    return unseen_ >= lost_after || strays_ >= lost_after || far_off_ >= lost_after ||
+    return unseen_ >= lost_after || strays_ >= lost_after || far_off_ >= (parameters_.literal ? 1 : lost_after) ||
            since_nearer_ >= patience;
   }
   bool decide_pc_end() override { return gone_ >= parameters_.distance * 10; }

@@ -2,13 +2,14 @@
 
 Usage: language_server.py PAL SOURCE_DIR [skills|open|lines|edits] [NUMBER].
 
-skills  One line a skill, after NUMBER edits, in milliseconds: median and greatest.
+skills  Two lines a skill, after NUMBER edits of each kind, in milliseconds: median and greatest.
 open    Memory with all PAL files of the tree open.
 lines   An edit with NUMBER lines of PAL open, of which it changes one.
 edits   Memory after each tenth of NUMBER edits.
 """
 import json
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
@@ -99,40 +100,81 @@ def append(client, uri, version, line, text):
     return begin
 
 
+def replace(client, uri, version, line, begin, end, text):
+    """Puts a text in the place of a part of a line, and says when."""
+    when = time.perf_counter()
+    client.tell("textDocument/didChange", {"textDocument": {"uri": uri, "version": version}, "contentChanges": [
+        {"range": {"start": {"line": line, "character": begin}, "end": {"line": line, "character": end}}, "text": text}]})
+    return when
+
+
+class TimeOfActivity:
+    """The worst time of an activity of the skill's method, in the environment: with another one every proof is another."""
+
+    def __init__(self, cell, skill_text):
+        activities = set(re.findall(r"ACTIVITY +([\w-]+)", skill_text))
+        for self.line, text in enumerate(cell.split("\n")):
+            found = re.match(r" *TIME +([\w-]+) +OF SM1 : ([\d.]+ TO )?([\d.]+) ms", text)
+            if found and found[1] in activities:
+                self.begin, self.end, self.value = found.start(3), found.end(3), float(found[3])
+                return
+        raise ValueError("no TIME of an activity of SM1")
+
+    def edit(self, client, uri, version):
+        text = f"{self.value + 0.05 * version:.2f}"
+        when = replace(client, uri, version, self.line, self.begin, self.end, text)
+        self.end = self.begin + len(text)
+        return when
+
+
+def states_of(client, uri):
+    asked = time.perf_counter()
+    client.ask("pal/requirements", {"textDocument": {"uri": uri}})
+    with client.changed:
+        answer = next(each for at, each in reversed(client.sent) if at > asked and "result" in each)
+    return [each["state"] for skill in answer["result"] for each in skill["requirements"]]
+
+
 def of_skills(pal, source, edits):
     folder = source / "skills_pal"
-    print(f"{'skill':24} {'findings':>15} {'first bounds':>15} {'verdicts':>15} {'hover':>15} {'completion':>15} undecided")
+    print("time: a worst time changes, and with it every proof; words: a comment does")
+    print(f"{'skill':18} {'edit':5} {'findings':>15} {'first bounds':>15} {'verdicts':>15} {'hover':>15} {'completion':>15} undecided")
     greatest = 0
     for path in sorted(folder.glob("*/*.pal")):
         text = path.read_text()
         if "END SKILL" not in text:
             continue
+        cell = folder / "workcell.pal"
         client = start(pal, folder)
         begin = open_file(client, path.as_uri(), text)
-        client.wait(is_method("textDocument/publishDiagnostics"), 0)
-        first, found, proved, hover, completion = [], [], [], [], []
-        undecided = 0
+        open_file(client, cell.as_uri(), cell.read_text())
+        client.wait(is_method("textDocument/publishDiagnostics"), begin)
+        longer = TimeOfActivity(cell.read_text(), text)
         here = {"textDocument": {"uri": path.as_uri()}, "position": {"line": 2, "character": 8}}
-        for i in range(1, edits + 1):
-            begin = append(client, path.as_uri(), i, text.count("\n"), f"# {i}\n")
-            found.append(client.wait(is_method("textDocument/publishDiagnostics", version=i), begin))
-            first.append(client.wait(is_method("pal/changed", what="proof"), begin))
-            # Every verdict is known once none is open; what 2 s did not suffice for stays undecided.
-            for _ in range(1000):
-                asked = time.perf_counter()
-                client.ask("pal/requirements", {"textDocument": {"uri": path.as_uri()}})
-                with client.changed:
-                    answer = next(each for at, each in reversed(client.sent) if at > asked and "result" in each)
-                states = [each["state"] for skill in answer["result"] for each in skill["requirements"]]
-                if "open" not in states:
-                    break
-                time.sleep(0.01)
-            undecided = max(undecided, states.count("undecided"))
-            proved.append((time.perf_counter() - begin) * 1000)
-            hover.append(client.ask("textDocument/hover", here))
-            completion.append(client.ask("textDocument/completion", here))
+        for kind in ("time", "words"):
+            first, found, proved, hover, completion = [], [], [], [], []
+            undecided = 0
+            for i in range(1, edits + 1):
+                if kind == "time":
+                    begin = longer.edit(client, cell.as_uri(), i)
+                else:
+                    begin = append(client, path.as_uri(), i, text.count("\n"), f"# {i}\n")
+                uri = cell.as_uri() if kind == "time" else path.as_uri()
+                found.append(client.wait(is_method("textDocument/publishDiagnostics", uri=uri, version=i), begin))
+                first.append(client.wait(is_method("pal/changed", what="proof"), begin))
+                # Every verdict is known once none is open; what 2 s did not suffice for stays undecided.
+                for _ in range(1000):
+                    states = states_of(client, path.as_uri())
+                    if "open" not in states:
+                        break
+                    time.sleep(0.005)
+                undecided = max(undecided, states.count("undecided"))
+                proved.append((time.perf_counter() - begin) * 1000)
+                hover.append(client.ask("textDocument/hover", here))
+                completion.append(client.ask("textDocument/completion", here))
+            print(f"{path.stem:18} {kind:5} {figures(found)} {figures(first)} {figures(proved)} {figures(hover)} {figures(completion)} {undecided}",
+                  flush=True)
         greatest = max(greatest, memory(client, "VmHWM"))
-        print(f"{path.stem:24} {figures(found)} {figures(first)} {figures(proved)} {figures(hover)} {figures(completion)} {undecided}", flush=True)
         client.process.kill()
     print(f"the most memory of one server: {greatest} MB")
 

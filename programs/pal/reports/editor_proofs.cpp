@@ -107,12 +107,76 @@ std::vector<language_server::Drawing::Place> places_of(const std::string& svg,
   return places;
 }
 
+/// The verdicts on a problem: those that were kept, and those that are found now.
+class Known {
+ public:
+  template <class Find>
+  Known(analyzer::Problem problem, bool whole, const Find& find)
+      : proof{std::move(problem), {}, true, false, false} {
+    const auto kept = find(proof.problem);
+    proof.analysis = analyzer::nothing_known(proof.problem, "");
+    for (std::size_t r = 0; r < kept.size(); ++r) {
+      if (kept[r]) proof.analysis.verdicts[r] = kept[r]->verdict;
+      if (!kept[r] || (whole && !kept[r]->whole)) open_.push_back(r);
+    }
+  }
+
+  const std::vector<std::size_t>& open() const { return open_; }
+
+  /// With the requirements alone that are to be proved.
+  analyzer::Problem open_problem() const {
+    analyzer::Problem part = proof.problem;
+    part.requirements.clear();
+    for (const std::size_t r : open_) part.requirements.push_back(proof.problem.requirements[r]);
+    return part;
+  }
+
+  void take(analyzer::Analysis analysis) {
+    for (std::size_t i = 0; i < open_.size(); ++i)
+      proof.analysis.verdicts[open_[i]] = std::move(analysis.verdicts[i]);
+    analysis.verdicts = std::move(proof.analysis.verdicts);
+    proof.analysis = std::move(analysis);
+  }
+
+  /// What can be said while the analysis of what is open has come so far. What holds by a bound is decided
+  /// only once it is known that time passes and that something is measured.
+  language_server::SkillProof under_way(language_server::SkillProof made,
+                                        const analyzer::Analysis& now) const {
+    Proof told{proof.problem, proof.analysis, true, false, false};
+    std::vector<bool> decided(told.problem.requirements.size(), true);
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const auto& verdict = now.verdicts[i];
+      told.analysis.verdicts[open_[i]] = verdict;
+      decided[open_[i]] = verdict.state == analyzer::VerdictState::fails ||
+                          (verdict.state != analyzer::VerdictState::undecided && !now.bounds_only);
+    }
+    for (std::size_t r = 0; r < decided.size(); ++r) {
+      auto each = requirement_of(told, r);
+      if (!decided[r]) {
+        each.state = "open";
+        each.findings.clear();
+        each.cause = {};
+        each.shares.clear();
+        if (!told.analysis.verdicts[r].bound) each.bound.clear();
+      }
+      each.has_run = false;
+      made.requirements.push_back(std::move(each));
+    }
+    return made;
+  }
+
+  Proof proof;
+
+ private:
+  std::vector<std::size_t> open_;
+};
+
 }  // namespace
 
-language_server::SkillProof EditorProver::prove(const pan::Network& skill,
-                                                const pan::Environment& environment,
-                                                const SourceManager& sources, language_server::Depth depth,
-                                                double seconds, const std::function<bool()>& stop) const {
+language_server::SkillProof EditorProver::prove(
+    const pan::Network& skill, const pan::Environment& environment, const SourceManager& sources,
+    language_server::Depth depth, double seconds, const std::function<bool()>& stop,
+    const std::function<void(language_server::SkillProof)>& told) const {
   language_server::SkillProof made{skill.skill.name, environment.name, {}, {}, false, {}};
   Diagnostics diagnostics;
   check::check_listed(skill, environment, diagnostics);
@@ -121,15 +185,30 @@ language_server::SkillProof EditorProver::prove(const pan::Network& skill,
   made.findings = diagnostics.all();
   made.chart = [](std::size_t) { return std::nullopt; };
   if (!problem || diagnostics.has_errors()) return made;
-  ProofLimits limits;
-  limits.seconds = seconds;
-  analyzer::Options options = options_of(limits);
-  options.stop = [usual = options.stop, stop] { return usual() || stop(); };
-  const auto choice = depth == language_server::Depth::quick ? analyzer::AnalysisChoice::automatic
-                                                             : analyzer::AnalysisChoice::thorough;
-  analyzer::Analysis analysis = analyzer::analyze(*problem, choice, options);
+  const bool whole = depth == language_server::Depth::whole;
+  const ProofKey key = key_of(skill, environment, *problem, sources);
+  Known known(std::move(*problem), whole, [&](const analyzer::Problem& of) { return kept_.find(key, of); });
+  bool ended = false;
+  if (!known.open().empty()) {
+    ProofLimits limits;
+    limits.seconds = seconds;
+    analyzer::Options options = options_of(limits);
+    options.verdicts_only = !whole;
+    options.stop = [usual = options.stop, stop] { return usual() || stop(); };
+    if (told) {
+      options.known = [&](const analyzer::Analysis& now) {
+        if (!stop()) told(known.under_way(made, now));
+      };
+    }
+    const auto choice = whole ? analyzer::AnalysisChoice::thorough : analyzer::AnalysisChoice::automatic;
+    known.take(analyzer::analyze(known.open_problem(), choice, options));
+    ended = options.stop();
+    // Where time stands still the run that shows it is told, which is not kept.
+    if (!stop() && !known.proof.analysis.zeno_run)
+      kept_.keep(key, known.proof.problem, known.proof.analysis.verdicts, whole && !ended);
+  }
   const auto proof = std::make_shared<const Proof>(
-      Proof{std::move(*problem), std::move(analysis), true, options.stop(), false});
+      Proof{std::move(known.proof.problem), std::move(known.proof.analysis), true, ended, false});
   made.ended = proof->ended;
   for (std::size_t i = 0; i < proof->analysis.verdicts.size(); ++i)
     made.requirements.push_back(requirement_of(*proof, i));

@@ -39,7 +39,7 @@ what a completion says is not so, and writes **false** in that row. A share of t
 | press 2, rub 1 | the stop force was met, and nothing touches any more |
 | rub 0 | the way is gone within 1 mm, without 0.2 s in the air once the tool has touched; the force at rest is in the band within 0.25 N |
 | standoff 0, align 0 | the nearest point, the surface's normal, by rays from where the tool stands |
-| follow-edge 0 | never more than 4 mm from where the tool should be above the seam; 7 mm by the thesis's law |
+| follow-edge 0 | never more than 4 mm from where the tool should be above the seam; by the thesis's law 6 mm and twice the translation |
 | follow-edge 1 | more than 2.5 mm off, or the seam has ended below the tool |
 | moves 0 | within 0.2 mm of the goal; 1: within 0.2 mm of where it began |
 | pick 0, 3 | both pads press on one loose part, or on none, 0.3 s after the end |

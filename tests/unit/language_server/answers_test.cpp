@@ -159,7 +159,7 @@ TEST_CASE("a finding in a file that is not open is told") {
   CHECK(client.findings("shared.pal")[0]["code"] == "PAL0302");
 }
 
-TEST_CASE("slack stands beside times, shares beside statements; a long proof is told") {
+TEST_CASE("slack stands beside times, shares beside statements") {
   Client client(long_proofs);
   client.open("feel.pal", skill);
   client.open("cell.pal", cell);
@@ -177,13 +177,89 @@ TEST_CASE("slack stands beside times, shares beside statements; a long proof is 
   for (const auto& hint : client.result(of_skill)) at[hint["position"]["line"]] = hint["label"];
   CHECK(at[9] == "5 ms of 20 ms, exact");
   CHECK(at[18] == "3 ms of soon");  // look
-  // Progress, if any, begins and ends.
-  int begun = 0, ended = 0;
-  for (const auto& message : client.sent) {
-    if (message.value("method", "") != "$/progress") continue;
-    (message["params"]["value"]["kind"] == "begin" ? begun : ended) += 1;
+}
+
+namespace {
+
+/// A requirement that a look for verdicts alone decides by a bound which no run is known to attain.
+class OneBound : public Prover {
+ public:
+  SkillProof prove(const pan::Network& network, const pan::Environment& environment, const SourceManager&,
+                   Depth depth, double, const std::function<bool()>&,
+                   const std::function<void(SkillProof)>& told) const override {
+    SkillProof proof{network.skill.name, environment.name, {}, {}, false, {}};
+    ProvedRequirement& made = proof.requirements.emplace_back();
+    made.name = "soon";
+    made.state = "open";
+    made.bound = "<= 9 ms";
+    made.limit = "20 ms";
+    proof.chart = [](std::size_t) { return std::nullopt; };
+    if (told) told(proof);
+    proof.requirements.front().state = "holds";
+    proof.requirements.front().exact = depth == Depth::whole;
+    return proof;
   }
-  CHECK(begun == ended);
+  Advice advise(const pan::Network& network, const pan::Environment&, const SourceManager&, double,
+                const std::function<bool()>&) const override {
+    return {network.skill.name, {}, {}};
+  }
+};
+
+/// The kinds of progress of one token, in their order, with what else was sent in between.
+std::vector<std::string> story(const std::vector<Json>& sent) {
+  std::vector<std::string> told;
+  std::string token;
+  for (const auto& message : sent) {
+    const auto method = message.value("method", "");
+    if (method == "window/workDoneProgress/create") {
+      token = message["params"]["token"];
+      told.emplace_back("create");
+    } else if (method == "$/progress") {
+      CHECK(message["params"]["token"] == token);
+      told.push_back(message["params"]["value"]["kind"]);
+    } else if (method == "pal/changed" && message["params"]["what"] == "proof") {
+      told.emplace_back("proof");
+    }
+  }
+  return told;
+}
+
+}  // namespace
+
+TEST_CASE("a long proof is told: first bounds, verdicts, then progress until the worst runs are known") {
+  const OneBound prover;
+  Client client(Json{{"pictures", true}});
+  client.open("feel.pal", skill);
+  client.run(prover);
+  CHECK(story(client.sent) == std::vector<std::string>{"proof", "proof", "create", "begin", "proof", "end"});
+  for (const auto& message : client.sent) {
+    if (message.value("method", "") == "$/progress" && message["params"]["value"]["kind"] == "begin")
+      CHECK(message["params"]["value"]["message"] == "feel");
+  }
+}
+
+TEST_CASE("an edit of other words leaves proofs as they are, with the lines of the new text") {
+  const auto charted = [](const std::string& text, bool edited) {
+    Client client(long_proofs);
+    client.open("feel.pal", edited ? skill : text);
+    if (edited)
+      client.tell("textDocument/didChange", {{"textDocument", {{"uri", uri("feel.pal")}, {"version", 2}}},
+                                             {"contentChanges", {{{"text", text}}}}});
+    const int asked = client.ask("pal/requirements", {{"textDocument", {{"uri", uri("feel.pal")}}}});
+    const int drawn =
+        client.ask("pal/picture", {{"textDocument", {{"uri", uri("feel.pal")}}}, {"kind", "atc"}});
+    client.run(program::EditorProver());
+    return std::pair(client.result(asked), client.result(drawn));
+  };
+  const std::string moved = "# a line more\n" + replaced(skill, "  look\n", "  # and one here\n\n  look\n");
+  CHECK(charted(moved, true) == charted(moved, false));
+  const std::string stricter = replaced(skill, "AT MOST 20 ms", "AT MOST 4 ms");
+  const auto edited = charted(stricter, true);
+  CHECK(edited.first[0]["requirements"][0]["state"] == "fails");
+  CHECK(edited == charted(stricter, false));
+  const std::string later = replaced(skill, "  look\n", "  look\n  look\n");
+  CHECK(charted(later, true) == charted(later, false));
+  CHECK(charted(later, true).first != charted(skill, false).first);
 }
 
 TEST_CASE("the signature of a message") {

@@ -129,6 +129,9 @@ class Client {
 
   void run() {
     static const program::EditorProver prover;
+    run(prover);
+  }
+  void run(const Prover& prover) {
     const Options options{"1", "file:///docs", &prover, 60};
     std::istringstream lines(replay(script_, files_, options));
     for (std::string line; std::getline(lines, line);) sent.push_back(Json::parse(line));

@@ -24,7 +24,7 @@ writeFileSync(join(folder, "dip.pal"), fromTutorial("dip.pal"));
 writeFileSync(join(folder, "bench.pal"), fromTutorial("bench.pal"));
 symlinkSync(pal, join(bin, "pal"));
 const settings = {
-  "workbench.colorTheme": "Default Light Modern", "workbench.startupEditor": "none", "editor.minimap.enabled": false, "telemetry.telemetryLevel": "off",
+  "workbench.colorTheme": "Light Modern", "workbench.startupEditor": "none", "editor.minimap.enabled": false, "telemetry.telemetryLevel": "off",
   "security.workspace.trust.enabled": false, "chat.disableAIFeatures": true, "workbench.secondarySideBar.defaultVisibility": "hidden", "editor.fontSize": 13,
   "window.commandCenter": false, "workbench.layoutControl.enabled": false, "extensions.ignoreRecommendations": true, "update.mode": "none", "editor.fontFamily": "DejaVu Sans Mono",
   "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "pal.path": join(bin, "pal"), // the path is that of a login shell
@@ -132,7 +132,7 @@ try {
     await cures("replace 'Guage' by 'Gauge'");
     await shot("editor-cure");
     await page.keyboard.press("Enter");
-    await page.locator(".squiggly-error").first().waitFor({ state: "detached" }).catch(() => undefined);
+    await page.locator(".view-lines").getByText("Guage").waitFor({ state: "detached" });
   });
 
   await step("the bounds appear, and one fails", async () => {
@@ -222,7 +222,7 @@ try {
   });
 
   await step("a dark theme turns the pictures dark", async () => {
-    writeFileSync(join(user, "User/settings.json"), JSON.stringify({ ...settings, "workbench.colorTheme": "Default Dark Modern" }));
+    await command("Preferences: Toggle between Light/Dark Themes");
     await page.locator(".monaco-workbench.vs-dark").waitFor();
     await page.waitForTimeout(1500);
     await shot("editor-dark-graph");

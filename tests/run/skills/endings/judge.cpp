@@ -16,7 +16,7 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double sensor = 0.25;   // N: half a step, the noise's mean, and the zero
 constexpr double touching = 0.3;  // N
 constexpr double there = 0.2;     // mm: counts, play, and where the encoders are asked
-constexpr double edge_known = 4, edge_known_literal = 7;  // mm, as the template says
+constexpr double edge_known = 4, edge_known_literal = 6;  // mm, as the template says
 constexpr double opened = 79;                             // mm between the fingers
 constexpr double sensor_most = 60;                        // N that a skill promises not to exceed
 
@@ -212,7 +212,8 @@ Judgement follow_edge(const Ended& ended) {
   for (const sim::Sample& sample : ended.during())
     if (at_edge(sample).x() - begun > 3) worst = std::max(worst, off(seam, sample, standoff).length);
   const double rest = off(seam, ended.after(), standoff).length;
-  const double known = ended.parameter("literal") != 0 ? edge_known_literal : edge_known;
+  const double known =
+      ended.parameter("literal") != 0 ? edge_known_literal + 2 * ended.parameter("translation") : edge_known;
   switch (ended.outcome.code) {
     case 0:
       return {"mm off at the most", worst,

@@ -1,0 +1,52 @@
+"""What is said of a line while it is typed: half_typed.py PAL SOURCE_DIR [EVERY].
+
+Each line of the shipped skills is cut behind each of its words; what follows the line stays. A state that has no error is complete,
+and is left out. Of the others, every EVERYth: the share with exactly one error, with no error on the typed line, and with a rest
+that was not read (PAL0104).
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+
+def states(text):
+    lines = text.split("\n")
+    for number, line in enumerate(lines):
+        if line.lstrip().startswith("#"):
+            continue
+        words = [found.end() for found in re.finditer(r"\S+", line.split(" #")[0])]
+        for end in words[:-1]:
+            yield number + 1, "\n".join(lines[:number] + [line[:end]] + lines[number + 1:])
+
+
+def findings(pal, path):
+    done = subprocess.run([pal, "check", path, "--without-times", "--format", "json", "--max-errors", "0"], capture_output=True, text=True)
+    return [each for each in json.loads(done.stdout)["diagnostics"] if each["severity"] == "error"]
+
+
+def main(pal, source, every="20"):
+    seen = one = elsewhere = unread = 0
+    with tempfile.NamedTemporaryFile("w", suffix=".pal", dir=pathlib.Path(source) / "skills_pal" / "touch", delete=False) as file:
+        path = pathlib.Path(file.name)
+    try:
+        all_states = [state for skill in sorted(pathlib.Path(source).glob("skills_pal/*/*.pal"))
+                      for state in states(re.sub(r'USES "(?!\.\.)', f'USES "../{skill.parent.name}/', skill.read_text()))]
+        for line, text in all_states[::int(every)]:
+            path.write_text(text)
+            errors = findings(pal, str(path))
+            if not errors:
+                continue
+            seen += 1
+            one += len(errors) == 1
+            unread += any(each["code"] == "PAL0104" for each in errors)
+            elsewhere += not any(each["line"] == line and pathlib.Path(each["file"]).name == path.name for each in errors)
+    finally:
+        path.unlink()
+    print(f"{seen} states: exactly one error {100 * one / seen:.1f} %, none on the typed line {100 * elsewhere / seen:.1f} %, "
+          f"rest unread {100 * unread / seen:.1f} %")
+
+
+main(*sys.argv[1:])
