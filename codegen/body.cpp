@@ -280,6 +280,7 @@ class BodyPlanner {
 
   pan::NodeId plan_statement(pan::NodeId id, const pan::Loop&, PlannedStatement& made) {
     made.kind = Kind::loop;
+    made.pan_node = id;
     const pan::NodeId until = graph_[id].mate;
     made.branches.push_back(follow(after(id), until));
     made.until = pan::statement_text(network_, module_, until);

@@ -168,6 +168,15 @@ class BodyWriter {
   }
 
   void write_loop(const PlannedStatement& statement) {
+    if (!statement.loop) return write_turns(statement);
+    out_.open("{");
+    out_.line("const runtime::Thread::Within within = thread.within(" + std::to_string(*statement.loop) +
+              ");");
+    write_turns(statement);
+    out_.close();
+  }
+
+  void write_turns(const PlannedStatement& statement) {
     out_.open("for (;;) {");
     write(statement.branches.front());
     comment(statement.until_line, statement.until);

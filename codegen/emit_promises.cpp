@@ -50,10 +50,18 @@ const char* name_of(PlannedRequirement::Measure measure) {
       return "interval";
     case Measure::duration:
       return "duration";
-    case Measure::other:
+    case Measure::reaction:
+      return "reaction";
+    case Measure::sample_reaction:
+      return "sample_reaction";
+    case Measure::loss:
+      return "loss";
+    case Measure::load:
+      return "load";
+    case Measure::busy:
       break;
   }
-  return "other";
+  return "busy";
 }
 
 }  // namespace
@@ -78,12 +86,33 @@ void write_promises(Writer& out, const Plan& plan) {
     row += ", " + (requirement.condition ? std::to_string(*requirement.condition) : std::string("-1"));
     row += ", " + std::to_string(requirement.code);
     row += ", " + indices(out, name + "threads", requirement.threads);
-    row += ", " + indices(out, name + "devices", requirement.devices) + "},";
-    rows.push_back(std::move(row));
+    row += ", " + indices(out, name + "devices", requirement.devices);
+    const bool phase = !requirement.after.empty() || !requirement.during.empty();
+    if (requirement.device || !requirement.processors.empty() || phase) {
+      row += ", " + (requirement.device ? std::to_string(*requirement.device) : std::string("-1"));
+      row += ", " + std::to_string(requirement.in);
+      row += ", " + indices(out, name + "processors", requirement.processors);
+    }
+    if (phase) {
+      row += ", " + indices(out, name + "after", requirement.after);
+      row += ", " + indices(out, name + "during", requirement.during);
+    }
+    rows.push_back(row + "},");
   }
   out.open("constexpr std::array<runtime::RequirementSpec, " + std::to_string(rows.size()) +
            "> requirements{{");
   for (const std::string& row : rows) out.line(row);
+  out.close("}};").line();
+  if (plan.kept.empty()) return;
+  out.line("// What modules keep of messages: where it comes from, and where it goes.");
+  out.open("constexpr std::array<runtime::KeptSpec, " + std::to_string(plan.kept.size()) + "> kept{{");
+  for (const PlannedKept& each : plan.kept) {
+    const char* how = each.how == PlannedKept::How::taken  ? "taken"
+                      : each.how == PlannedKept::How::used ? "used"
+                                                           : "written";
+    out.line("{runtime::KeptSpec::How::" + std::string(how) + ", " + std::to_string(each.place) + ", " +
+             std::to_string(each.kept) + "},");
+  }
   out.close("}};").line();
 }
 

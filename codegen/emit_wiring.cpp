@@ -137,7 +137,7 @@ std::string wiring_source(const Plan& plan) {
   const pan::Latency& latency = plan.environment.latency;
   out.line("{" + interval(latency.within_processor) + ", " + interval(latency.between_processors) +
            "},  // latency within a processor, between two");
-  out.line("times, requirements,");
+  out.line(plan.kept.empty() ? "times, requirements," : "times, requirements, kept,");
   out.close("};").line();
   out.line("}  // namespace").line();
   out.line("const runtime::Wiring& wiring() { return tables; }");

@@ -93,7 +93,9 @@ struct PlannedStatement {
   std::vector<PlannedBody> branches;     // choose, wait with branches, concurrent; loop: one
   /// concurrent: of each branch its threads, in Plan::threads, one for each thread that begins it.
   std::vector<std::vector<std::size_t>> threads;
-  std::string until;  // loop: the UNTIL in its canonical spelling
+  std::optional<std::size_t> loop;  // loop: if a phase of a requirement names it, its number
+  pan::NodeId pan_node;             // loop: in the network
+  std::string until;                // loop: the UNTIL in its canonical spelling
   int until_line = 0;
 };
 
@@ -155,17 +157,41 @@ struct PlannedRow {
 
 /// A requirement, and the parties that its proof relies on: all that can delay what it is about.
 struct PlannedRequirement {
-  enum class Measure { response, age, sample, interval, duration, other };
+  enum class Measure {
+    response,
+    age,
+    sample,
+    interval,
+    duration,
+    reaction,
+    sample_reaction,
+    loss,
+    load,
+    busy
+  };
   std::string name;
-  Measure measure = Measure::other;
+  Measure measure = Measure::duration;
   Duration least{};
   std::optional<Duration> most;
   std::vector<std::size_t> channels;     // response, sample: in Plan::channels
   std::vector<std::size_t> at;           // in Plan::statements
-  std::optional<std::size_t> condition;  // age
+  std::optional<std::size_t> condition;  // age, reaction
   int code = 0;                          // duration
   std::vector<std::size_t> threads;      // those that no CONCURRENT begins
   std::vector<std::size_t> devices;      // in Plan::devices
+  std::optional<std::size_t> device;     // loss: in Plan::devices
+  int in = 1;                            // loss
+  std::vector<std::size_t> processors;   // load, busy: in the environment
+  std::vector<std::size_t> after;        // of a phase: in Plan::statements
+  std::vector<std::size_t> during;       // of a phase: numbers of loops
+};
+
+/// What happens to a message that a module keeps; those are numbered from 0 on.
+struct PlannedKept {
+  enum class How { taken, used, written };
+  How how = How::taken;
+  std::size_t place = 0;  // taken: in Plan::channels; otherwise in Plan::statements
+  std::size_t kept = 0;
 };
 
 struct PlannedChannel {
@@ -216,6 +242,7 @@ struct Plan {
   std::vector<std::string> devices;
   std::vector<PlannedDevice> device_classes;  // one for each of `devices`
   std::vector<PlannedRequirement> requirements;
+  std::vector<PlannedKept> kept;  // as far as a requirement is about samples
 };
 
 /// Reports what the environment lacks (PAL09xx); no plan then. `network` has been checked.

@@ -120,95 +120,10 @@ class Reliance {
   std::vector<std::vector<std::size_t>> by_processor_;  // threads, the greatest priority first
 };
 
-/// Whether a block somewhere uses what its module keeps of a message, and another thread of the module left
-/// it there. A meter at run time sees messages and conditions, and not this.
-class KeptMessages {
- public:
-  explicit KeptMessages(const pan::Network& network) : network_(network) {
-    for (std::size_t m = 0; m < network.modules.size(); ++m) {
-      const pan::Module& module = network.modules[m];
-      if (module.body.empty() || module.executed_by.valid()) continue;
-      left_.clear();
-      used_.clear();
-      entered_.clear();
-      follow(pan::ModuleId(m), 0, module.body.nodes.size(), begun_by(-1));
-      for (const auto& [message, users] : used_) {
-        for (const int leaver : left_[message]) {
-          for (const int user : users) crosses_ = crosses_ || !is_within(user, leaver);
-        }
-      }
-    }
-  }
-
-  bool crosses() const { return crosses_; }
-
- private:
-  /// A new thread.
-  int begun_by(int parent) {
-    parents_.push_back(parent);
-    return static_cast<int>(parents_.size()) - 1;
-  }
-
-  /// What a thread knows as it begins blocks they know, too.
-  bool is_within(int thread, int outer) const {
-    for (; thread >= 0; thread = parents_[static_cast<std::size_t>(thread)]) {
-      if (thread == outer) return true;
-    }
-    return false;
-  }
-
-  void follow(pan::ModuleId id, std::size_t begin, std::size_t end, int thread) {
-    const std::vector<pan::Node>& nodes = network_.modules[id.index()].body.nodes;
-    for (std::size_t n = begin; n < end; ++n) {
-      const pan::Node& node = nodes[n];
-      if (const auto* fork = std::get_if<pan::Fork>(&node.content)) {
-        for (std::size_t i = 0; i < fork->threads.size(); ++i) {
-          const std::size_t last = i + 1 < node.out.size() ? node.out[i + 1].index() : node.mate.index();
-          follow(id, node.out[i].index(), last, begun_by(thread));
-        }
-        n = node.mate.index();
-      } else if (const auto* execute = std::get_if<pan::Execute>(&node.content)) {
-        if (!entered_.insert({execute->module.value, thread}).second) continue;
-        follow(execute->module, 0, network_.modules[execute->module.index()].body.nodes.size(), thread);
-      } else {
-        note(node.content, thread);
-      }
-    }
-  }
-
-  void note(const pan::Content& content, int thread) {
-    const auto add = [&](const std::vector<pan::MessageId>& messages,
-                         std::map<std::int32_t, std::set<int>>& to) {
-      for (const pan::MessageId message : messages) to[message.value].insert(thread);
-    };
-    if (const auto* wait = std::get_if<pan::Wait>(&content)) {
-      for (const pan::ChannelId channel : wait->channels)
-        add({network_.channels[channel.index()].message}, left_);
-    } else if (const auto* send = std::get_if<pan::Send>(&content)) {
-      add({network_.channels[send->channel.index()].message}, used_);
-    } else if (const auto* perform = std::get_if<pan::Perform>(&content)) {
-      add(network_.activities[perform->activity.index()].reads, used_);
-      add(network_.activities[perform->activity.index()].writes, left_);
-    } else if (const auto* set = std::get_if<pan::Set>(&content); set != nullptr && !set->value) {
-      add(network_.conditions[set->condition.index()].from, used_);
-    }
-  }
-
-  const pan::Network& network_;
-  std::map<std::int32_t, std::set<int>> left_;  // threads, by message
-  std::map<std::int32_t, std::set<int>> used_;
-  std::set<std::pair<std::int32_t, int>> entered_;
-  std::vector<int> parents_;
-  bool crosses_ = false;
-};
-
 class RequirementPlanner {
  public:
   RequirementPlanner(const pan::Network& network, Plan& plan)
-      : crosses_blocks_(KeptMessages(network).crosses()),
-        network_(network),
-        plan_(plan),
-        reliance_(network, plan) {}
+      : network_(network), plan_(plan), reliance_(network, plan) {}
 
   void plan() {
     for (const pan::Requirement& requirement : network_.requirements) {
@@ -217,29 +132,115 @@ class RequirementPlanner {
       made.most = requirement.limit;
       std::vector<std::size_t> about;
       std::visit([&](const auto& measure) { fill(measure, made, about); }, requirement.measure);
-      if (made.measure == Measure::sample && crosses_blocks_) made.measure = Measure::other;
-      if (requirement.phase) made.measure = PlannedRequirement().measure;  // is not followed at run time
+      if (requirement.phase) phase(*requirement.phase, made);
       add(std::move(made), about);
     }
     for (const pan::DeviceTiming& timing : plan_.environment.devices) demanded_answer(timing);
+    keep();
   }
 
  private:
+  /// One with two limits is two, as in the proof.
   void add(PlannedRequirement made, const std::vector<std::size_t>& about) {
+    if (made.measure == Measure::loss && !made.device) return;
     reliance_.of(about, made);
+    if (made.least > Duration{} && made.most) {
+      PlannedRequirement least = made;
+      least.name += ".least";
+      least.most.reset();
+      plan_.requirements.push_back(std::move(least));
+      made.name += ".most";
+      made.least = {};
+    }
     plan_.requirements.push_back(std::move(made));
   }
 
-  void at(const std::vector<pan::StatementRef>& statements, PlannedRequirement& made,
-          std::vector<std::size_t>& about) {
+  std::vector<std::size_t> rows(const std::vector<pan::StatementRef>& statements) const {
+    std::vector<std::size_t> found;
     for (std::size_t s = 0; s < plan_.statements.size(); ++s) {
       const PlannedRow& row = plan_.statements[s];
       const bool meant =
           std::any_of(statements.begin(), statements.end(), [&row](const pan::StatementRef& ref) {
             return ref.module == row.pan_module && ref.node == row.pan_node;
           });
-      if (meant) made.at.push_back(s);
+      if (meant) found.push_back(s);
     }
+    return found;
+  }
+
+  void phase(const pan::Phase& phase, PlannedRequirement& made) {
+    made.after = rows(phase.after);
+    for (const pan::StatementRef& ref : phase.during) {
+      for (PlannedModule& module : plan_.modules) {
+        if (module.pal_name != network_.modules[ref.module.index()].name) continue;
+        if (const auto number = number_of_loop(module.body, ref.node)) made.during.push_back(*number);
+      }
+    }
+  }
+
+  /// The loop gets a number if it has none.
+  std::optional<std::size_t> number_of_loop(PlannedBody& body, pan::NodeId node) {
+    for (PlannedStatement& statement : body) {
+      if (statement.kind == PlannedStatement::Kind::loop && statement.pan_node == node) {
+        if (!statement.loop) statement.loop = loops_++;
+        return statement.loop;
+      }
+      for (PlannedBody& branch : statement.branches) {
+        if (const auto number = number_of_loop(branch, node)) return number;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // What modules keep of messages. One that executes others keeps it for them.
+
+  std::size_t root(std::size_t module) const { return plan_.modules[module].keeper.value_or(module); }
+
+  std::size_t module_named(const std::string& name) const {
+    std::size_t m = 0;
+    while (m < plan_.modules.size() && plan_.modules[m].pal_name != name) ++m;
+    return m;
+  }
+
+  void keep() {
+    const bool samples =
+        std::any_of(plan_.requirements.begin(), plan_.requirements.end(), [](const PlannedRequirement& each) {
+          return each.measure == Measure::sample || each.measure == Measure::sample_reaction;
+        });
+    if (!samples) return;
+    std::map<std::pair<std::size_t, std::int32_t>, std::size_t> kept;  // by module and message
+    using How = PlannedKept::How;
+    for (std::size_t s = 0; s < plan_.statements.size(); ++s) {
+      const PlannedRow& row = plan_.statements[s];
+      const std::size_t module = root(module_named(row.module));
+      const auto add = [&](How how, const std::vector<pan::MessageId>& messages) {
+        for (const pan::MessageId message : messages) {
+          if (network_.messages[message.index()].fields.empty()) continue;
+          const auto found = kept.try_emplace({module, message.value}, kept.size()).first;
+          plan_.kept.push_back({how, s, found->second});
+        }
+      };
+      const pan::Content& content = network_.modules[row.pan_module.index()].body[row.pan_node].content;
+      if (const auto* send = std::get_if<pan::Send>(&content)) {
+        add(How::used, {network_.channels[send->channel.index()].message});
+      } else if (const auto* perform = std::get_if<pan::Perform>(&content)) {
+        add(How::used, network_.activities[perform->activity.index()].reads);
+        add(How::written, network_.activities[perform->activity.index()].writes);
+      } else if (const auto* set = std::get_if<pan::Set>(&content); set != nullptr && !set->value) {
+        add(How::used, network_.conditions[set->condition.index()].from);
+      }
+    }
+    for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
+      const std::size_t module = module_named(plan_.channels[c].receiver);
+      if (module == plan_.modules.size()) continue;
+      const auto found = kept.find({root(module), network_.channels[c].message.value});
+      if (found != kept.end()) plan_.kept.push_back({How::taken, c, found->second});
+    }
+  }
+
+  void at(const std::vector<pan::StatementRef>& statements, PlannedRequirement& made,
+          std::vector<std::size_t>& about) {
+    made.at = rows(statements);
     for (const pan::StatementRef& ref : statements)
       about.push_back(reliance_.party(network_.modules[ref.module.index()].name));
   }
@@ -262,9 +263,10 @@ class RequirementPlanner {
     }
   }
 
-  void about_processors(const std::string& name, std::vector<std::size_t>& about) {
+  void about_processors(const std::string& name, PlannedRequirement& made, std::vector<std::size_t>& about) {
     for (std::size_t p = 0; p < plan_.environment.processors.size(); ++p) {
       if (!name.empty() && plan_.environment.processors[p].name != name) continue;
+      made.processors.push_back(p);
       for (const std::size_t party : reliance_.on_processor(p)) about.push_back(party);
     }
   }
@@ -281,6 +283,7 @@ class RequirementPlanner {
   }
   void fill(const pan::Reaction& reaction, PlannedRequirement& made, std::vector<std::size_t>& about) {
     about_known(reaction.of, made, about);
+    made.measure = made.condition ? Measure::reaction : Measure::sample_reaction;
     at(reaction.at, made, about);
   }
   void fill(const pan::Passes& passes, PlannedRequirement& made, std::vector<std::size_t>& about) {
@@ -289,22 +292,31 @@ class RequirementPlanner {
     made.most = passes.most;
     at(passes.at, made, about);
   }
-  void fill(const pan::Loss& loss, PlannedRequirement&, std::vector<std::size_t>& about) {
+  void fill(const pan::Loss& loss, PlannedRequirement& made, std::vector<std::size_t>& about) {
     const auto* module = std::get_if<pan::ModuleId>(&loss.of);
-    about.push_back(reliance_.party(module != nullptr
-                                        ? network_.modules[module->index()].name
-                                        : network_.devices[std::get<pan::DeviceId>(loss.of).index()].name));
+    const std::string& name = module != nullptr
+                                  ? network_.modules[module->index()].name
+                                  : network_.devices[std::get<pan::DeviceId>(loss.of).index()].name;
+    made.measure = Measure::loss;
+    made.most = Duration(loss.most);
+    made.in = loss.in;
+    const auto device = std::find(plan_.devices.begin(), plan_.devices.end(), name);
+    if (device == plan_.devices.end()) return;  // it has no part in the skill
+    made.device = static_cast<std::size_t>(device - plan_.devices.begin());
+    about.push_back(reliance_.party(name));
   }
   void fill(const pan::Completing& completing, PlannedRequirement& made, std::vector<std::size_t>& about) {
     made.measure = Measure::duration;
     made.code = completing.code;
     about.push_back(reliance_.party(network_.modules[network_.main.index()].name));
   }
-  void fill(const pan::Load& load, PlannedRequirement&, std::vector<std::size_t>& about) {
-    about_processors(load.processor, about);
+  void fill(const pan::Load& load, PlannedRequirement& made, std::vector<std::size_t>& about) {
+    made.measure = Measure::load;
+    about_processors(load.processor, made, about);
   }
-  void fill(const pan::BusyPeriod& busy, PlannedRequirement&, std::vector<std::size_t>& about) {
-    about_processors(busy.processor, about);
+  void fill(const pan::BusyPeriod& busy, PlannedRequirement& made, std::vector<std::size_t>& about) {
+    made.measure = Measure::busy;
+    about_processors(busy.processor, made, about);
   }
 
   /// What an event device demands of the module that takes its events.
@@ -336,10 +348,10 @@ class RequirementPlanner {
     add(std::move(made), about);
   }
 
-  bool crosses_blocks_ = false;
   const pan::Network& network_;
   Plan& plan_;
   Reliance reliance_;
+  std::size_t loops_ = 0;
 };
 
 }  // namespace

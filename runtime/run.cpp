@@ -34,6 +34,7 @@ Outcome run(Skill& skill, World& world, const std::vector<Connection>& connectio
     run_by(executive, kernel);
     outcome = journal.take();
     outcome.broken_promises = kernel.promises.take();
+    outcome.requirements = kernel.promises.measured();
     outcome.real_time = executive.take_report();
   } else {
     VirtualExecutive executive(clock, journal, world, skill.wiring(), options);
@@ -41,6 +42,7 @@ Outcome run(Skill& skill, World& world, const std::vector<Connection>& connectio
     run_by(executive, kernel);
     outcome = journal.take();
     outcome.broken_promises = kernel.promises.take();
+    outcome.requirements = kernel.promises.measured();
   }
   return outcome;
 }

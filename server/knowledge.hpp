@@ -21,7 +21,7 @@ struct KnownRequirement {
   std::string name, text;
   Verdict verdict = Verdict::not_proved;
   std::optional<double> bound, limit;  // in `unit`
-  std::string unit;                    // "s", or "%" of a load
+  std::string unit;                    // "s", "%" of a load, "" of a loss: a number
   bool at_least = false;               // the limit is one from below
 };
 
@@ -41,7 +41,7 @@ struct Facts {
   operations::ProvedTimes times;
 };
 
-/// The worst of each requirement, by skill and name, in seconds.
+/// The worst of each requirement, by skill and name, in the requirement's unit.
 using MeasuredRequirements = std::map<std::pair<std::string, std::string>, double>;
 
 /// For all threads.
@@ -60,12 +60,16 @@ class Knowledge {
     const std::lock_guard lock(mutex_);
     return measured_;
   }
-  /// The longest that was seen, or the shortest of a limit from below.
-  void measure(const std::string& skill, const std::string& requirement, double seconds, bool at_least) {
+  /// The longest that was seen, or the shortest of a limit from below. `last`: only the last one counts, as
+  /// of a load, which is of the run so far.
+  void measure(const std::string& skill, const std::string& requirement, double value, bool at_least,
+               bool last = false) {
     const std::lock_guard lock(mutex_);
-    const auto [found, fresh] = measured_.try_emplace({skill, requirement}, seconds);
+    const auto [found, fresh] = measured_.try_emplace({skill, requirement}, value);
     if (!fresh)
-      found->second = at_least ? std::min(found->second, seconds) : std::max(found->second, seconds);
+      found->second = last       ? value
+                      : at_least ? std::min(found->second, value)
+                                 : std::max(found->second, value);
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pal/trace/age_meter.hpp"
 #include "pal/trace/inheritance.hpp"
 
 namespace pal::trace {
@@ -32,7 +33,7 @@ void find_ages(const Trace& tables, const EventSource& events, const std::string
                const std::vector<StatementName>& at, Found found) {
   const auto named = std::find(tables.conditions.begin(), tables.conditions.end(), condition);
   Inheritance inheritance(tables);
-  AgeMeter meter(tables, static_cast<std::int32_t>(named - tables.conditions.begin()),
+  AgeMeter meter(ConditionFlow(tables, static_cast<std::int32_t>(named - tables.conditions.begin())),
                  statements_named(tables, at));
   events([&](const Event& event) {
     if (const auto age = meter.see(event, inheritance.begins(event))) found(*age);

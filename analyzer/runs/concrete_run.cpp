@@ -93,7 +93,9 @@ trace::Trace empty_trace(const Problem& problem) {
     const std::string& processor = problem.processors[thread.processor].name;
     trace.actors.push_back({thread.name, false, processor, thread.priority, thread.parent.value});
   }
-  for (const Device& device : problem.devices) trace.actors.push_back({device.name, true, "", 0});
+  for (const Device& device : problem.devices)
+    trace.actors.push_back(
+        {device.name, true, "", 0, -1, std::holds_alternative<pan::EventDevice>(device.behaviour)});
   for (const Statement& statement : problem.statements) {
     trace.statements.push_back({statement.module, statement.text, statement.file, statement.line});
   }

@@ -13,7 +13,8 @@ Journal::Journal(const Clock& clock, const Skill& skill, const RunOptions& optio
       skill_(skill),
       recorder_(skill.wiring(), options.trace, options.trace_capacity, options.spool),
       live_(options.live),
-      shown_(options.trace != TraceMode::none || live_ != nullptr) {}
+      kept_(options.trace != TraceMode::none || live_ != nullptr),
+      shown_(kept_) {}
 
 void Journal::overrun(int device, int channel) {
   ++outcome_.overruns;

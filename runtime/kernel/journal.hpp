@@ -8,6 +8,7 @@
 #include "pal/runtime/skill.hpp"
 #include "pal/runtime/thread.hpp"
 #include "pal/runtime/trace_ring.hpp"
+#include "runtime/watch/event_routes.hpp"
 #include "runtime/watch/recorder.hpp"
 
 namespace pal::runtime {
@@ -45,9 +46,10 @@ class Journal {
 
   /// The tables of the trace.
   const trace::Trace& tables() const { return recorder_.tables(); }
-  /// Shows all events from now on to `watcher`, which outlives the run.
-  void watch(EventWatcher* watcher) {
+  /// Shows the events from now on that `routes` name to `watcher`. Both outlive the run.
+  void watch(EventWatcher* watcher, const EventRoutes* routes) {
     watcher_ = watcher;
+    routes_ = routes;
     shown_ = !over_;
   }
   /// A promise that was broken, in words; they are numbered from 0.
@@ -89,8 +91,10 @@ class Journal {
     return event;
   }
   void add(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+    const bool concerns = routes_ != nullptr && routes_->concerns(kind, actor, statement, subject);
+    if (!kept_ && !concerns) return;
     const trace::Event& event = write(kind, actor, statement, subject, value);
-    if (watcher_ != nullptr) show(event);
+    if (concerns) show(event);
   }
   /// A copy: what is noted of it may move the events.
   void show(trace::Event event) { watcher_->see(event); }
@@ -104,7 +108,9 @@ class Journal {
   const Skill& skill_;
   Recorder recorder_;
   TraceRing* live_;
+  bool kept_;  // events go to the trace, or to somebody who follows the run
   EventWatcher* watcher_ = nullptr;
+  const EventRoutes* routes_ = nullptr;
   Outcome outcome_;
   bool over_ = false;
   bool shown_ = false;  // events are wanted, and the skill is not over

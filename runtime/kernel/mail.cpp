@@ -12,7 +12,8 @@ namespace pal::runtime {
 using trace::Kind;
 
 namespace {
-constexpr std::size_t usual_asked = 16;  // so that nothing is allocated while the skill runs
+// So that nothing is allocated while the skill runs: at one slot more threads hardly ever wait.
+constexpr std::size_t usual_asked = 16, usual_waiting = 16;
 
 /// A trace has 31 bits for a serial number: those on their way at one time are told apart all the same.
 std::int32_t in_trace(std::int64_t serial) {
@@ -34,8 +35,8 @@ Mail::Mail(Executive& executive, Journal& journal, Flow& flow, Devices& devices,
     slot.spec = &spec;
     slot.fields.resize(payload_size(spec.fields));
     slot.asked.reserve(usual_asked);
-    slot.waiting.reserve(wiring.threads.size());
-    slot.sending.reserve(wiring.threads.size());
+    slot.waiting.reserve(std::min(wiring.threads.size(), usual_waiting));
+    slot.sending.reserve(std::min(wiring.threads.size(), usual_waiting));
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const int answer = wiring.channels[i].answer;
@@ -349,7 +350,7 @@ bool Mail::deliver(int channel, std::span<const double> fields, std::uint64_t re
   Slot& slot = at(channel);
   if (slot.request_of >= 0 && !find_request(slot, request)) {
     promises_.unasked(slot.device, channel);
-    journal_.record_device(Kind::drop, slot.device, channel, in_trace(++serials_));
+    journal_.record_device(Kind::drop, slot.device, channel, trace::unasked);
     return true;
   }
   if (discards(slot)) {

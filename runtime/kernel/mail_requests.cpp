@@ -82,8 +82,7 @@ void Mail::never_answered(const Slot& answer) {
   promises_.forgotten(answer.device, false);
   request.asked.erase(request.asked.begin() + static_cast<std::ptrdiff_t>(next));
   ++request.gone;
-  journal_.record_device(trace::Kind::drop, answer.device, channel,
-                         static_cast<std::int32_t>(++serials_ & 0x7fffffff));
+  journal_.record_device(trace::Kind::drop, answer.device, channel, trace::no_answer);
 }
 
 void Mail::left_unanswered(int channel) {

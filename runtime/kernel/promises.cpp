@@ -7,21 +7,29 @@
 namespace pal::runtime {
 
 namespace {
+BrokenPromise::Unit unit_of(const RequirementSpec& requirement) {
+  using Measure = RequirementSpec::Measure;
+  using Unit = BrokenPromise::Unit;
+  if (requirement.measure == Measure::loss) return Unit::messages;
+  return requirement.measure == Measure::load ? Unit::share : Unit::time;
+}
+
 // The promises of a device.
 constexpr std::size_t not_later = 0, not_sooner = 1, once = 2, promises_of_a_device = 3;
 }  // namespace
 
-Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy)
+Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy,
+                   Margins* margins)
     : clock_(clock),
       journal_(journal),
       skill_(skill),
       wiring_(skill.wiring()),
       policy_(policy),
-      requirements_(wiring_, journal.tables()) {
+      requirements_(wiring_, journal.tables(), margins) {
   for (const DeviceTimes& times : wiring_.times) devices_.emplace_back(times);
   rows_.resize(row_of_requirement(wiring_.requirements.size()));
   late_devices_.reserve(devices_.size());
-  if (requirements_.any()) journal.watch(this);
+  if (requirements_.any()) journal.watch(this, &requirements_.routes());
 }
 
 std::size_t Promises::row_of_device(int device, std::size_t promise) const {
@@ -59,8 +67,9 @@ void Promises::took(const Thread& thread, Time used) {
 }
 
 void Promises::see(const trace::Event& event) {
-  note(requirements_.see(event));
-  if (event.kind == trace::Kind::put) next_ = std::min(next_, requirements_.due());
+  const std::vector<Exceeded>& exceeded = requirements_.see(event);
+  if (!exceeded.empty()) note(exceeded);
+  next_ = std::min(next_, requirements_.soonest());
 }
 
 Time Promises::due() {
@@ -119,19 +128,23 @@ void Promises::note(const Breach& breach) {
     ++broken_[static_cast<std::size_t>(row.broken)].times;
   }
   journal_.broken(breach.actor, breach.statement, breach.channel, row.broken);
+  if (policy_ != OnBrokenPromise::stop && (policy_ != OnBrokenPromise::contingency || !first)) return;
   BrokenPromise broken = broken_[static_cast<std::size_t>(row.broken)];
   broken.measured = breach.measured;
-  if (policy_ == OnBrokenPromise::stop || (policy_ == OnBrokenPromise::contingency && first))
-    apply_policy(breach, broken);
+  apply_policy(breach, broken);
 }
 
 void Promises::apply_policy(const Breach& breach, const BrokenPromise& broken) {
   std::string reason = in_words(broken);
   if (policy_ == OnBrokenPromise::contingency) {
+    asks_skill_ = true;
     try {
-      if (skill_.promise_broken(broken)) return;
+      const bool answered = skill_.promise_broken(broken);
+      asks_skill_ = false;
+      if (answered) return;
       reason += "; the skill has no answer to it";
     } catch (...) {
+      asks_skill_ = false;
       reason += "; the skill's answer: " + what_was_thrown();
     }
   }
@@ -143,6 +156,16 @@ std::vector<BrokenPromise> Promises::take() {
     if (row.broken >= 0) broken_[static_cast<std::size_t>(row.broken)].measured = row.measured;
   }
   return std::move(broken_);
+}
+
+std::vector<MeasuredRequirement> Promises::measured() {
+  requirements_.end(clock_.now);
+  std::vector<MeasuredRequirement> all;
+  for (std::size_t r = 0; r < wiring_.requirements.size(); ++r) {
+    const RequirementSpec& spec = wiring_.requirements[r];
+    all.push_back({std::string(spec.name), unit_of(spec), spec.least, spec.most, requirements_.worst(r)});
+  }
+  return all;
 }
 
 // In words.
@@ -181,13 +204,17 @@ std::string Promises::promise_of_device(std::size_t device, std::size_t promise)
 }
 
 std::string Promises::promise_of_requirement(const RequirementSpec& requirement) const {
-  static constexpr const char* measures[] = {"a response",  "an age",     "an age",
-                                             "an interval", "a duration", ""};
+  static constexpr const char* measures[] = {"a response", "an age",       "an age",     "an interval",
+                                             "a duration", "a reaction",   "a reaction", "a loss",
+                                             "a load",     "a busy period"};
+  const BrokenPromise::Unit unit = unit_of(requirement);
   std::string text = "requirement " + std::string(requirement.name) + ", " +
                      measures[static_cast<std::size_t>(requirement.measure)];
-  if (requirement.least > Time::zero()) text += " of at least " + in_words(requirement.least);
+  if (requirement.least > Time::zero()) text += " of at least " + in_words(requirement.least, unit);
   if (requirement.most != Time::max())
-    text += (requirement.least > Time::zero() ? " and" : " of") + (" at most " + in_words(requirement.most));
+    text += (requirement.least > Time::zero() ? " and" : " of") +
+            (" at most " + in_words(requirement.most, unit));
+  if (requirement.measure == RequirementSpec::Measure::loss) text += " in " + std::to_string(requirement.in);
   return text;
 }
 
@@ -203,6 +230,7 @@ BrokenPromise Promises::describe(const Breach& breach) const {
   if (breach.row >= requirements) {
     const RequirementSpec& requirement = wiring_.requirements[breach.row - requirements];
     broken.promise = promise_of_requirement(requirement);
+    broken.unit = unit_of(requirement);
     broken.endangers = {std::string(requirement.name)};
     return broken;
   }

@@ -2,6 +2,8 @@
 // the run's policy.
 #pragma once
 
+#include <atomic>
+
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +21,7 @@ namespace pal::runtime {
 class Promises final : public EventWatcher {
  public:
   /// All outlive the promises. `connections`: as many as the run has devices.
-  Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy);
+  Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy, Margins* margins);
 
   // What devices do.
   void opened(int device) {
@@ -46,6 +48,9 @@ class Promises final : public EventWatcher {
 
   /// An event of the run.
   void see(const trace::Event& event) override;
+  /// A thread comes to a loop that a phase names, and leaves it.
+  void enter(int loop, int thread) { note(requirements_.enter(loop, thread, clock_.now)); }
+  void leave(int loop, int thread) { note(requirements_.leave(loop, thread)); }
 
   /// A lower bound of due(). To be called before each event.
   Time next() const { return next_; }
@@ -55,8 +60,13 @@ class Promises final : public EventWatcher {
   /// any more; valid until the next call.
   const std::vector<int>& overdue();
 
+  /// Whether the skill is being asked for its answer to a broken promise. From any thread.
+  bool asks_skill() const { return asks_skill_.load(std::memory_order_relaxed); }
+
   /// What was broken. Once.
   std::vector<BrokenPromise> take();
+  /// How near the run came to each requirement. Once, after its end.
+  std::vector<MeasuredRequirement> measured();
 
  private:
   /// What was seen of one promise.
@@ -102,6 +112,7 @@ class Promises final : public EventWatcher {
   std::vector<int> late_devices_;
   std::vector<BrokenPromise> broken_;
   Time next_ = Time::max();
+  std::atomic<bool> asks_skill_ = false;
 };
 
 }  // namespace pal::runtime

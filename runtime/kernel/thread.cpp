@@ -11,6 +11,14 @@ Thread::Thread(Kernel& kernel, int index, const ThreadSpec& spec, std::size_t co
   control.tested.resize(conditions);
 }
 
+Thread::Within::Within(Thread& thread, int loop) : thread_(thread), loop_(loop) {
+  if (!thread.kernel().journal.over()) thread.kernel().promises.enter(loop, thread.index());
+}
+
+Thread::Within::~Within() {
+  if (!thread_.kernel().journal.over()) thread_.kernel().promises.leave(loop_, thread_.index());
+}
+
 namespace detail {
 
 void* allocate_frame(Thread& thread, std::size_t size) {

@@ -22,11 +22,19 @@ std::string in_words(Time time) {
   return std::to_string(time.count()) + " ns";
 }
 
+std::string in_words(Time measured, BrokenPromise::Unit unit) {
+  if (unit == BrokenPromise::Unit::time) return in_words(measured);
+  if (unit == BrokenPromise::Unit::messages) return std::to_string(measured.count());
+  const auto tenths = (measured.count() + 500'000) / 1'000'000;  // of a per cent
+  return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " %";
+}
+
 std::string in_words(const BrokenPromise& broken) {
   const bool answered = broken.measured != Time::max();
   std::string text = broken.promise;
   if (!answered) text += ": not answered";
-  if (answered && broken.measured != Time::zero()) text += ": measured " + in_words(broken.measured);
+  if (answered && broken.measured != Time::zero())
+    text += ": measured " + in_words(broken.measured, broken.unit);
   if (broken.times > 1) text += ", " + std::to_string(broken.times) + " times";
   std::string_view separator = "; endangers ";
   for (const std::string& requirement : broken.endangers) {

@@ -28,7 +28,12 @@ trace::Trace trace_tables(const Wiring& wiring) {
     tables.actors.push_back({std::string(thread.name), false, std::string(wiring.processors[processor].name),
                              thread.priority, thread.parent});
   }
-  for (std::string_view device : wiring.devices) tables.actors.push_back({std::string(device), true, {}, 0});
+  for (std::size_t d = 0; d < wiring.devices.size(); ++d) {
+    using Behaviour = DeviceTimes::Behaviour;
+    const Behaviour behaviour = d < wiring.times.size() ? wiring.times[d].behaviour : Behaviour::unknown;
+    const bool by_itself = behaviour == Behaviour::events || behaviour == Behaviour::sporadic;
+    tables.actors.push_back({std::string(wiring.devices[d]), true, {}, 0, -1, by_itself});
+  }
   for (const StatementSpec& statement : wiring.statements) {
     tables.statements.push_back({std::string(statement.module), std::string(statement.text),
                                  std::string(statement.file), statement.line});

@@ -2,6 +2,7 @@
 // the rules, and measures no more than was proved.
 #include <catch2/catch.hpp>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 #include "analyzer/exact/exact.hpp"
@@ -25,8 +26,8 @@ class Still final : public runtime::World {
   void advance_to(runtime::Time) override {}
 };
 
-trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
-                 runtime::Time horizon) {
+runtime::Outcome outcome_of(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
+                            runtime::Time horizon) {
   test::PlannedSkill skill(plan, test::dealer(seed));
   std::vector<std::unique_ptr<runtime::Device>> devices;
   std::vector<runtime::Device*> attached;
@@ -40,7 +41,14 @@ trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPol
   options.seed = seed;
   options.horizon = horizon;
   options.trace_capacity = 4096;
-  runtime::Outcome outcome = runtime::Dispatcher(attached, world).run(skill, {}, options);
+  return runtime::Dispatcher(attached, world).run(skill, {}, options);
+}
+
+trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
+                 runtime::Time horizon) {
+  runtime::Outcome outcome = outcome_of(plan, seed, costs, horizon);
+  std::erase_if(outcome.trace.events,
+                [](const trace::Event& event) { return event.kind == trace::Kind::broken; });
   if (outcome.fault) {
     // What led to the fault is a run all the same, up to the instant before.
     const std::int64_t end = outcome.trace.events.empty() ? 0 : outcome.trace.events.back().time_ns;
@@ -152,6 +160,114 @@ TEST_CASE("runs of the runtime keep the rules, and exceed no bound") {
             << " values, " << attained << " at the bound; " << within
             << " skills with blocks in executed blocks\n";
   CHECK(traces > 0);
+}
+
+namespace {
+
+/// Some of the requirements of the text get a phase.
+std::string with_phases(const std::string& text, std::uint64_t seed) {
+  static const char* const phases[] = {" AFTER think IN SM1", " DURING REPEAT OF think IN SM1",
+                                       " AFTER TXM( motion to MC1 ) IN SM1",
+                                       " DURING REPEAT OF TXM( motion to MC1 ) IN SM1"};
+  std::istringstream in(text);
+  std::string out, line;
+  for (std::uint64_t number = seed; std::getline(in, line); ++number) {
+    const bool may = line.find("REQUIREMENT") != std::string::npos &&
+                     line.find("LOAD") == std::string::npos && line.find("BUSY") == std::string::npos &&
+                     line.find("DURATION") == std::string::npos;
+    out += line + (may && number % 2 == 0 ? phases[number / 2 % 4] : "") + "\n";
+  }
+  return out;
+}
+
+/// What the referee measures in the run: the worst of the requirement, and whether the run breaks it.
+std::pair<std::optional<std::int64_t>, bool> refereed(const Problem& problem, const Requirement& requirement,
+                                                      const trace::Trace& made, std::string& wrong) {
+  const run_checker::Ruling ruling =
+      run_checker::check_run(problem, &requirement, made, std::nullopt, run_checker::BusyFrom::beginning);
+  if (!ruling.broken.empty()) wrong = "broken " + ruling.broken;
+  std::optional<std::int64_t> worst;
+  for (const run_checker::Measured& of : ruling.measured)
+    worst = requirement.at_least ? std::min(worst.value_or(of.value), of.value)
+                                 : std::max(worst.value_or(of.value), of.value);
+  const bool over = worst && (requirement.at_least ? *worst < requirement.limit : *worst > requirement.limit);
+  return {worst, over || ruling.failed};
+}
+
+}  // namespace
+
+TEST_CASE("what a run watches of each requirement is what the referee measures in its trace") {
+  const std::uint64_t first = setting("PAL_SEED", 1);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  std::map<Requirement::Measure, int> values, breaches;
+  int phases = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    const std::string plain =
+        test::RandomCell(seed, 5, static_cast<int>(seed % 3), test::RandomCell::Asks::all).text();
+    auto skill = test::any_skill(with_phases(plain, seed));
+    if (!skill->problem) skill = test::any_skill(plain);
+    if (!skill->problem) continue;
+    Diagnostics diagnostics;
+    const auto plan =
+        codegen::make_plan(skill->specification.skills.front(), skill->specification.environments.front(),
+                           skill->sources, diagnostics);
+    REQUIRE(plan);
+    const Problem& problem = *skill->problem;
+    const runtime::Outcome outcome =
+        outcome_of(*plan, seed, runtime::CostPolicy::random, std::chrono::milliseconds(200));
+    constexpr std::size_t usual = 20'000;  // more are of a run that does not get beyond an instant
+    if (outcome.trace.events.size() > usual) continue;
+    // The referee knows nothing of faults and of what is noted.
+    trace::Trace events = outcome.trace;
+    std::erase_if(events.events, [&outcome](const trace::Event& event) {
+      return event.kind == trace::Kind::broken || event.kind == trace::Kind::fault ||
+             (outcome.fault && event.kind == trace::Kind::complete);
+    });
+    const trace::Trace made = test::retold_run(events, problem);
+    INFO("seed " << seed << "\n" << skill->sources.text(FileId(std::size_t{0})));
+    for (const Requirement& requirement : problem.requirements) {
+      if (requirement.measure == Requirement::Measure::load) continue;
+      const auto live = std::find_if(
+          outcome.requirements.begin(), outcome.requirements.end(),
+          [&requirement](const runtime::MeasuredRequirement& each) { return each.name == requirement.name; });
+      REQUIRE(live != outcome.requirements.end());
+      std::string wrong;
+      const auto [worst, breaks] = refereed(problem, requirement, made, wrong);
+      if (!wrong.empty()) continue;  // a run that is cut off within an instant
+      const std::string start = "requirement " + requirement.name + ",";
+      const bool noted = std::any_of(
+          outcome.broken_promises.begin(), outcome.broken_promises.end(),
+          [&start](const runtime::BrokenPromise& each) { return each.promise.starts_with(start); });
+      INFO(requirement.name << " " << requirement.phase.text);
+      // After a failure it goes on with what is left; what goes on for too long is noted before it is
+      // measured.
+      const bool failed = noted && breaks && (requirement.measure == Requirement::Measure::response);
+      const std::int64_t watched = live->worst ? live->worst->count() : -1;
+      // A busy period that the fault ends counts; the referee does not know that the run is over.
+      const bool cut = outcome.fault && requirement.measure == Requirement::Measure::busy;
+      if (cut) {
+        CHECK(watched >= worst.value_or(-1));
+      } else if (!failed) {
+        CHECK(watched == worst.value_or(-1));
+      }
+      const bool grows = requirement.measure == Requirement::Measure::response ||
+                         requirement.measure == Requirement::Measure::busy;
+      if (grows) {
+        CHECK((noted || !breaks));
+      } else {
+        CHECK(noted == breaks);
+      }
+      values[requirement.measure] += worst ? 1 : 0;
+      breaches[requirement.measure] += noted ? 1 : 0;
+      phases += worst && requirement.phase.limits() ? 1 : 0;
+    }
+  }
+  for (const auto& [measure, count] : values)
+    std::cout << "measure " << static_cast<int>(measure) << ": " << count << " runs, " << breaches[measure]
+              << " broken\n";
+  std::cout << phases << " in a phase\n";
+  CHECK(values.size() >= 7);
+  CHECK(phases > 0);
 }
 
 TEST_CASE("a CONCURRENT in an endless loop: the flow says which blocks can end") {

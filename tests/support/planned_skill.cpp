@@ -121,6 +121,60 @@ PlannedSkill::PlannedSkill(const Plan& plan, Dealer dealer) : plan_(plan), deale
              devices_,
              interval(plan.environment.costs.test),
              {interval(latency.within_processor), interval(latency.between_processors)}};
+  require();
+}
+
+/// The tables that a run is compared with.
+void PlannedSkill::require() {
+  using Behaviour = runtime::DeviceTimes::Behaviour;
+  for (const std::string& name : plan_.devices) {
+    runtime::DeviceTimes& times = times_.emplace_back();
+    for (const pan::DeviceTiming& row : plan_.environment.devices) {
+      if (row.device != name) continue;
+      if (const auto* event = std::get_if<pan::EventDevice>(&row.behaviour)) {
+        times = {event->sporadic ? Behaviour::sporadic : Behaviour::events, event->message, event->period,
+                 event->jitter};
+        if (event->phase) times.phase = *event->phase;
+      } else if (const auto* request = std::get_if<pan::RequestDevice>(&row.behaviour)) {
+        times.behaviour = Behaviour::on_request;
+        times.answer = interval(request->answer);
+        times.may_fail = request->may_fail;
+      } else {
+        const auto& frames = std::get<pan::FrameDevice>(row.behaviour);
+        times.behaviour = Behaviour::frames;
+        times.period = frames.period;
+        times.answer = {frames.collecting, frames.collecting};
+      }
+    }
+  }
+  const auto indices = [this](const std::vector<std::size_t>& list) {
+    return std::span<const int>(indices_.emplace_back(list.begin(), list.end()));
+  };
+  for (const codegen::PlannedRequirement& each : plan_.requirements) {
+    runtime::RequirementSpec spec;
+    spec.name = each.name;
+    spec.measure = static_cast<runtime::RequirementSpec::Measure>(each.measure);
+    spec.least = each.least;
+    if (each.most) spec.most = *each.most;
+    spec.channels = indices(each.channels);
+    spec.at = indices(each.at);
+    if (each.condition) spec.condition = static_cast<int>(*each.condition);
+    spec.code = each.code;
+    spec.threads = indices(each.threads);
+    spec.devices = indices(each.devices);
+    if (each.device) spec.device = static_cast<int>(*each.device);
+    spec.in = each.in;
+    spec.processors = indices(each.processors);
+    spec.after = indices(each.after);
+    spec.during = indices(each.during);
+    requirements_.push_back(spec);
+  }
+  for (const codegen::PlannedKept& each : plan_.kept)
+    kept_.push_back({static_cast<runtime::KeptSpec::How>(each.how), static_cast<int>(each.place),
+                     static_cast<int>(each.kept)});
+  wiring_.times = times_;
+  wiring_.requirements = requirements_;
+  wiring_.kept = kept_;
 }
 
 PlannedSkill::Follower& PlannedSkill::follower(const PlannedBody& body) {
@@ -198,7 +252,9 @@ runtime::Task PlannedSkill::Follower::follow(runtime::Thread& thread) {
         }
         break;
       }
-      case Kind::loop:
+      case Kind::loop: {
+        std::optional<runtime::Thread::Within> within;
+        if (statement.loop) within.emplace(thread, static_cast<int>(*statement.loop));
         for (;;) {
           co_await skill->follower(statement.branches.front()).follow(thread);
           if (statement.guards.empty()) continue;
@@ -206,6 +262,7 @@ runtime::Task PlannedSkill::Follower::follow(runtime::Thread& thread) {
           if (holds(statement.guards.front(), thread)) break;
         }
         break;
+      }
       case Kind::concurrent:
         co_await AnyConcurrent(thread, statement, skill->plan_);
         break;

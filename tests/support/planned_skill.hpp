@@ -2,6 +2,7 @@
 // plan of the code generator says.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -36,6 +37,7 @@ class PlannedSkill final : public runtime::Skill {
     const codegen::PlannedBody* body;
     runtime::Task follow(runtime::Thread& thread);
   };
+  void require();
   Follower& follower(const codegen::PlannedBody& body);
   const codegen::PlannedBody* block(const codegen::PlannedBody& body, std::size_t thread) const;
 
@@ -49,6 +51,10 @@ class PlannedSkill final : public runtime::Skill {
   std::vector<std::string_view> conditions_;
   std::vector<std::string_view> devices_;
   std::vector<runtime::CompletionSpec> completions_;
+  std::vector<runtime::DeviceTimes> times_;
+  std::deque<std::vector<int>> indices_;
+  std::vector<runtime::RequirementSpec> requirements_;
+  std::vector<runtime::KeptSpec> kept_;
   runtime::SkillDescription description_;
   runtime::Wiring wiring_;
 };

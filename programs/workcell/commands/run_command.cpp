@@ -141,9 +141,20 @@ void write_measured(const std::string& file, const runtime::Measurement& measure
 bool print(const std::vector<Promise>& promises, std::ostream& out) {
   bool kept = true;
   for (const Promise& promise : promises) {
-    out << fmt::format("  {}: measured {}, proved at most {}{}\n", promise.requirement,
-                       promise.measured ? to_text(*promise.measured) : "none", to_text(promise.proved),
-                       promise.kept() ? "" : " — THE RUN TOOK LONGER THAN WAS PROVED");
+    const auto words = [&promise](const std::optional<Duration>& value) {
+      if (!value) return std::string("none");
+      return promise.unit == runtime::BrokenPromise::Unit::time ? to_text(*value)
+                                                                : runtime::in_words(*value, promise.unit);
+    };
+    const std::string proved = !promise.proved    ? "no bound was proved"
+                               : promise.at_least ? "proved at least " + words(promise.proved)
+                                                  : "proved at most " + words(promise.proved);
+    out << fmt::format("  {}: measured {}, {}{}\n", promise.requirement, words(promise.measured), proved,
+                       promise.kept()     ? ""
+                       : promise.at_least ? " — THE RUN TOOK LESS TIME THAN WAS PROVED"
+                       : promise.unit == runtime::BrokenPromise::Unit::messages
+                           ? " — THE RUN LOST MORE THAN WAS PROVED"
+                           : " — THE RUN TOOK LONGER THAN WAS PROVED");
     kept = kept && promise.kept();
   }
   return kept;
@@ -280,7 +291,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                        *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
   std::vector<Promise> proved;
-  if (command.proof) proved = promises(known, outcome.trace, result.events.get());
+  if (command.proof) proved = promises(known, outcome, result.events.get());
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 

@@ -28,12 +28,19 @@ const char* name(runtime::CostPolicy policy) {
   return policy == runtime::CostPolicy::best ? "best" : "random";
 }
 
+/// Of the figures that are called _ns: of a loss they are numbers, of a load nanoseconds of work in a second.
+const char* unit_name(runtime::BrokenPromise::Unit unit) {
+  using Unit = runtime::BrokenPromise::Unit;
+  return unit == Unit::messages ? "messages" : unit == Unit::share ? "ns/s" : "ns";
+}
+
 Json promises_json(const std::vector<Promise>& promises) {
   Json rows = Json::array();
   for (const Promise& promise : promises)
     rows.push_back({{"name", promise.requirement},
                     {"measure", promise.measure},
-                    {"bound_ns", promise.proved.count()},
+                    {"unit", unit_name(promise.unit)},
+                    {"bound_ns", promise.proved ? Json(promise.proved->count()) : Json()},
                     {"exact", promise.exact},
                     {"measured_ns", promise.measured ? Json(promise.measured->count()) : Json()}});
   return rows;
@@ -45,6 +52,7 @@ Json broken_json(const std::vector<runtime::BrokenPromise>& promises) {
     const bool answered = broken.measured != runtime::Time::max();
     rows.push_back({{"promise", broken.promise},
                     {"by", broken.by},
+                    {"unit", unit_name(broken.unit)},
                     {"measured_ns", answered ? Json(broken.measured.count()) : Json()},
                     {"first_ns", broken.first.count()},
                     {"times", broken.times},
@@ -117,7 +125,8 @@ std::vector<OutputFile> run_files(const std::string& folder, const runtime::Skil
       {in_folder(folder, "log.csv"), {}, write_log},
       {in_folder(folder, "run.json"), json_text(run_json(skill, session, result, promises))}};
   for (const Promise& promise : promises)
-    files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});
+    if (!promise.chart.empty())
+      files.push_back({folder + "/atc." + promise.requirement + ".svg", promise.chart});
   if (result.picture.image)
     files.push_back({in_folder(folder, "arm.png"), sim::encode_png(*result.picture.image)});
   return files;

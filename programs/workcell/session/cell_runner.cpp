@@ -200,7 +200,7 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   options.trace_capacity = 1U << 14U;
   options.on_broken_promise = on_broken_promise_;
   figures_.begin();
-  if (margins_ != nullptr) options.live = margins_->begin(*skill);
+  if (margins_ != nullptr) options.margins = margins_->begin(*skill);
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
   if (margins_ != nullptr) margins_->end();
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};

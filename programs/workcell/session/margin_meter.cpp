@@ -2,31 +2,27 @@
 
 #include <sys/resource.h>
 
-#include <array>
 #include <chrono>
-
-#include "runtime/watch/requirement_watch.hpp"
+#include <string>
+#include <string_view>
 
 namespace pal::workcell {
 namespace {
 
-constexpr std::size_t room = 1U << 16U;
+using Measure = runtime::RequirementSpec::Measure;
+
 constexpr auto look_each = std::chrono::milliseconds(10);
+
+/// Seconds; per cent of a load; a number of a loss.
+double in_unit(Measure measure, runtime::Time value) {
+  const auto count = static_cast<double>(value.count());
+  if (measure == Measure::loss) return count;
+  return measure == Measure::load ? count / 1e7 : count / 1e9;
+}
 
 }  // namespace
 
-struct MarginMeter::Run {
-  explicit Run(const runtime::Wiring& its_wiring)
-      : wiring(its_wiring), tables(runtime::trace_tables(wiring)), watch(wiring, tables) {}
-
-  const runtime::Wiring& wiring;
-  trace::Trace tables;
-  runtime::RequirementWatch watch;
-  std::uint64_t dropped_before = 0;
-};
-
-MarginMeter::MarginMeter(server::Knowledge& knowledge)
-    : knowledge_(knowledge), ring_(room), thread_([this] { work(); }) {}
+MarginMeter::MarginMeter(server::Knowledge& knowledge) : knowledge_(knowledge), thread_([this] { work(); }) {}
 
 MarginMeter::~MarginMeter() {
   {
@@ -37,40 +33,37 @@ MarginMeter::~MarginMeter() {
   thread_.join();
 }
 
-runtime::TraceRing* MarginMeter::begin(const runtime::Skill& skill) {
-  auto run = std::make_unique<Run>(skill.wiring());
-  if (!run->watch.any()) return nullptr;
-  run->dropped_before = ring_.dropped();
+runtime::Margins* MarginMeter::begin(const runtime::Skill& skill) {
+  const runtime::Wiring& wiring = skill.wiring();
+  if (wiring.requirements.empty()) return nullptr;
   {
     const std::lock_guard lock(mutex_);
-    run_ = std::move(run);
+    margins_ = std::make_unique<runtime::Margins>(wiring.requirements.size());
+    wiring_ = &wiring;
   }
   changed_.notify_all();
-  return &ring_;
+  return margins_.get();
 }
 
 void MarginMeter::end() {
   const std::lock_guard lock(mutex_);
-  take_what_is_there();
   tell();
-  run_.reset();
-}
-
-void MarginMeter::take_what_is_there() {
-  std::array<trace::Event, 256> events;
-  while (const std::size_t count = ring_.take(events))
-    for (std::size_t i = 0; run_ && i < count; ++i) run_->watch.see(events[i]);
-  if (run_ && ring_.dropped() != run_->dropped_before) run_.reset();
+  wiring_ = nullptr;
 }
 
 void MarginMeter::tell() {
-  if (!run_) return;
-  const auto& requirements = run_->wiring.requirements;
-  for (std::size_t i = 0; i < requirements.size(); ++i)
-    if (const auto worst = run_->watch.worst(i))
-      knowledge_.measure(std::string(run_->wiring.skill), std::string(requirements[i].name),
-                         std::chrono::duration<double>(*worst).count(),
-                         requirements[i].most == runtime::Time::max());
+  if (wiring_ == nullptr) return;
+  for (std::size_t i = 0; i < wiring_->requirements.size(); ++i) {
+    const runtime::RequirementSpec& spec = wiring_->requirements[i];
+    const auto worst = margins_->worst(i);
+    if (!worst) continue;
+    // One with two limits is shown by its upper one.
+    std::string_view name = spec.name;
+    if (name.ends_with(".least")) continue;
+    if (name.ends_with(".most")) name.remove_suffix(std::string_view(".most").size());
+    knowledge_.measure(std::string(wiring_->skill), std::string(name), in_unit(spec.measure, *worst),
+                       spec.most == runtime::Time::max(), spec.measure == Measure::load);
+  }
 }
 
 void MarginMeter::work() {
@@ -79,9 +72,8 @@ void MarginMeter::work() {
   ::setpriority(PRIO_PROCESS, 0, less_urgent);
   std::unique_lock lock(mutex_);
   while (!ending_) {
-    changed_.wait(lock, [this] { return ending_ || run_; });
+    changed_.wait(lock, [this] { return ending_ || wiring_ != nullptr; });
     if (ending_) return;
-    take_what_is_there();
     tell();
     changed_.wait_for(lock, look_each, [this] { return ending_; });
   }

@@ -26,8 +26,9 @@ trace::Trace around(const trace::Trace& tables, const trace::EventSpool& events,
 
 }  // namespace
 
-std::vector<Promise> promises(const KnownSkill& skill, const trace::Trace& run,
+std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
                               const trace::EventSpool* events) {
+  const trace::Trace& run = outcome.trace;
   std::vector<Promise> result;
   if (skill.pal_file.empty()) return result;
   std::ostringstream out, err;
@@ -49,18 +50,24 @@ std::vector<Promise> promises(const KnownSkill& skill, const trace::Trace& run,
     for (std::size_t i = 0; i < proof.analysis.verdicts.size(); ++i) {
       const analyzer::Verdict& verdict = proof.analysis.verdicts[i];
       const analyzer::Requirement& requirement = proof.problem.requirements[i];
-      if (!program::shows_in_runs(requirement) || !verdict.witness || !verdict.bound) continue;
-      Promise promise{verdict.requirement,
-                      program::measure_text(proof.problem, i),
-                      *verdict.bound,
-                      verdict.exact,
-                      {},
-                      {}};
-      const auto longest = events == nullptr ? program::longest_in(run, proof, i)
-                                             : program::longest_in(run, trace::events_of(*events), proof, i);
-      if (longest) promise.measured = Duration(longest->length_ns());
-      promise.chart =
-          program::overlay_chart(proof, i, events == nullptr ? run : around(run, *events, longest));
+      Promise promise;
+      promise.requirement = verdict.requirement;
+      promise.measure = program::measure_text(proof.problem, i);
+      promise.proved = verdict.bound;
+      promise.at_least = verdict.at_least;
+      promise.exact = verdict.exact;
+      for (const runtime::MeasuredRequirement& measured : outcome.requirements) {
+        if (measured.name != verdict.requirement) continue;
+        promise.unit = measured.unit;
+        promise.measured = measured.worst;
+      }
+      if (program::shows_in_runs(requirement) && verdict.witness && verdict.bound) {
+        const auto longest = events == nullptr
+                                 ? program::longest_in(run, proof, i)
+                                 : program::longest_in(run, trace::events_of(*events), proof, i);
+        promise.chart =
+            program::overlay_chart(proof, i, events == nullptr ? run : around(run, *events, longest));
+      }
       result.push_back(std::move(promise));
     }
   }

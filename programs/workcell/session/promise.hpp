@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pal/runtime/outcome.hpp"
 #include "pal/support/time.hpp"
 #include "pal/trace/spool.hpp"
 #include "pal/trace/trace.hpp"
@@ -12,21 +13,27 @@
 
 namespace pal::workcell {
 
-/// One requirement with a worst run: an age or a response.
+/// One requirement, what was proved of it, and what the run came to.
 struct Promise {
   std::string requirement;
   std::string measure;  // "age of pc-force at TXM( motion to MC1 ) in SM1"
-  Duration proved{};
+  runtime::BrokenPromise::Unit unit = runtime::BrokenPromise::Unit::time;
+  std::optional<Duration> proved;  // the bound; nothing: none was found
+  bool at_least = false;           // the bound is one from below
   bool exact = false;
-  std::optional<Duration> measured;  // the longest of the run; nothing: it has none
-  std::string chart;                 // SVG: the run laid over the worst one
+  std::optional<Duration> measured;  // the worst of the run; nothing: it has none
+  std::string chart;                 // SVG: the run laid over the worst one; empty: there is none
 
-  bool kept() const { return !measured || *measured <= proved; }
+  /// A load is of the long run: a run that ends may have a greater one.
+  bool kept() const {
+    if (!measured || !proved || unit == runtime::BrokenPromise::Unit::share) return true;
+    return at_least ? *measured >= *proved : *measured <= *proved;
+  }
 };
 
-/// Proves the skill from the PAL that it was generated from, and finds the same intervals in `run`. Throws
-/// Failure if this pal finds the PAL wrong. A skill that names no PAL has no promises.
-std::vector<Promise> promises(const KnownSkill& skill, const trace::Trace& run,
+/// Proves the skill from the PAL that it was generated from, and lays the run beside it. Throws Failure if
+/// this pal finds the PAL wrong. A skill that names no PAL has no promises.
+std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
                               const trace::EventSpool* events = nullptr);
 
 }  // namespace pal::workcell

@@ -29,6 +29,10 @@ bool is_load(const pan::Requirement& requirement) {
   return std::holds_alternative<pan::Load>(requirement.measure);
 }
 
+bool is_loss(const pan::Requirement& requirement) {
+  return std::holds_alternative<pan::Loss>(requirement.measure);
+}
+
 bool is_from_below(const pan::Requirement& requirement) {
   const auto* passes = std::get_if<pan::Passes>(&requirement.measure);
   return passes != nullptr && passes->least && !passes->most;
@@ -36,13 +40,15 @@ bool is_from_below(const pan::Requirement& requirement) {
 
 Duration limit_of(const pan::Requirement& requirement) {
   const auto* passes = std::get_if<pan::Passes>(&requirement.measure);
+  if (const auto* loss = std::get_if<pan::Loss>(&requirement.measure)) return Duration(loss->most);
   return passes == nullptr ? requirement.limit
          : passes->most    ? *passes->most
                            : passes->least.value_or(Duration{});
 }
 
-/// Seconds, or per cent of a load: nanoseconds of work in a second.
+/// The number of a loss; seconds, or per cent of a load: nanoseconds of work in a second.
 double in_unit(const pan::Requirement& requirement, Duration value) {
+  if (is_loss(requirement)) return static_cast<double>(value.count());
   const double seconds = static_cast<double>(value.count()) / 1e9;
   return is_load(requirement) ? 100 * seconds : seconds;
 }
@@ -64,7 +70,10 @@ server::SkillFacts facts_of(const pan::Network& network, const std::string& envi
   for (const pan::Requirement& requirement : network.requirements)
     facts.requirements.push_back({requirement.name, text_of(requirement, sources), Verdict::proving,
                                   std::nullopt, in_unit(requirement, limit_of(requirement)),
-                                  is_load(requirement) ? "%" : "s", is_from_below(requirement)});
+                                  is_load(requirement)   ? "%"
+                                  : is_loss(requirement) ? ""
+                                                         : "s",
+                                  is_from_below(requirement)});
   return facts;
 }
 

@@ -67,10 +67,11 @@ void RealExecutive::look_for_hangs() {
   if (for_too_long(in_world, hang_timeout))
     end_process("the world with its devices has not returned for " + in_seconds(now - in_world));
   if (for_too_long(held, hang_timeout))
-    end_process((!device().empty() ? "device " + device()
-                 : starting_       ? "the start of the skill"
-                 : moving_         ? "the world"
-                                   : "what has the kernel") +
+    end_process((kernel_->promises.asks_skill() ? "the skill's answer to a broken promise"
+                 : !device().empty()            ? "device " + device()
+                 : starting_                    ? "the start of the skill"
+                 : moving_                      ? "the world"
+                                                : "what has the kernel") +
                 " has not returned for " + in_seconds(now - held));
 }
 

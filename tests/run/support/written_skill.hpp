@@ -29,6 +29,7 @@ class WrittenSkill final : public runtime::Skill {
   runtime::Latency latency;
   std::vector<runtime::DeviceTimes> times;
   std::vector<runtime::RequirementSpec> requirements;
+  std::vector<runtime::KeptSpec> kept;
   std::function<bool(const runtime::BrokenPromise&)> on_promise_broken;
 
   int processor(std::string_view name, bool preemptive = true) {
@@ -61,8 +62,8 @@ class WrittenSkill final : public runtime::Skill {
 
   const runtime::SkillDescription& description() const override { return description_; }
   const runtime::Wiring& wiring() const override {
-    wiring_ = {"written",  "bench", processors, threads, statements, channels,
-               conditions, devices, test,       latency, times,      requirements};
+    wiring_ = {"written", "bench", processors, threads, statements,   channels, conditions,
+               devices,   test,    latency,    times,   requirements, kept};
     return wiring_;
   }
   void reset_parameters() override {}

@@ -332,3 +332,30 @@ TEST_CASE("a serving device is busy from each request that it begins with to its
         "6 busy sensor\n"
         "12 idle sensor\n");
 }
+
+TEST_CASE("a device that does something every so often names each instant, not the time since the last") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  skill.devices = {"clock"};
+  const int tick = skill.channel("clock", "tick", "A");
+  skill.channels.back().from_device = true;
+  const int hear = skill.statement("hear");
+  const int end = skill.statement("end");
+  skill.thread("A", p, 1, [=](Thread& t) -> Task {
+    for (int i = 0; i < 3; ++i) co_await t.wait(hear, runtime::from(tick));
+    co_await t.complete(end, 0);
+  });
+  struct Ticking final : runtime::PortDevice {
+    Ticking() : PortDevice("clock", {{"tick", false, {}}}) {}
+    void receive(std::size_t, std::span<const double>) override {}
+    void open() override {
+      every(10ms, 3ms, [this] {
+        at.push_back(now());
+        host().deliver(0, {});
+      });
+    }
+    std::vector<runtime::Time> at;
+  } clock;
+  CHECK(run(skill, {&clock}).code == 0);
+  CHECK(clock.at == std::vector<runtime::Time>{3ms, 13ms, 23ms});
+}

@@ -39,7 +39,7 @@ struct Asker {
     receive = skill.statement("receive", 100us);
     end = skill.statement("end");
     skill.requirements = {{.name = "fresh",
-                           .measure = Measure::other,
+                           .measure = Measure::duration,
                            .channels = {},
                            .at = {},
                            .threads = only(0),

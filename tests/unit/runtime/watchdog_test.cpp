@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 
 #include "tests/run/support/bench.hpp"
 
@@ -85,6 +86,7 @@ struct Acting {
     options.real_time.emplace();
     options.real_time->hang_timeout = 400ms;
     options.real_time->hang_status = 71;
+    if (skill.on_promise_broken) options.on_broken_promise = runtime::OnBrokenPromise::contingency;
     const auto outcome = test::run(skill, {&device}, options);
     say(outcome.reason);
   }
@@ -198,6 +200,23 @@ TEST_CASE("watchdog: a device that does not return ends the process, devices clo
   CAPTURE(ended.said);
   CHECK(ended.status == 71);
   CHECK(ended.said.find("sensor closed\npal: device sensor has not returned for ") == 0);
+}
+
+TEST_CASE("watchdog: an answer to a broken promise that does not return is named, not the device") {
+  const Ended ended = in_a_child([] {
+    Acting acting;
+    Telling device;
+    acting.work = [] {  // its worst time is 1 ms
+      for (const auto end = std::chrono::steady_clock::now() + 50ms; std::chrono::steady_clock::now() < end;) {
+      }
+    };
+    acting.skill.on_promise_broken = [](const runtime::BrokenPromise&) -> bool { spin(); };
+    acting.run(device);
+  });
+  CAPTURE(ended.said);
+  CHECK(ended.status == 71);
+  CHECK(ended.said.find("pal: the skill's answer to a broken promise has not returned for ") !=
+        std::string::npos);
 }
 
 TEST_CASE("watchdog: a close that does not return ends the process, with a message") {

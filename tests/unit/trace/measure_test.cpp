@@ -1,8 +1,9 @@
 // What a run attained, read off its trace.
 #include <catch2/catch.hpp>
 
+#include "pal/trace/age_meter.hpp"
+#include "pal/trace/loss_meter.hpp"
 #include "pal/trace/measure.hpp"
-#include "pal/trace/meter.hpp"
 
 namespace pal::trace {
 namespace {
@@ -66,7 +67,7 @@ std::int64_t age_of_value(const std::vector<Event>& events) {
   const Trace tables = asking({});
   Marks channels(tables.channels.size()), at(tables.statements.size());
   channels[value] = at[0] = true;
-  SampleMeter meter(tables, channels, at);
+  SampleMeter meter(SampleFlow(tables, channels), at);
   std::int64_t age = -1;
   for (const Event& event : events)
     if (const auto seen = meter.see(event, -1)) age = seen->length_ns();
@@ -96,6 +97,53 @@ TEST_CASE("a sample's age counts from when its request reached the device, also 
                       {12, Kind::put, 2, -1, value, 2},
                       {13, Kind::take, 0, -1, value, 2},
                       {14, Kind::done, 0, 0, -1, 0}}) == 7);
+}
+
+TEST_CASE("an answer that nobody asked for shifts no sample and is no loss") {
+  CHECK(age_of_value({{2, Kind::put, 0, -1, request, 1},
+                      {2, Kind::busy, 2, -1, -1, 0},
+                      {2, Kind::take, 2, -1, request, 1},
+                      {3, Kind::drop, 2, -1, value, unasked},
+                      {7, Kind::idle, 2, -1, -1, 0},
+                      {7, Kind::put, 2, -1, value, 1},
+                      {8, Kind::take, 0, -1, value, 1},
+                      {9, Kind::done, 0, 0, -1, 0}}) == 7);
+  const Trace tables = asking({});
+  LossMeter losses(tables, 2, LossMeter::Of::answers, 2, 0);
+  losses.see({2, Kind::take, 2, -1, request, 1});
+  CHECK_FALSE(losses.see({3, Kind::drop, 2, -1, value, unasked}));
+  CHECK(losses.see({7, Kind::put, 2, -1, value, 1}) == 0);
+  losses.see({8, Kind::take, 2, -1, request, 2});
+  CHECK_FALSE(losses.see({9, Kind::drop, 2, -1, value, no_answer}));
+  losses.see({9, Kind::take, 2, -1, request, 3});
+  CHECK(losses.see({12, Kind::drop, 2, -1, value, 7}) == 1);
+}
+
+TEST_CASE("frames that nobody asked for are lost, from the first one that answered on") {
+  const Trace tables = asking({});
+  const auto frame = [&tables](LossMeter& losses, std::int64_t at, bool marks) {
+    if (marks) losses.see({at, Kind::busy, 2, -1, -1, 0});
+    losses.see({at, Kind::take, 2, -1, request, 1});
+    if (marks) losses.see({at + 2, Kind::idle, 2, -1, -1, 0});
+    return losses.see({at + 2, Kind::put, 2, -1, value, 1});
+  };
+  SECTION("a device that says when it is busy") {
+    LossMeter losses(tables, 2, LossMeter::Of::frames, 3, 10);
+    losses.see({0, Kind::busy, 2, -1, -1, 0});
+    CHECK_FALSE(losses.see({2, Kind::idle, 2, -1, -1, 0}));  // none has answered before
+    CHECK(frame(losses, 10, true) == 0);
+    losses.see({20, Kind::busy, 2, -1, -1, 0});
+    CHECK(losses.see({22, Kind::idle, 2, -1, -1, 0}) == 1);
+    losses.see({30, Kind::busy, 2, -1, -1, 0});
+    CHECK(losses.see({32, Kind::idle, 2, -1, -1, 0}) == 2);
+  }
+  SECTION("one that does not: the time between two tells it") {
+    LossMeter losses(tables, 2, LossMeter::Of::frames, 3, 10);
+    frame(losses, 10, false);
+    CHECK(frame(losses, 41, false) == 2);
+    frame(losses, 50, false);
+    CHECK(losses.finish() == 0);
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "pal/runtime/broken_promise.hpp"
 #include "pal/runtime/cost_policy.hpp"
 #include "pal/runtime/device.hpp"
+#include "pal/runtime/margins.hpp"
 #include "pal/runtime/observer.hpp"
 #include "pal/runtime/real_time.hpp"
 #include "pal/runtime/run_control.hpp"
@@ -46,9 +47,21 @@ struct RunOptions {
   RunControl* control = nullptr;        // outlives the run; null: none
   MessageObserver* observer = nullptr;  // outlives the run; null: none
   WorkObserver* work = nullptr;         // likewise
+  /// Gets how near the run comes to each requirement of the skill, while it goes on. Has as many places as
+  /// the wiring has requirements, and outlives the run; null: none.
+  Margins* margins = nullptr;
   std::optional<RealTime> real_time{};  // by the wall clock; nothing: in virtual time
   OnBrokenPromise on_broken_promise = OnBrokenPromise::report;
   std::vector<SlowStatement> slow{};  // of virtual time: to see what comes of it
+};
+
+/// How near a run came to a requirement.
+struct MeasuredRequirement {
+  std::string name;
+  BrokenPromise::Unit unit = BrokenPromise::Unit::time;
+  Time least{}, most = Time::max();  // its limits
+  std::optional<Time> worst;  // the longest; the shortest, of one with a limit only from below; nothing:
+                              // the run had none
 };
 
 struct Outcome {
@@ -57,7 +70,8 @@ struct Outcome {
   std::string reason;  // the completion's description, or what the fault was
   Time duration{};     // from the start of the skill to its completion
   std::size_t overruns = 0;
-  std::vector<BrokenPromise> broken_promises;  // in the order in which they were broken first
+  std::vector<BrokenPromise> broken_promises;     // in the order in which they were broken first
+  std::vector<MeasuredRequirement> requirements;  // all of the skill
   trace::Trace trace;
   std::optional<RealTimeReport> real_time{};  // of a run in real time that has begun
 };

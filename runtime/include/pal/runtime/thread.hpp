@@ -116,6 +116,20 @@ class Thread {
 
   auto complete(int statement, int code) { return Complete(*this, statement, code); }
 
+  /// While it lives the thread is in loop `loop`, which a phase of a requirement names.
+  class Within {
+   public:
+    Within(Thread& thread, int loop);
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+    ~Within();
+
+   private:
+    Thread& thread_;
+    int loop_;
+  };
+  Within within(int loop) { return Within(*this, loop); }
+
   /// In the wiring.
   int index() const { return control.index; }
 

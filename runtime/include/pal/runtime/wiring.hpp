@@ -76,18 +76,22 @@ struct DeviceTimes {
   bool may_fail = false;  // on_request: a request may have no answer (OR NEVER)
 };
 
-/// A requirement on the skill, as far as a run can show it, and what its proof relies on.
+/// A requirement on the skill, and what its proof relies on.
 struct RequirementSpec {
   enum class Measure : std::uint8_t {
-    response,  // from a message that is put into one of `channels` to a statement of `at`
-    age,       // of `condition` at a statement of `at`
-    sample,    // of what a device says in `channels` at a statement of `at`
-    interval,  // between effects of statements of `at`
-    duration,  // to the completion `code`
-    other      // is not measured while the skill runs
+    response,         // from a message that is put into one of `channels` to a statement of `at`
+    age,              // of `condition` at a statement of `at`
+    sample,           // of what a device says in `channels` at a statement of `at`
+    interval,         // between effects of statements of `at`
+    duration,         // to the completion `code`
+    reaction,         // to a change of `condition`, at a statement of `at`
+    sample_reaction,  // to a change of what a device says in `channels`, at a statement of `at`
+    loss,             // of `device`, among any `in` in a row; the limits are numbers
+    load,             // of each of `processors`; the limits are nanoseconds of work in a second
+    busy              // how long each of `processors` has something to do without a pause
   };
   std::string_view name;
-  Measure measure = Measure::other;
+  Measure measure = Measure::duration;
   Time least{};
   Time most = Time::max();
   std::span<const int> channels;
@@ -96,6 +100,25 @@ struct RequirementSpec {
   int code = 0;
   std::span<const int> threads;  // it relies on these and on the blocks that they begin
   std::span<const int> devices;
+  int device = -1;
+  int in = 1;
+  std::span<const int> processors{};
+  // Of a requirement with a phase: it counts from when a statement of `after` was done first, or while a
+  // thread is in one of the loops `during` (Thread::within). Without: it is of the whole run.
+  std::span<const int> after{};
+  std::span<const int> during{};
+};
+
+/// What happens to a message that a module keeps. Those are numbered from 0 on.
+struct KeptSpec {
+  enum class How : std::uint8_t {
+    taken,   // from channel `place`
+    used,    // by statement `place`, at its effect
+    written  // by statement `place`, at its effect
+  };
+  How how = How::taken;
+  int place = 0;
+  int kept = 0;
 };
 
 struct Latency {
@@ -116,6 +139,7 @@ struct Wiring {
   Latency latency;
   std::span<const DeviceTimes> times{};  // one each device; none: nothing is promised
   std::span<const RequirementSpec> requirements{};
+  std::span<const KeptSpec> kept{};  // as far as a requirement is about samples
 };
 
 }  // namespace pal::runtime

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,50 +29,13 @@ struct Occurrence {
 /// Marks of rows of a trace's table: of its channels, of its statements.
 using Marks = std::vector<bool>;
 
-/// Ages of a condition at each effect of a statement of `at`.
-class AgeMeter {
- public:
-  AgeMeter(const Trace& tables, std::int32_t condition, Marks at)
-      : condition_(condition), at_(std::move(at)), read_(tables.actors.size()) {}
-  std::optional<Occurrence> see(const Event& event, std::int32_t parent);
-
- private:
-  std::int32_t condition_;
-  Marks at_;
-  std::int64_t set_ = 0;
-  std::vector<std::optional<std::int64_t>> read_;  // by actor
-};
-
-/// Ages of what a device says in the messages of `channels`, at each effect of a statement of `at`. An age
-/// counts from when the device began to serve the request. A device that says when it is busy begins when it
-/// takes the request. Any other begins when the request reaches it, or when it has sent its answer before.
-class SampleMeter {
- public:
-  SampleMeter(const Trace& tables, Marks channels, Marks at);
-  std::optional<Occurrence> see(const Event& event, std::int32_t parent);
-
- private:
-  using Instant = std::optional<std::int64_t>;
-  void newer(std::int32_t actor, const Instant& instant);
-
-  Marks channels_, at_;
-  std::vector<std::int32_t> request_;               // by channel: of what it answers; -1: nothing
-  Marks asks_;                                      // by channel: whether its messages are answered
-  std::vector<bool> device_;                        // by actor
-  std::vector<bool> marks_;                         // by actor: it says when it is busy
-  std::vector<std::int64_t> put_;                   // by channel: when its last message was put
-  std::vector<std::int64_t> answered_;              // by actor: when it sent its last message
-  std::vector<std::vector<std::int64_t>> serving_;  // by channel: when its requests were taken, oldest first
-  std::vector<Instant> on_message_;                 // by channel
-  std::vector<Instant> on_condition_;               // by condition
-  std::vector<Instant> known_;                      // by actor
-};
-
 /// Intervals between successive effects of the statements of `at`.
 class IntervalMeter {
  public:
   explicit IntervalMeter(Marks at) : at_(std::move(at)) {}
   std::optional<Occurrence> see(const Event& event);
+  /// The next effect is the first one.
+  void forget() { last_.reset(); }
 
  private:
   Marks at_;
@@ -95,20 +59,28 @@ class ResponseMeter {
     std::int64_t number = 0;  // from 1 on; 0: none
     std::int64_t time_ns = 0;
   };
-  /// The oldest after number `after`; null: none.
+  /// The oldest after number `after` that counts; null: none.
   const Birth* awaiting(std::int64_t after) const;
 
+  /// What is put from now on counts, and nothing before.
+  void begin_phase() { counts_from_ = births_ + 1; }
+  /// Nothing counts. What is put is carried, and answered, all the same.
+  void end_phase() { counts_from_ = none_counts; }
+
  private:
+  static constexpr std::int64_t none_counts = std::numeric_limits<std::int64_t>::max();
   void put(const Event& event);
   void take(const Event& event);
   void drop(const Event& event);
   Reading answer(const Event& event);
   bool is_awaiting(const Birth& birth) const;
+  const Birth* first_after(std::int64_t after) const;
   bool is_device(std::int32_t actor) const { return device_[static_cast<std::size_t>(actor)]; }
   bool is_source(const Event& event) const {
     return event.subject >= 0 && channels_[static_cast<std::size_t>(event.subject)];
   }
   Birth answered_request(const Event& event);
+  void forget_what_nobody_carries();
   Birth& on(const Event& event) { return on_message_[static_cast<std::size_t>(event.subject)]; }
 
   Marks channels_, at_;
@@ -121,6 +93,7 @@ class ResponseMeter {
   std::vector<Birth> carried_;   // by actor
   std::vector<Birth> awaiting_;  // the oldest first
   std::int64_t births_ = 0;
+  std::int64_t counts_from_ = 1;  // the number of the first birth that does
 };
 
 }  // namespace pal::trace

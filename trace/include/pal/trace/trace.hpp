@@ -33,6 +33,10 @@ enum class Kind : std::uint8_t {
   broken,    // actor breaks what the environment promises; value: index into promises
 };
 
+/// Values of a `drop` of a device, instead of a serial number: it has no answer to a request; it has sent one
+/// that nobody asked for.
+inline constexpr std::int32_t no_answer = 0, unasked = -1;
+
 /// "ready", "start", …: the spelling in files.
 const char* name(Kind kind);
 
@@ -56,6 +60,7 @@ struct Actor {
   std::string processor;  // of a thread
   int priority = 0;
   std::int32_t parent = -1;  // of a block of CONCURRENT: the actor whose CONCURRENT begins it
+  bool by_itself = false;  // of a device: it answers nothing, whatever its messages are called. Not in files
 };
 
 struct Statement {
