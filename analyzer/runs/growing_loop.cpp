@@ -24,7 +24,7 @@ struct Round {
   std::size_t events;
   std::uint64_t runs;
 };
-constexpr std::array<Round, 2> rounds{{{1'500, 8}, {30'000, 4}}};
+constexpr std::array<Round, 2> rounds{{{1'500, 8}, {12'000, 4}}};
 
 /// SimulationOptions::seldom of one run after the other.
 constexpr std::array<std::uint64_t, 4> seldom{16, 64, 4, 0};
