@@ -9,6 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/syntax/first_mistake.hpp"
 #include "pal/syntax/repair.hpp"
+#include "pal/syntax/unfinished.hpp"
 
 namespace pal::syntax {
 
@@ -92,6 +93,11 @@ void report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
                          "too many syntax errors; the rest of this file is not read",
                          "correct the first of them, and make sure that this file is PAL");
       return;
+    }
+    if (auto line = is_long ? std::nullopt : unfinished_line(*mistake, tokens)) {
+      report(std::move(line->finding), diagnostics);
+      tokens.apply(line->change);
+      continue;
     }
     auto change = is_long ? std::nullopt : repair_of(*mistake, tokens);
     report(change ? told_by(*change, *mistake, tokens) : mistake->finding, diagnostics);
