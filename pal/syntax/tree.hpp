@@ -268,6 +268,7 @@ using Unit =
 struct Tree {
   FileId file{};
   bool complete = true;
+  bool lost = false;  // after syntax errors: whole lines are not in the tree
   std::vector<Unit> units;  // in the order of the text
 };
 
