@@ -74,6 +74,13 @@ std::optional<Change> without_line(const Mistake& mistake, const Tokens& tokens)
   return Change{first, next - first, {}};
 }
 
+/// A sign that is missing. Other changes may make something else of the lines around: a heading of a
+/// statement, for one.
+bool adds_sign(const Change& change) {
+  return change.removed == 0 && change.added.size() == 1 && change.added.front() >= Parser::LEFT &&
+         change.added.front() < Parser::NAME;
+}
+
 void report(Diagnostic told, Diagnostics& diagnostics) {
   auto& finding = diagnostics.report(told.code, told.where, std::move(told.message), std::move(told.hint));
   finding.notes = std::move(told.notes);
@@ -81,7 +88,7 @@ void report(Diagnostic told, Diagnostics& diagnostics) {
 }
 
 /// Reports one mistake after the other. Each is mended before the next is looked for, or else its line is
-/// left out. Returns whether one was, or the text behind one.
+/// left out. Returns whether one was, or may have another meaning now, or the text behind one was left out.
 bool report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
   const bool is_long = tokens.all().size() > most_mended_tokens;
   bool lost = false;
@@ -102,7 +109,7 @@ bool report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
     }
     auto change = is_long ? std::nullopt : repair_of(*mistake, tokens);
     report(change ? told_by(*change, *mistake, tokens) : mistake->finding, diagnostics);
-    lost = lost || !change;
+    lost = lost || !change || !adds_sign(*change);
     if (!change) change = without_line(*mistake, tokens);
     if (!change || is_long) return true;
     tokens.apply(*change);
@@ -137,6 +144,7 @@ Reading::Reading(FileId file, std::string_view text, Diagnostics& diagnostics)
     parser_->removeErrorListeners();
     root_ = parse_carefully(*parser_, tokens_);
   }
+  lost_ = lost_ || tokens_.has_errors();
   complete_ = !tokens_.has_errors() && diagnostics.errors() == errors_before;
 }
 

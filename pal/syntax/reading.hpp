@@ -23,7 +23,7 @@ class Reading {
   Parser::FileContext* root() const { return root_; }
   /// There were no errors.
   bool complete() const { return complete_; }
-  /// A line with a mistake, or the text behind one, was left out.
+  /// A line with a mistake, or the text behind one, was left out, or may have another meaning now.
   bool lost() const { return lost_; }
 
  private:
