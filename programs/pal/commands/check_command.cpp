@@ -1,4 +1,5 @@
 // pal check: findings, verdicts, and the exit status that they make.
+#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -100,6 +101,18 @@ std::optional<std::string> write_witnesses(const std::string& path, const std::v
   return write_files({{path, text.str()}});
 }
 
+/// Says how many proofs were kept ones, and keeps the folder at its size.
+void tidy(const study::ProofStore& cache, const CheckOptions& options, const std::vector<Proof>& proofs,
+          std::ostream& err) {
+  cache.trim(options.cache_size);
+  if (cache.damaged() > 0)
+    err << "pal: " << cache.damaged() << " kept proofs were damaged, and were made again\n";
+  const auto kept =
+      std::count_if(proofs.begin(), proofs.end(), [](const Proof& proof) { return proof.kept; });
+  if (!options.quiet)
+    err << "pal: " << kept << " of " << proofs.size() << " proofs were kept ones, of " << options.cache << "\n";
+}
+
 }  // namespace
 
 ExitStatus check(const CheckOptions& options, const Console& console) {
@@ -112,10 +125,13 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
   std::vector<Proof> proofs;
+  study::ProofStore cache(options.cache);
   if (!session.diagnostics.has_errors() && !options.without_times) {
     ProofLimits limits = options.limits;
     limits.peak_memory = options.statistics;
     limits.addends = options.explain || options.format == Format::json;
+    limits.cache = options.cache.empty() ? nullptr : &cache;
+    limits.fresh = options.statistics || !options.witness.empty();
     if (console.terminal && options.format == Format::text && !options.quiet) {
       CheckDisplay display(console.out, terminal_size());
       proofs = prove(session, limits,
@@ -125,6 +141,7 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
       proofs = prove(session, limits, {}, input.session);
     }
   }
+  if (!options.cache.empty()) tidy(cache, options, proofs, console.err);
   const std::vector<Unchecked> not_checked = unchecked(session, proofs, why_unproved(input, options));
   const bool raised = options.warnings_as_errors && raise_warnings(session);
   ExitStatus found = status_of_findings(session);
