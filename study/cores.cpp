@@ -44,6 +44,7 @@ class Shared {
 constexpr int out_of_memory = 3, other_trouble = 4;
 
 [[noreturn]] void work_on(const CoresWork& work, Counters& counters) {
+  ::signal(SIGTERM, SIG_DFL);  // the parent's way to end it, whatever the parent does with its own
   int status = 0;
   try {
     while (!work.stop || !work.stop()) {

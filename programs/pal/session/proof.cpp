@@ -207,6 +207,7 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
       if (!is_of(skill, environment, session.specification)) continue;
+      if (limits.leaves_out && limits.leaves_out(skill, environment)) continue;
       if (is_work_left()) return proofs;
       auto problem = alive ? problem_in_patience(skill, environment, session, alive)
                            : problem_of(skill, environment, session);

@@ -43,6 +43,8 @@ struct ProofLimits {
   bool peak_memory = false;                                                // count it
   bool addends = false;                                                    // find what adds up to bounds
   study::ProofStore* cache = nullptr;  // proofs in which everything holds are taken from it; all are kept there
+  /// True of what is not to be proved; empty: all is.
+  std::function<bool(const pan::Network&, const pan::Environment&)> leaves_out = {};
   bool fresh = false;                  // none is taken: runs or statistics are asked for
 };
 

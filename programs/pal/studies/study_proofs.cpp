@@ -54,10 +54,9 @@ bool StudyProofs::asked_for(const std::string& requirement) const {
 }
 
 std::uint32_t StudyProofs::index_of(const std::string& text, std::vector<std::string>& texts) const {
-  const auto found = std::find(texts.begin(), texts.end(), text);
-  if (found == texts.end()) texts.push_back(text);
-  return static_cast<std::uint32_t>(found == texts.end() ? texts.size() - 1
-                                                         : static_cast<std::size_t>(found - texts.begin()));
+  const auto index = static_cast<std::size_t>(std::find(texts.begin(), texts.end(), text) - texts.begin());
+  if (index == texts.size()) texts.push_back(text);
+  return static_cast<std::uint32_t>(index);
 }
 
 std::optional<std::string> StudyProofs::parameter_called(const std::string& name) const {
