@@ -27,7 +27,8 @@ static_assert(std::atomic<std::size_t>::is_always_lock_free);
 class Shared {
  public:
   Shared()
-      : memory_(::mmap(nullptr, sizeof(Counters), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+      : memory_(
+            ::mmap(nullptr, sizeof(Counters), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
     if (memory_ == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "shared memory");
     counters_ = new (memory_) Counters;
   }

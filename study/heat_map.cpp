@@ -49,8 +49,9 @@ class Map {
     draw_border();
     draw_axes();
     draw_legend();
-    const Length width = std::max({x(columns_) + margin, margin * 2 + text_width(table_.study.title, title_font, true),
-                                   legend_end_ + margin});
+    const Length width =
+        std::max({x(columns_) + margin, margin * 2 + text_width(table_.study.title, title_font, true),
+                  legend_end_ + margin});
     return page(width, bottom_ + 1150, out_.str());
   }
 
@@ -145,8 +146,11 @@ class Map {
       at += 220 + text_width(text, label_font) + 300;
     }
     legend_end_ = at;
-    std::string note = many ? "A field says how many of " + std::to_string(table_.pairs.size()) + " skills hold." : "";
-    if (others) note += std::string(note.empty() ? "" : " ") + "It counts only if it does for all values of the other figures.";
+    std::string note =
+        many ? "A field says how many of " + std::to_string(table_.pairs.size()) + " skills hold." : "";
+    if (others)
+      note += std::string(note.empty() ? "" : " ") +
+              "It counts only if it does for all values of the other figures.";
     if (note.empty()) return;
     out_.text({left_, line + 250}, Anchor::start, "small", note);
     legend_end_ = std::max(legend_end_, left_ + text_width(note, small_font));

@@ -122,7 +122,8 @@ Verdict verdict_of(std::string_view text) {
     lost.in = static_cast<int>(line.number());
     verdict.taken_as_lost.push_back(lost);
   }
-  if (const std::string_view own = line.text(); !own.empty()) verdict.addends = addends(nlohmann::json::parse(own));
+  if (const std::string_view own = line.text(); !own.empty())
+    verdict.addends = addends(nlohmann::json::parse(own));
   return verdict;
 }
 

@@ -53,7 +53,8 @@ std::string page(Length width, Length height, const std::string& drawn) {
 
 std::size_t label_stride(const std::vector<std::string>& labels, Length step) {
   Length widest = label_font;
-  for (const std::string& label : labels) widest = std::max(widest, analyzer::chart::text_width(label, label_font));
+  for (const std::string& label : labels)
+    widest = std::max(widest, analyzer::chart::text_width(label, label_font));
   return static_cast<std::size_t>((widest + label_font) / std::max<Length>(step, 1)) + 1;
 }
 
@@ -71,7 +72,8 @@ std::string plot_name(const Study& study, const PlotWish& plot) {
 }
 
 std::string draw(const Table& table, const PlotWish& plot) {
-  return plot.over.size() == 1 ? slack_plot(table, plot.over[0]) : heat_map(table, plot.over[0], plot.over[1]);
+  return plot.over.size() == 1 ? slack_plot(table, plot.over[0])
+                               : heat_map(table, plot.over[0], plot.over[1]);
 }
 
 }  // namespace pal::study

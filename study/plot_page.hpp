@@ -18,7 +18,8 @@ constexpr Length margin = 200, label_font = 100, small_font = 85, title_font = 1
 /// The whole file: a page of this size with what was drawn on it. Lengths are tenths of a pixel.
 std::string page(Length width, Length height, const std::string& drawn);
 
-/// Which labels of an axis are written, so that each has `room` of `step` a label: every one, or every second, ….
+/// Which labels of an axis are written, so that each has `room` of `step` a label: every one, or every
+/// second, ….
 std::size_t label_stride(const std::vector<std::string>& labels, Length step);
 
 /// The labels of a figure's values.

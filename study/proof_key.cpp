@@ -82,7 +82,8 @@ std::string canonical_text(const pan::Network& skill) {
   std::ostringstream text;
   pan::dump(skill, text);
   for (const pan::Parameter& each : skill.skill.parameters)
-    text << "parameter " << whole(each.low) << ' ' << whole(each.high) << ' ' << whole(each.default_value) << '\n';
+    text << "parameter " << whole(each.low) << ' ' << whole(each.high) << ' ' << whole(each.default_value)
+         << '\n';
   return text.str();
 }
 

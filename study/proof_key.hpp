@@ -18,14 +18,14 @@ std::string sha256(std::string_view text);
 std::string canonical_text(const pan::Network& skill);
 std::string canonical_text(const pan::Environment& environment);
 
-/// The version and the build of this program. Another build has another one, so that no proof outlives the code
-/// that made it.
+/// The version and the build of this program. Another build has another one, so that no proof outlives the
+/// code that made it.
 const std::string& engine_version();
 
 /// What decides beside skill and environment. A limit of time or memory is not among them: what such a limit
 /// ended is never kept.
 struct KeyOptions {
-  std::string analysis;        // as --analysis has it
+  std::string analysis;  // as --analysis has it
   std::size_t max_states = 0;
 };
 

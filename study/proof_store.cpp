@@ -106,7 +106,8 @@ std::size_t ProofStore::trim(std::uint64_t bytes) const {
   std::error_code error;
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   constexpr std::time_t long_ago = 3600;
-  for (fs::recursive_directory_iterator each(folder_, fs::directory_options::skip_permission_denied, error), end;
+  for (fs::recursive_directory_iterator each(folder_, fs::directory_options::skip_permission_denied, error),
+       end;
        !error && each != end; each.increment(error)) {
     const std::string path = each->path().string();
     const bool half = path.ends_with(half_ending);

@@ -1,5 +1,5 @@
-// The folder in which proofs are kept, a file each, under the hash of what they depend on. Several processes and
-// machines may use one at the same time.
+// The folder in which proofs are kept, a file each, under the hash of what they depend on. Several processes
+// and machines may use one at the same time.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,8 @@ class ProofStore {
   /// Files that find() did not believe.
   std::size_t damaged() const { return damaged_; }
 
-  /// Removes the oldest until the folder has at most `bytes` (counted in blocks of the disk). Returns how many.
-  /// Also removes what a process that was killed left half written more than an hour ago.
+  /// Removes the oldest until the folder has at most `bytes` (counted in blocks of the disk). Returns how
+  /// many. Also removes what a process that was killed left half written more than an hour ago.
   std::size_t trim(std::uint64_t bytes) const;
 
  private:

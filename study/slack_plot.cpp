@@ -74,7 +74,8 @@ class Plot {
     draw_axes();
     for (std::size_t i = 0; i < spots_.size(); ++i) draw_line(i);
     draw_legend();
-    const Length width = std::max(legend_end_, margin + text_width(table_.study.title, title_font, true)) + margin;
+    const Length width =
+        std::max(legend_end_, margin + text_width(table_.study.title, title_font, true)) + margin;
     return page(width, std::max(bottom_ + 900, legend_bottom_ + margin), out_.str());
   }
 
@@ -102,7 +103,8 @@ class Plot {
       out_.text({left_ - 80, y(at) + 35}, Anchor::end, "end", amount(at));
     }
     out_.line({left_, y(0)}, {left_ + plot_width, y(0)}, "limit");
-    out_.path(analyzer::chart::move_to({left_, bottom_ - plot_height}) + analyzer::chart::line_to({left_, bottom_}) +
+    out_.path(analyzer::chart::move_to({left_, bottom_ - plot_height}) +
+                  analyzer::chart::line_to({left_, bottom_}) +
                   analyzer::chart::line_to({left_ + plot_width, bottom_}),
               "axis");
     const auto labels = labels_of(figure_);
@@ -116,8 +118,8 @@ class Plot {
 
   std::string title(std::size_t pair, std::size_t value) const {
     const Spot& spot = spots_[pair][value];
-    std::string text = table_.pairs[pair].skill + " in " + table_.pairs[pair].environment + ", " + figure_.name + " = " +
-                       figure_.choices[value].label;
+    std::string text = table_.pairs[pair].skill + " in " + table_.pairs[pair].environment + ", " +
+                       figure_.name + " = " + figure_.choices[value].label;
     if (spot.least != no_slack) text += ": " + amount(spot.least);
     if (spot.outcome != Outcome::holds) text += std::string("; something ") + word(spot.outcome);
     return text;
@@ -137,7 +139,8 @@ class Plot {
       const Spot& spot = spots_[pair][i];
       const bool known = spot.least != no_slack && spot.outcome == Outcome::holds;
       if (known)
-        path += pen ? analyzer::chart::line_to({x(i), y(spot.least)}) : analyzer::chart::move_to({x(i), y(spot.least)});
+        path += pen ? analyzer::chart::line_to({x(i), y(spot.least)})
+                    : analyzer::chart::move_to({x(i), y(spot.least)});
       pen = known;
     }
     if (!path.empty()) out_.path(path, "curve" + colour(pair));
@@ -151,14 +154,15 @@ class Plot {
         const Length at = x(i) + (crowded ? 0 : spread), line = bottom_ + 110;
         using analyzer::chart::line_to;
         using analyzer::chart::move_to;
-        const std::string cross = spot.outcome == Outcome::fails
-                                      ? move_to({at - size, line - size}) + line_to({at + size, line + size}) +
-                                            move_to({at - size, line + size}) + line_to({at + size, line - size})
-                                      : move_to({at, line - size}) + line_to({at, line + size});
+        const std::string cross =
+            spot.outcome == Outcome::fails
+                ? move_to({at - size, line - size}) + line_to({at + size, line + size}) +
+                      move_to({at - size, line + size}) + line_to({at + size, line - size})
+                : move_to({at, line - size}) + line_to({at, line + size});
         out_.path(cross, "cross c" + std::to_string(pair % 8), title(pair, i));
       } else if (spot.least != no_slack && !crowded) {
-        out_.rect({x(i) - 30, y(spot.least) - 30, x(i) + 30, y(spot.least) + 30}, "mark c" + std::to_string(pair % 8),
-                  title(pair, i));
+        out_.rect({x(i) - 30, y(spot.least) - 30, x(i) + 30, y(spot.least) + 30},
+                  "mark c" + std::to_string(pair % 8), title(pair, i));
       }
     }
   }
@@ -173,8 +177,9 @@ class Plot {
       legend_end_ = std::max(legend_end_, at + 550 + text_width(text, label_font));
     }
     if (any_cross_) {
-      for (const char* text : {"below the axis, without a line:", "x: something fails that has no bound, or is no time",
-                               "|: something is undecided or not checked"}) {
+      for (const char* text :
+           {"below the axis, without a line:", "x: something fails that has no bound, or is no time",
+            "|: something is undecided or not checked"}) {
         out_.text({at, line + 100}, Anchor::start, "small", text);
         legend_end_ = std::max(legend_end_, at + text_width(text, small_font));
         line += 150;

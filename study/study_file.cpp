@@ -1,9 +1,9 @@
 #include "study/study_file.hpp"
 
+#include <toml++/toml.h>
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <toml++/toml.h>
 
 #include "pal/support/duration_text.hpp"
 #include "pal/support/nearest.hpp"
@@ -86,7 +86,8 @@ std::vector<Choice> named_choices(const toml::table& table, int line, const std:
       refuse(line, "figure '" + name + "' has choices, and '" + key + "' as well", "leave one of them out");
   }
   const toml::array* list = table.get("choice")->as_array();
-  if (list == nullptr) refuse(line, "the choices of figure '" + name + "' are no list", "write [[figure.choice]]");
+  if (list == nullptr)
+    refuse(line, "the choices of figure '" + name + "' are no list", "write [[figure.choice]]");
   if (list->empty()) refuse(line, "figure '" + name + "' has no value", "give it a choice");
   std::vector<Choice> choices;
   for (const toml::node& node : *list) {
@@ -96,7 +97,8 @@ std::vector<Choice> named_choices(const toml::table& table, int line, const std:
     Choice choice{text_at(*each, "name"), {}};
     if (choice.label.empty())
       refuse(line_of(node), "a choice of figure '" + name + "' has no name", "write name = \"…\"");
-    if (const toml::array* changes = each->get_as<toml::array>("set"); changes == nullptr || !changes->empty())
+    if (const toml::array* changes = each->get_as<toml::array>("set");
+        changes == nullptr || !changes->empty())
       choice.changes = texts_at(*each, "set");  // an empty list: the figures as they are
     choices.push_back(std::move(choice));
   }
@@ -128,7 +130,8 @@ Range range_of(const toml::table& table, int line, const std::string& name) {
 Figure figure_of(const toml::table& table) {
   Figure figure;
   figure.line = line_of(table);
-  allow(table, {"name", "values", "from", "to", "step", "count", "random", "seed", "set", "choice"}, "a figure");
+  allow(table, {"name", "values", "from", "to", "step", "count", "random", "seed", "set", "choice"},
+        "a figure");
   figure.name = text_at(table, "name");
   if (figure.name.empty()) refuse(figure.line, "a figure has no name", "write name = \"DEVICE.period\"");
   if (table.contains("choice")) {
@@ -255,7 +258,8 @@ std::variant<Study, Refusal> read_study(std::string_view text) {
   try {
     return study_of(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    return Refusal{static_cast<int>(error.source().begin.line), "this is no TOML: " + std::string(error.description()),
+    return Refusal{static_cast<int>(error.source().begin.line),
+                   "this is no TOML: " + std::string(error.description()),
                    "docs/reference/studies.md shows a study"};
   } catch (const Refusal& refusal) {
     return refusal;

@@ -1,4 +1,5 @@
-// A study as its file says it: which skills, environments and requirements, and which figures take which values.
+// A study as its file says it: which skills, environments and requirements, and which figures take which
+// values.
 #pragma once
 
 #include <cstddef>

@@ -32,8 +32,8 @@ std::string amount(const Row& row, std::int64_t value) {
   const std::int64_t hundredths = value / 100'000 - (value < 0 && value % 100'000 != 0 ? 1 : 0);
   const std::int64_t whole = std::abs(hundredths);
   const std::string fraction = std::to_string(whole % 100);
-  return (value < 0 ? "-" : "") + std::to_string(whole / 100) + "." + (fraction.size() < 2 ? "0" : "") + fraction +
-         " %";
+  return (value < 0 ? "-" : "") + std::to_string(whole / 100) + "." + (fraction.size() < 2 ? "0" : "") +
+         fraction + " %";
 }
 
 void write_counts(const std::string& heading, const std::vector<std::string>& names,
@@ -75,7 +75,8 @@ void write_tightest(const Table& table, std::ostream& out) {
   }
   if (tightest.empty()) return;
   out << "## Least slack\n\n"
-         "The least known slack of each requirement, and the first point that has it. A requirement that has no\n"
+         "The least known slack of each requirement, and the first point that has it. A requirement that has "
+         "no\n"
          "bound at some point may be worse there.\n\n"
          "| skill | environment | requirement | slack |";
   for (const Figure& figure : table.study.figures) out << " " << escaped(figure.name) << " |";
@@ -108,7 +109,8 @@ void write_notes(const Table& table, std::ostream& out) {
 
 void write_summary(const Table& table, std::ostream& out) {
   const std::vector<ProofOutcome> proofs = proofs_of(table);
-  out << "# " << escaped(table.study.title) << "\n\n" << proofs.size() << " proofs, " << table.rows.size()
+  out << "# " << escaped(table.study.title) << "\n\n"
+      << proofs.size() << " proofs, " << table.rows.size()
       << " verdicts. A proof is one skill in one environment at one point of the study.\n\n";
   const auto count = [&proofs, &out](const std::string& heading, const std::vector<std::string>& names,
                                      const auto& index) {

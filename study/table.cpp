@@ -44,7 +44,7 @@ struct Texts {
 };
 
 const char* measure_name(const Row& row) {
-  return row.at_least ? "least_interval" : analyzer::name(row.measure);
+  return !row.described ? "" : row.at_least ? "least_interval" : analyzer::name(row.measure);
 }
 
 /// "fails": the choices of a point are looked up once, for all its rows.
@@ -65,6 +65,10 @@ class Choices {
 
 std::string number(const std::optional<std::int64_t>& value, const char* none) {
   return value ? std::to_string(*value) : none;
+}
+
+std::string limit(const Row& row, const char* none) {
+  return row.described ? std::to_string(row.limit) : none;
 }
 
 }  // namespace
@@ -106,6 +110,7 @@ std::optional<std::int64_t> slack(const Row& row) {
 
 Row row_of(const analyzer::Verdict& verdict) {
   Row row;
+  row.described = true;
   row.outcome = outcome_of(verdict.state);
   row.exact = verdict.exact;
   row.at_least = verdict.at_least;
@@ -146,8 +151,9 @@ void write_csv(const Table& table, std::ostream& out) {
     const auto& chosen = choices.at(row.point);
     for (std::size_t i = 0; i < chosen.size(); ++i) out << ',' << texts.values[i][chosen[i]];
     out << ',' << texts.requirements[row.requirement] << ',' << measure_name(row) << ',' << name(row.outcome)
-        << ',' << row.limit << ',' << number(row.bound, "") << ',' << number(row.attained, "") << ','
-        << number(slack(row), "") << ',' << (row.exact ? "true" : "false") << ',' << texts.notes[row.note] << '\n';
+        << ',' << limit(row, "") << ',' << number(row.bound, "") << ',' << number(row.attained, "") << ','
+        << number(slack(row), "") << ',' << (row.exact ? "true" : "false") << ',' << texts.notes[row.note]
+        << '\n';
   }
 }
 
@@ -156,7 +162,8 @@ void write_json(const Table& table, std::ostream& out) {
   out << "{\"format_version\": 1, \"title\": " << quoted_json(table.study.title) << ",\n \"figures\": [";
   for (std::size_t i = 0; i < texts.names.size(); ++i) {
     out << (i == 0 ? "" : ",\n  ") << "{\"name\": " << texts.names[i] << ", \"values\": [";
-    for (std::size_t k = 0; k < texts.values[i].size(); ++k) out << (k == 0 ? "" : ", ") << texts.values[i][k];
+    for (std::size_t k = 0; k < texts.values[i].size(); ++k)
+      out << (k == 0 ? "" : ", ") << texts.values[i][k];
     out << "]}";
   }
   out << "],\n \"rows\": [";
@@ -167,11 +174,13 @@ void write_json(const Table& table, std::ostream& out) {
         << ", \"environment\": " << texts.environments[row.pair] << ", \"values\": [";
     const auto& chosen = choices.at(row.point);
     for (std::size_t i = 0; i < chosen.size(); ++i) out << (i == 0 ? "" : ", ") << texts.values[i][chosen[i]];
-    out << "], \"requirement\": " << texts.requirements[row.requirement] << ", \"measure\": \"" << measure_name(row)
-        << "\", \"verdict\": \"" << name(row.outcome) << "\", \"limit_ns\": " << row.limit
-        << ", \"bound_ns\": " << number(row.bound, "null") << ", \"attained_ns\": " << number(row.attained, "null")
-        << ", \"slack_ns\": " << number(slack(row), "null") << ", \"exact\": " << (row.exact ? "true" : "false")
-        << ", \"note\": " << texts.notes[row.note] << '}';
+    out << "], \"requirement\": " << texts.requirements[row.requirement] << ", \"measure\": \""
+        << measure_name(row) << "\", \"verdict\": \"" << name(row.outcome)
+        << "\", \"limit_ns\": " << limit(row, "null") << ", \"bound_ns\": " << number(row.bound, "null")
+        << ", \"attained_ns\": " << number(row.attained, "null")
+        << ", \"slack_ns\": " << number(slack(row), "null")
+        << ", \"exact\": " << (row.exact ? "true" : "false") << ", \"note\": " << texts.notes[row.note]
+        << '}';
     before = ",\n  ";
   }
   out << "]}\n";

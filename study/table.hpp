@@ -26,6 +26,7 @@ struct Row {
   std::uint32_t requirement = 0;  // in Table::requirements
   std::uint32_t note = 0;         // in Table::notes
   Outcome outcome = Outcome::not_checked;
+  bool described = false;  // measure and limit are known
   bool exact = false;
   bool at_least = false;
   analyzer::Requirement::Measure measure = analyzer::Requirement::Measure::age;

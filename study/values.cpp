@@ -52,7 +52,8 @@ std::variant<std::vector<std::string>, std::string> values_of(const Range& range
     return "'" + (from ? range.to : range.from) + "' is neither a time, as \"20 ms\" is, nor a whole number";
   if (from->time != to->time) return std::string("'from' and 'to' are not both times");
   if (from->value > to->value) return "the range is empty: it goes from " + range.from + " to " + range.to;
-  const std::uint64_t length = static_cast<std::uint64_t>(to->value) - static_cast<std::uint64_t>(from->value);
+  const std::uint64_t length =
+      static_cast<std::uint64_t>(to->value) - static_cast<std::uint64_t>(from->value);
   if (range.step.has_value() == range.count.has_value())
     return std::string("a range needs one of 'step' and 'count'");
   std::uint64_t steps = 0;  // between the first value and the last
@@ -66,13 +67,14 @@ std::variant<std::vector<std::string>, std::string> values_of(const Range& range
   } else {
     if (*range.count < 1) return "the range is empty: 'count' is " + std::to_string(*range.count);
     steps = static_cast<std::uint64_t>(*range.count) - 1;
-    if (*range.count > 1'000'000'000) return "'count' is " + std::to_string(*range.count) + "; at most 1000000000";
+    if (*range.count > 1'000'000'000)
+      return "'count' is " + std::to_string(*range.count) + "; at most 1000000000";
     if (steps > length) return std::string("there are not so many values between 'from' and 'to'");
   }
   const std::uint64_t grid = steps + 1;
   const auto value = [&](std::uint64_t index) {
     // Without overflow: index <= steps <= length. What the division leaves is spread over the values.
-    const std::uint64_t offset = range.step    ? index * step
+    const std::uint64_t offset = range.step   ? index * step
                                  : steps == 0 ? 0
                                               : length / steps * index + length % steps * index / steps;
     const std::int64_t at = from->value + static_cast<std::int64_t>(offset);

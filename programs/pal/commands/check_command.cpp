@@ -71,7 +71,8 @@ ExitStatus status_of(const std::vector<Proof>& proofs, const std::vector<Uncheck
   if (!all_hold(proofs)) return ExitStatus::not_met;
   const bool only_left_out = all_left_out(not_checked);
   if (options.require_verdicts && !not_checked.empty() && !only_left_out) return ExitStatus::not_met;
-  return has_verdicts(proofs) || only_left_out || options.without_times ? ExitStatus::all_hold : ExitStatus::not_met;
+  return has_verdicts(proofs) || only_left_out || options.without_times ? ExitStatus::all_hold
+                                                                        : ExitStatus::not_met;
 }
 
 struct Input {
@@ -121,7 +122,8 @@ void tidy(const study::ProofStore& cache, const CheckOptions& options, const std
   const auto kept =
       std::count_if(proofs.begin(), proofs.end(), [](const Proof& proof) { return proof.kept; });
   if (!options.quiet)
-    err << "pal: " << kept << " of " << proofs.size() << " proofs were kept ones, of " << options.cache << "\n";
+    err << "pal: " << kept << " of " << proofs.size() << " proofs were kept ones, of " << options.cache
+        << "\n";
 }
 
 }  // namespace
@@ -159,9 +161,10 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
     limits.fresh = options.statistics || !options.witness.empty();
     if (console.terminal && options.format == Format::text && !options.quiet) {
       CheckDisplay display(console.out, terminal_size());
-      proofs = prove(session, limits,
-                     [&display](const auto& problem, const auto& known) { display.show(problem, known); },
-                     input.session);
+      proofs = prove(
+          session, limits,
+          [&display](const auto& problem, const auto& known) { display.show(problem, known); },
+          input.session);
     } else {
       proofs = prove(session, limits, {}, input.session);
     }

@@ -6,13 +6,13 @@
 #include <ostream>
 #include <sstream>
 
+#include "pal/support/nearest.hpp"
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/memory.hpp"
 #include "programs/pal/session/write.hpp"
 #include "programs/pal/studies/engines.hpp"
 #include "programs/pal/studies/study_charts.hpp"
-#include "pal/support/nearest.hpp"
 #include "study/cells.hpp"
 #include "study/plots.hpp"
 
@@ -49,8 +49,8 @@ std::string grouped(std::uint64_t number) {
 }
 
 /// The proofs, if they are not too many.
-std::optional<std::uint64_t> count(const study::Study& study, std::uint64_t pairs, const SweepOptions& options,
-                                   std::ostream& err) {
+std::optional<std::uint64_t> count(const study::Study& study, std::uint64_t pairs,
+                                   const SweepOptions& options, std::ostream& err) {
   const auto points = study::count_points(study);
   std::uint64_t proofs = 0;
   const bool countable = points && !__builtin_mul_overflow(*points, pairs, &proofs);
@@ -170,7 +170,8 @@ class Sweep {
     }
     EngineWork work{proofs_, store_, all, {}};
     for (std::uint64_t proof = from; proof < to; ++proof)
-      if (options_.retry ? !store_.has(proofs_.key(proof)) : !is_made(proof, work)) work.missing.push_back(proof);
+      if (options_.retry ? !store_.has(proofs_.key(proof)) : !is_made(proof, work))
+        work.missing.push_back(proof);
     if (!options_.cells.empty()) return make_cells(work);
     console_.err << "pal: " << all << " proofs, " << all - work.missing.size() << " of them made before\n";
     make(work);
@@ -189,9 +190,10 @@ class Sweep {
   }
 
   void make_by(Engine engine, EngineWork& work) {
-    EngineOptions how{engine, options_.jobs, options_.block, options_.hosts, options_.patience, options_.study,
-                      options_.folder};
-    for (const std::string& trouble : run_engine(work, how, console_)) console_.err << "pal: " << trouble << "\n";
+    EngineOptions how{engine,         options_.jobs,  options_.block, options_.hosts, options_.patience,
+                      options_.study, options_.folder};
+    for (const std::string& trouble : run_engine(work, how, console_))
+      console_.err << "pal: " << trouble << "\n";
   }
 
   /// A proof that a process died of, or that was lost with a machine, is tried again.
@@ -280,7 +282,8 @@ class Sweep {
 
 ExitStatus sweep(const SweepOptions& given, const Console& console) {
   SweepOptions options = given;
-  if (options.folder.empty()) options.folder = std::filesystem::path(options.study).stem().string() + "-study";
+  if (options.folder.empty())
+    options.folder = std::filesystem::path(options.study).stem().string() + "-study";
   const auto study = read_study_file(options, console);
   if (!study || !count(*study, 1, options, console.err)) return ExitStatus::usage;
   const Interruption interruption;  // till all is written

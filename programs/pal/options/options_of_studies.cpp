@@ -8,17 +8,20 @@
 namespace pal::program {
 
 void add_cache(CLI::App& command, std::string& folder, std::uint64_t& size) {
-  auto* cache = command.add_option("--cache", folder, "keep proofs in this folder, and take those that are kept there")
-                    ->type_name("FOLDER");
-  command.add_option("--cache-size", size, "what the folder may grow to; the oldest proofs go first: 500MB, 4GB (1GB)")
+  auto* cache =
+      command.add_option("--cache", folder, "keep proofs in this folder, and take those that are kept there")
+          ->type_name("FOLDER");
+  command
+      .add_option("--cache-size", size,
+                  "what the folder may grow to; the oldest proofs go first: 500MB, 4GB (1GB)")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false))
       ->needs(cache);
 }
 
 void add_sweep(CLI::App& app, SweepOptions& options) {
-  CLI::App* command =
-      app.add_subcommand("sweep", "Makes the many proofs of a study, and writes tables, plots and worst runs");
+  CLI::App* command = app.add_subcommand(
+      "sweep", "Makes the many proofs of a study, and writes tables, plots and worst runs");
   command->add_option("study", options.study, "the study, TOML")->required()->type_name("STUDY");
   command->add_option("-o,--output", options.folder, "folder for what is written; without it STUDY-study")
       ->type_name("FOLDER");
@@ -55,11 +58,13 @@ void add_sweep(CLI::App& app, SweepOptions& options) {
       ->check(whole_number())
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{4'000'000'000}));
   command
-      ->add_option("--cells", options.cells, "make only these proofs, 100..199 of --count, and write no table: for engines")
+      ->add_option("--cells", options.cells,
+                   "make only these proofs, 100..199 of --count, and write no table: for engines")
       ->type_name("A..B");
   command->footer(
       "Exit status: 0 the study is complete, whatever its verdicts, or with --all-hold if all hold; 1 the "
-      "specification is wrong; 2 bad usage, a study that makes no sense, or a file could not be read or written; 3 "
+      "specification is wrong; 2 bad usage, a study that makes no sense, or a file could not be read or "
+      "written; 3 "
       "some proof was not made, as after Ctrl-C.");
 }
 

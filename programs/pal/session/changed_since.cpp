@@ -49,12 +49,14 @@ class WorkTree {
     const auto top = git(folder, {"rev-parse", "--show-toplevel"});
     if (!top) return "--changed-since needs git, and '" + some_file + "' in a work tree of it";
     top_ = real_path(first_line(*top));
-    const auto commit = git(top_, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
+    const auto commit =
+        git(top_, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
     if (!commit)
       return "git knows no revision '" + revision + "' in " + top_ +
              "; a shallow clone has not all: git fetch --unshallow, or a greater fetch-depth";
     const auto known = git(top_, {"ls-files", "-z"});
-    const auto changed = git(top_, {"diff", "--name-only", "-z", "--no-renames", "--no-ext-diff", first_line(*commit), "--"});
+    const auto changed =
+        git(top_, {"diff", "--name-only", "-z", "--no-renames", "--no-ext-diff", first_line(*commit), "--"});
     if (!known || !changed) return "git could not compare the files with '" + revision + "'";
     known_ = names_in(*known);
     changed_ = names_in(*changed);
@@ -74,7 +76,8 @@ class WorkTree {
   std::set<std::string> changed_;
 };
 
-std::set<FileId> files_of(const pan::Network& skill, const pan::Environment& environment, const Session& session) {
+std::set<FileId> files_of(const pan::Network& skill, const pan::Environment& environment,
+                          const Session& session) {
   std::set<FileId> files{skill.skill.where.file, environment.where.file};
   const auto seen = session.specification.seen.find(skill.skill.where.file);
   if (seen != session.specification.seen.end()) files.insert(seen->second.begin(), seen->second.end());
@@ -83,7 +86,8 @@ std::set<FileId> files_of(const pan::Network& skill, const pan::Environment& env
 
 }  // namespace
 
-std::variant<std::vector<LeftOut>, std::string> unchanged_since(const std::string& revision, const Session& session) {
+std::variant<std::vector<LeftOut>, std::string> unchanged_since(const std::string& revision,
+                                                                const Session& session) {
   std::vector<LeftOut> left_out;
   if (session.sources.size() == 0) return left_out;
   WorkTree tree;
@@ -95,8 +99,9 @@ std::variant<std::vector<LeftOut>, std::string> unchanged_since(const std::strin
         return tree.is_unchanged(session.sources.name(file));
       });
       if (same)
-        left_out.push_back({&skill, &environment,
-                            "none of its " + std::to_string(files.size()) + " files has changed since " + revision});
+        left_out.push_back(
+            {&skill, &environment,
+             "none of its " + std::to_string(files.size()) + " files has changed since " + revision});
     }
   }
   return left_out;

@@ -17,8 +17,8 @@ struct Spoken {
 /// Runs it and waits for its end. What it says of errors goes where ours goes.
 Spoken run_and_read(const std::string& program, std::vector<std::string> words);
 
-/// Runs it; its output goes into the file `log`. Calls `look` a few times a second. Once that returns false, the
-/// program gets SIGTERM, again and again until it ends. Returns its exit status; negative as in Spoken.
+/// Runs it; its output goes into the file `log`. Calls `look` a few times a second. Once that returns false,
+/// the program gets SIGTERM, again and again until it ends. Returns its exit status; negative as in Spoken.
 int run_and_watch(const std::string& program, std::vector<std::string> words, const std::string& log,
                   const std::function<bool()>& look);
 

@@ -214,8 +214,8 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
       if (!problem) continue;
       KeptHere kept(skill, environment, session, limits);
       if (auto analysis = kept.find(*problem)) {
-        proofs.push_back({std::move(*problem), std::move(*analysis), true, false, false, file_of(skill, session),
-                          false, true});
+        proofs.push_back({std::move(*problem), std::move(*analysis), true, false, false,
+                          file_of(skill, session), false, true});
         continue;
       }
       const bool explored = limits.analysis != analyzer::AnalysisChoice::compositional &&

@@ -42,10 +42,11 @@ struct ProofLimits {
   unsigned threads = 0;                                                    // at work; 0: one a core
   bool peak_memory = false;                                                // count it
   bool addends = false;                                                    // find what adds up to bounds
-  study::ProofStore* cache = nullptr;  // proofs in which everything holds are taken from it; all are kept there
+  study::ProofStore* cache =
+      nullptr;  // proofs in which everything holds are taken from it; all are kept there
   /// True of what is not to be proved; empty: all is.
   std::function<bool(const pan::Network&, const pan::Environment&)> leaves_out = {};
-  bool fresh = false;                  // none is taken: runs or statistics are asked for
+  bool fresh = false;  // none is taken: runs or statistics are asked for
 };
 
 /// The model of `skill` in `environment`. If the environment lacks something that the skill needs: nothing,
@@ -57,15 +58,16 @@ std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             const SourceManager& sources, Diagnostics& diagnostics);
 
-/// Whether the skill is proved in this environment: of environments of one name, in those that its file sees, or
-/// in all if it sees none of them.
+/// Whether the skill is proved in this environment: of environments of one name, in those that its file sees,
+/// or in all if it sees none of them.
 bool is_of(const pan::Network& skill, const pan::Environment& environment,
            const check::Specification& specification);
 
 /// The limits in the form that an analysis takes. Ctrl-C ends it, too, as long as an Interruption lives.
 analyzer::Options options_of(const ProofLimits& limits);
 
-/// True as soon as `options.stop` has said so: then what is undecided might be decided with more time or memory.
+/// True as soon as `options.stop` has said so: then what is undecided might be decided with more time or
+/// memory.
 std::shared_ptr<std::atomic<bool>> note_stop(analyzer::Options& options);
 
 /// Whether it is time to end: after Ctrl-C (as long as an Interruption lives), or `seconds` after `begin` (0:

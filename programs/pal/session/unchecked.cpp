@@ -37,8 +37,8 @@ struct MeasureName {
 void add_requirements(const pan::Network& skill, const std::string& environment, const Why& why,
                       std::vector<Unchecked>& list) {
   for (const pan::Requirement& requirement : skill.requirements) {
-    Unchecked row{skill.skill.name,  environment, requirement.name, "",
-                  requirement.limit, why.reason,  why.hint,         requirement.where, false};
+    Unchecked row{skill.skill.name, environment, requirement.name,  "",   requirement.limit,
+                  why.reason,       why.hint,    requirement.where, false};
     row.measure = std::visit(MeasureName{row.limit}, requirement.measure);
     list.push_back(std::move(row));
   }

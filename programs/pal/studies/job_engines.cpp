@@ -37,12 +37,15 @@ void forget_those_made(EngineWork& work) {
 std::uint64_t block_by_trial(EngineWork& work, const EngineOptions& options) {
   constexpr std::size_t trials = 8;
   const std::size_t count = std::min(trials, work.missing.size());
-  const unsigned processes = std::min<unsigned>(options.jobs > 0 ? options.jobs : cores(), static_cast<unsigned>(count));
+  const unsigned processes =
+      std::min<unsigned>(options.jobs > 0 ? options.jobs : cores(), static_cast<unsigned>(count));
   const auto begin = Clock::now();
-  study::run_on_cores({count, processes,
-                       [&](std::size_t i) { make_proof(work.missing[i * work.missing.size() / count], work); },
-                       {},
-                       Interruption::asked_for});
+  study::run_on_cores(
+      {count,
+       processes,
+       [&](std::size_t i) { make_proof(work.missing[i * work.missing.size() / count], work); },
+       {},
+       Interruption::asked_for});
   const double each = std::chrono::duration<double>(Clock::now() - begin).count() * processes /
                       static_cast<double>(std::max<std::size_t>(count, 1));
   constexpr double most = 1e6;
@@ -135,19 +138,22 @@ std::string shell_word(const std::string& text) {
   return made + "'";
 }
 
-std::vector<std::string> run_by_parallel(EngineWork& work, const EngineOptions& options, const Console& console) {
+std::vector<std::string> run_by_parallel(EngineWork& work, const EngineOptions& options,
+                                         const Console& console) {
   constexpr std::uint64_t most_jobs = 1'000'000;
   std::string trouble;
   const Jobs jobs = jobs_of(work, options, most_jobs, trouble);
   if (!trouble.empty()) return {trouble};
   forget_those_made(work);
   if (work.missing.empty() || Interruption::asked_for()) return {};
-  std::vector<std::string> words{"--will-cite", "--quote", "--retries", "3", "--joblog", jobs.log, "--resume-failed"};
+  std::vector<std::string> words{"--will-cite", "--quote", "--retries",      "3",
+                                 "--joblog",    jobs.log,  "--resume-failed"};
   if (options.jobs > 0) words.insert(words.end(), {"--jobs", std::to_string(options.jobs)});
   if (!options.hosts.empty())
-    words.insert(words.end(),
-                 {"--sshloginfile", absolute(options.hosts), "--workdir", fs::current_path().string(), "--ssh",
-                  "ssh -o BatchMode=yes -o ConnectTimeout=10 -o ServerAliveInterval=5 -o ServerAliveCountMax=3"});
+    words.insert(
+        words.end(),
+        {"--sshloginfile", absolute(options.hosts), "--workdir", fs::current_path().string(), "--ssh",
+         "ssh -o BatchMode=yes -o ConnectTimeout=10 -o ServerAliveInterval=5 -o ServerAliveCountMax=3"});
   words.insert(words.end(), {"--arg-file", jobs.list});
   for (std::string& word : job_command(work, options)) words.push_back(std::move(word));
   words.insert(words.end(), {"--cells", "{}"});
@@ -164,11 +170,13 @@ std::vector<std::string> run_by_parallel(EngineWork& work, const EngineOptions& 
   if (status < 0 && !Interruption::asked_for())
     return {"GNU parallel did not run to its end: is it installed (Debian: apt-get install parallel)?"};
   if (status > 0 && !work.missing.empty())
-    return {"GNU parallel says that " + std::to_string(status) + " jobs failed; " + log + " has what they said"};
+    return {"GNU parallel says that " + std::to_string(status) + " jobs failed; " + log +
+            " has what they said"};
   return {};
 }
 
-std::vector<std::string> run_by_slurm(EngineWork& work, const EngineOptions& options, const Console& console) {
+std::vector<std::string> run_by_slurm(EngineWork& work, const EngineOptions& options,
+                                      const Console& console) {
   constexpr std::uint64_t most_jobs = 1000;  // Slurm's MaxArraySize is 1001 unless it is set
   std::string trouble;
   const Jobs jobs = jobs_of(work, options, most_jobs, trouble);
@@ -179,7 +187,8 @@ std::vector<std::string> run_by_slurm(EngineWork& work, const EngineOptions& opt
   for (const std::string& word : job_command(work, options)) command += shell_word(word) + " ";
   const std::string script = jobs.list + ".sh";
   const std::string text = "#!/bin/sh\n# A job of an array: the range of its line.\nexec " + command +
-                           "--cells \"$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + shell_word(jobs.list) + ")\"\n";
+                           "--cells \"$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + shell_word(jobs.list) +
+                           ")\"\n";
   if (const auto wrong = write_files({{script, text}})) return {*wrong};
   const Spoken sent = run_and_read(
       "sbatch", {"--parsable", "--requeue", "--job-name=pal-sweep", "--array=1-" + std::to_string(jobs.count),

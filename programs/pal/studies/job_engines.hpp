@@ -1,5 +1,5 @@
-// Proofs made by programs that hand out jobs. A job is `pal sweep STUDY --cells A..B`, here or on another machine that
-// sees the same files.
+// Proofs made by programs that hand out jobs. A job is `pal sweep STUDY --cells A..B`, here or on another
+// machine that sees the same files.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 namespace pal::program {
 
 /// GNU parallel, with its job log. A log of the same jobs is gone on with.
-std::vector<std::string> run_by_parallel(EngineWork& work, const EngineOptions& options, const Console& console);
+std::vector<std::string> run_by_parallel(EngineWork& work, const EngineOptions& options,
+                                         const Console& console);
 
 /// Slurm: one array of jobs. A queue in which no proof comes for `options.patience` is cancelled.
 std::vector<std::string> run_by_slurm(EngineWork& work, const EngineOptions& options, const Console& console);

@@ -38,8 +38,8 @@ void draw(const Failures& failures, const study::Table& table, StudyProofs& proo
       const analyzer::Verdict& verdict = proof->analysis.verdicts[i];
       if (verdict.requirement != table.requirements[row->requirement] || !has_worst_run(verdict)) continue;
       if (const auto shown = shown_run(*proof, i))
-        files.push_back(
-            {file_of(how, table, *row), analyzer::chart::svg(analyzer::chart::timeline(shown->run), shown->options)});
+        files.push_back({file_of(how, table, *row),
+                         analyzer::chart::svg(analyzer::chart::timeline(shown->run), shown->options)});
     }
   }
   if (const auto trouble = write_files(files)) throw std::runtime_error(*trouble);
@@ -47,7 +47,8 @@ void draw(const Failures& failures, const study::Table& table, StudyProofs& proo
 
 }  // namespace
 
-void draw_worst_runs(const study::Table& table, StudyProofs& proofs, const WorstRuns& how, const Console& console) {
+void draw_worst_runs(const study::Table& table, StudyProofs& proofs, const WorstRuns& how,
+                     const Console& console) {
   std::vector<Failures> all;
   std::size_t wanted = 0;
   for (const study::Row& row : table.rows) {
@@ -63,16 +64,16 @@ void draw_worst_runs(const study::Table& table, StudyProofs& proofs, const Worst
     Progress progress(all.size(), console);
     study::run_on_cores({all.size(), how.jobs > 0 ? how.jobs : cores(),
                          [&](std::size_t i) { draw(all[i], table, proofs, how); },
-                         [&progress](std::size_t done) { progress.show(done); },
-                         Interruption::asked_for});
+                         [&progress](std::size_t done) { progress.show(done); }, Interruption::asked_for});
   }
   std::size_t drawn = 0;
   for (const study::Row& row : table.rows)
     if (row.outcome == study::Outcome::fails && std::filesystem::exists(file_of(how, table, row))) ++drawn;
   console.out << drawn << " worst runs of " << wanted << " failures drawn in " << how.folder << "\n";
   if (drawn < wanted)
-    console.err << "pal: " << wanted - drawn
-                << " failures have no chart: no single run attains a load, and some are known by a bound alone\n";
+    console.err
+        << "pal: " << wanted - drawn
+        << " failures have no chart: no single run attains a load, and some are known by a bound alone\n";
 }
 
 }  // namespace pal::program

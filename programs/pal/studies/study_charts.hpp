@@ -14,8 +14,9 @@ struct WorstRuns {
   std::string folder;  // where POINT.SKILL.ENVIRONMENT.REQUIREMENT.svg goes
 };
 
-/// Proves each proof with a failure again, and draws the run of each requirement that fails. Says how many were drawn,
-/// and of how many failures no run can be drawn.
-void draw_worst_runs(const study::Table& table, StudyProofs& proofs, const WorstRuns& how, const Console& console);
+/// Proves each proof with a failure again, and draws the run of each requirement that fails. Says how many
+/// were drawn, and of how many failures no run can be drawn.
+void draw_worst_runs(const study::Table& table, StudyProofs& proofs, const WorstRuns& how,
+                     const Console& console);
 
 }  // namespace pal::program

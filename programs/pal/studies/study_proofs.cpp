@@ -21,7 +21,8 @@ std::string list_of(const std::vector<std::string>& names) {
 /// The first error, in a line.
 std::string first_error(const Diagnostics& diagnostics) {
   for (const Diagnostic& finding : diagnostics.all())
-    if (finding.severity == Severity::error) return std::string(pal::name(finding.code)) + ": " + finding.message;
+    if (finding.severity == Severity::error)
+      return std::string(pal::name(finding.code)) + ": " + finding.message;
   return "the model of the skill in this environment cannot be built";
 }
 
@@ -36,21 +37,23 @@ StudyProofs::StudyProofs(const study::Study& study, const Session& session, cons
       Made made{&skill, &environment, hash, {}};
       Diagnostics ignored;
       if (const auto problem = problem_of(skill, environment, session.sources, ignored)) {
-        for (const auto& requirement : problem->requirements) made.requirements.push_back(requirement.name);
+        for (const analyzer::Verdict& verdict : analyzer::nothing_known(*problem, "").verdicts)
+          made.requirements.emplace_back(verdict.requirement, study::row_of(verdict));
       } else {
-        for (const auto& requirement : skill.requirements) made.requirements.push_back(requirement.name);
+        for (const auto& requirement : skill.requirements)
+          made.requirements.emplace_back(requirement.name, study::Row{});
       }
-      for (const std::string& each : made.requirements) index_of(each, all_requirements_);
+      for (const auto& [name, row] : made.requirements) index_of(name, all_requirements_);
       if (std::any_of(made.requirements.begin(), made.requirements.end(),
-                      [this](const std::string& each) { return asked_for(each); }))
+                      [this](const auto& each) { return asked_for(each.first); }))
         pairs_.push_back(std::move(made));
     }
   }
 }
 
 bool StudyProofs::asked_for(const std::string& requirement) const {
-  return study_.requirements.empty() ||
-         std::find(study_.requirements.begin(), study_.requirements.end(), requirement) != study_.requirements.end();
+  return study_.requirements.empty() || std::find(study_.requirements.begin(), study_.requirements.end(),
+                                                  requirement) != study_.requirements.end();
 }
 
 std::uint32_t StudyProofs::index_of(const std::string& text, std::vector<std::string>& texts) const {
@@ -89,17 +92,22 @@ std::optional<study::Refusal> StudyProofs::trouble_of(const study::Figure& figur
 }
 
 std::optional<study::Refusal> StudyProofs::trouble() const {
-  if (session_.specification.skills.empty()) return study::Refusal{0, "there is no SKILL in the files", "name one"};
+  if (session_.specification.skills.empty())
+    return study::Refusal{0, "there is no SKILL in the files", "name one"};
   if (session_.specification.environments.empty())
-    return study::Refusal{0, "there is no ENVIRONMENT in the files", "name one: environments = [\"cell.pal\"]"};
+    return study::Refusal{0, "there is no ENVIRONMENT in the files",
+                          "name one: environments = [\"cell.pal\"]"};
   for (const pan::Network& skill : session_.specification.skills)
     if (skill.requirements.empty())
-      return study::Refusal{0, "skill " + skill.skill.name + " has no REQUIREMENT, so nothing of it would be checked",
-                            "write one, or name the skills that have: skills = [\"…\"]"};
+      return study::Refusal{
+          0, "skill " + skill.skill.name + " has no REQUIREMENT, so nothing of it would be checked",
+          "write one, or name the skills that have: skills = [\"…\"]"};
   for (const std::string& each : study_.requirements) {
-    if (std::find(all_requirements_.begin(), all_requirements_.end(), each) != all_requirements_.end()) continue;
+    if (std::find(all_requirements_.begin(), all_requirements_.end(), each) != all_requirements_.end())
+      continue;
     const auto close = nearest(each, all_requirements_);
-    return study::Refusal{0, "no skill has a requirement '" + each + "'; there is " + list_of(all_requirements_),
+    return study::Refusal{0,
+                          "no skill has a requirement '" + each + "'; there is " + list_of(all_requirements_),
                           close ? "did you mean '" + *close + "'?" : ""};
   }
   if (pairs_.empty()) return study::Refusal{0, "no skill is proved in any of the environments", ""};
@@ -182,8 +190,11 @@ void StudyProofs::add_rows(std::uint64_t proof, const study::KeptProof& kept, co
   };
   if (kept.verdicts.empty()) {
     const std::string& why = kept.refused.empty() ? note : kept.refused;
-    for (const std::string& each : pairs_[pair].requirements)
-      if (asked_for(each)) place({}, each, why);
+    for (const auto& [name, described] : pairs_[pair].requirements) {
+      study::Row row = described;
+      row.outcome = study::Outcome::not_checked;
+      if (asked_for(name)) place(row, name, why);
+    }
     return;
   }
   for (const analyzer::Verdict& verdict : kept.verdicts)

@@ -34,9 +34,10 @@ class Repository {
     write("messages.pal", text.substr(0, skill));
     write("modules.pal", "USES \"messages.pal\"\n" + text.substr(modules, method - modules));
     for (const char* name : {"one", "two"})
-      write(std::string(name) + ".pal", "USES \"messages.pal\"\nUSES \"modules.pal\"\n" +
-                                            replaced(text.substr(skill, modules - skill), "SKILL s", std::string("SKILL ") + name) +
-                                            text.substr(method, environment - method));
+      write(std::string(name) + ".pal",
+            "USES \"messages.pal\"\nUSES \"modules.pal\"\n" +
+                replaced(text.substr(skill, modules - skill), "SKILL s", std::string("SKILL ") + name) +
+                text.substr(method, environment - method));
     write("cell.pal", text.substr(environment));
     REQUIRE(git("init -q") == 0);
     commit();
@@ -46,10 +47,13 @@ class Repository {
   ~Repository() { fs::remove_all(path); }
 
   int git(const std::string& words) const {
-    return std::system(("git -C '" + path + "' -c user.name=t -c user.email=t@t " + words + " >/dev/null 2>&1").c_str());
+    return std::system(
+        ("git -C '" + path + "' -c user.name=t -c user.email=t@t " + words + " >/dev/null 2>&1").c_str());
   }
-  void commit() const { REQUIRE(git("add -A") + git("commit -q -m x") == 0); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path + "/" + name) << text; }
+  void commit() const { REQUIRE(git("add -A") + git("commit -q --allow-empty -m x") == 0); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path + "/" + name) << text;
+  }
   void append(const std::string& name, const std::string& text) const {
     std::ofstream(path + "/" + name, std::ios::app) << text;
   }
@@ -111,14 +115,15 @@ TEST_CASE("all skills are proved if a file that they use, or the environment, ha
 
 TEST_CASE("a failure in what has changed is a failure") {
   const Repository repository;
-  repository.write("cell.pal", replaced(two_chains("9 ms").substr(two_chains("9 ms").find("ENVIRONMENT")), "5 ms", "8 ms"));
+  repository.write("cell.pal", replaced(two_chains("9 ms").substr(two_chains("9 ms").find("ENVIRONMENT")),
+                                        "5 ms", "8 ms"));
   CHECK(repository.check().status == ExitStatus::not_met);
 }
 
 TEST_CASE("a file that git does not know counts as changed") {
   const Repository repository;
   REQUIRE(repository.git("rm --cached -q two.pal") == 0);
-  repository.commit();
+  REQUIRE(repository.git("commit -q -m x") == 0);
   repository.write(".gitignore", "two.pal\n");
   const Answer answer = repository.check({"--changed-since", "HEAD"});
   CHECK(has(answer.out, "one in cell\n  not checked"));
@@ -128,8 +133,9 @@ TEST_CASE("a file that git does not know counts as changed") {
 TEST_CASE("an unknown revision, and a folder without git, are told") {
   const Repository repository;
   for (const char* revision : {"--changed-since=no-such", "--changed-since=--all", "--changed-since=-1"})
-    CHECK(pal::test::pal({"check", repository.path + "/one.pal", "-e", repository.path + "/cell.pal", revision}).status ==
-          ExitStatus::usage);
+    CHECK(
+        pal::test::pal({"check", repository.path + "/one.pal", "-e", repository.path + "/cell.pal", revision})
+            .status == ExitStatus::usage);
   const Answer unknown = repository.check({"--changed-since", "no-such"});
   CHECK(has(unknown.err, "git knows no revision 'no-such'"));
   fs::remove_all(repository.path + "/.git");

@@ -114,7 +114,8 @@ TEST_CASE("a study is the same on one process and on more, fresh or kept, byte f
   const StudyFolder folder;
   REQUIRE(sweep(folder, named + figures, {"--jobs", "1"}).status == ExitStatus::all_hold);
   std::map<std::string, std::string> first;
-  for (const char* name : {"table.csv", "table.json", "summary.md", "map-of-heavy-OF-LS1-and-MC1.period.svg"}) {
+  for (const char* name :
+       {"table.csv", "table.json", "summary.md", "map-of-heavy-OF-LS1-and-MC1.period.svg"}) {
     first[name] = folder.read(name);
     CHECK_FALSE(first[name].empty());
   }
@@ -155,9 +156,11 @@ TEST_CASE("what makes no sense is told before anything runs") {
   refused(named + "[[figure]]\nname = \"heavy OF LS1\"\nfrom = \"2 ms\"\nto = \"1 ms\"\nstep = \"1 ms\"\n",
           "pal: study.toml:2: figure 'heavy OF LS1': the range is empty: it goes from 2 ms to 1 ms");
   const std::string thousand = "from = 1\nto = 1000\nstep = 1\n";
-  refused(named + "[[figure]]\nname = \"SM1.priority\"\n" + thousand + "[[figure]]\nname = \"LS1.priority\"\n" + thousand +
+  refused(named + "[[figure]]\nname = \"SM1.priority\"\n" + thousand +
+              "[[figure]]\nname = \"LS1.priority\"\n" + thousand +
               "[[figure]]\nname = \"x\"\nset = [\"SM1.priority = {}\"]\n" + thousand,
-          "the study has 1 000 000 000 proofs, 1 000 of SM1.priority x 1 000 of LS1.priority x 1 000 of x; at most 1 "
+          "the study has 1 000 000 000 proofs, 1 000 of SM1.priority x 1 000 of LS1.priority x 1 000 of x; "
+          "at most 1 "
           "000 000 are begun");
   refused(named + "skills = [\"t\"]\n", "no skill is called 't'; there is 's'");
   refused(named + "requirements = [\"son\"]\n", "no skill has a requirement 'son'; there is 'soon'");
@@ -169,7 +172,8 @@ TEST_CASE("what makes no sense is told before anything runs") {
 TEST_CASE("a parameter of a skill is no figure, because no proof depends on it") {
   const StudyFolder folder;
   pal::MemoryFileSystem files;
-  files.add("s.pal", replaced(two_chains("6 ms"), "  COMPLETION 0", "  PARAMETER speed : REAL mm/s DEFAULT 2 RANGE 1 TO 3 \"x\"\n  COMPLETION 0"));
+  files.add("s.pal", replaced(two_chains("6 ms"), "  COMPLETION 0",
+                              "  PARAMETER speed : REAL mm/s DEFAULT 2 RANGE 1 TO 3 \"x\"\n  COMPLETION 0"));
   files.add("study.toml", named + "[[figure]]\nname = \"s.speed\"\nvalues = [1, 2]\n");
   const Answer answer = pal::test::pal({"sweep", "study.toml", "-o", folder.path}, files);
   CHECK(answer.status == ExitStatus::usage);
@@ -178,7 +182,8 @@ TEST_CASE("a parameter of a skill is no figure, because no proof depends on it")
 
 TEST_CASE("the exit status of a study, and its count") {
   const StudyFolder folder;
-  CHECK(sweep(folder, named + figures, {"--count"}).out == "18 proofs: 18 points, 1 skills and environments\n");
+  CHECK(sweep(folder, named + figures, {"--count"}).out ==
+        "18 proofs: 18 points, 1 skills and environments\n");
   CHECK(sweep(folder, named + figures, {"--all-hold"}).status == ExitStatus::not_met);
   const std::string good = named + "[[figure]]\nname = \"heavy OF LS1\"\nvalues = [\"1 ms\"]\n";
   CHECK(sweep(folder, good, {"--all-hold"}).status == ExitStatus::all_hold);
@@ -187,7 +192,8 @@ TEST_CASE("the exit status of a study, and its count") {
 
 TEST_CASE("a limit of time leaves a proof undecided, and says so") {
   const StudyFolder folder;
-  const std::string study = named + "[limits]\ntimeout = \"1 ns\"\n[[figure]]\nname = \"heavy OF LS1\"\nvalues = [\"5 ms\"]\n";
+  const std::string study =
+      named + "[limits]\ntimeout = \"1 ns\"\n[[figure]]\nname = \"heavy OF LS1\"\nvalues = [\"5 ms\"]\n";
   const Answer answer = sweep(folder, study, {"--all-hold"});
   CHECK(answer.status == ExitStatus::not_met);
   CHECK(has(folder.read("table.csv"), "undecided"));
@@ -207,7 +213,8 @@ TEST_CASE("the worst run of each failure is a chart") {
 
 TEST_CASE("an interrupted study keeps what it has, and goes on from there") {
   const StudyFolder folder;
-  const std::string study = named + "[[figure]]\nname = \"heavy OF LS1\"\nfrom = \"1 us\"\nto = \"3 ms\"\nstep = \"1 us\"\n";
+  const std::string study =
+      named + "[[figure]]\nname = \"heavy OF LS1\"\nfrom = \"1 us\"\nto = \"3 ms\"\nstep = \"1 us\"\n";
   const pid_t child = ::fork();
   if (child == 0) ::_exit(static_cast<int>(sweep(folder, study, {"--jobs", "2"}).status));
   REQUIRE(child > 0);
@@ -236,8 +243,11 @@ TEST_CASE("check takes proofs from a cache, and says the same as without") {
   const std::string good = two_chains("9 ms"), late = two_chains("6 ms");
   const std::vector<std::string> cache{"--cache", folder.path};
   for (const std::string& text : {good, late}) {
-    for (const std::vector<std::string>& form :
-         {std::vector<std::string>{}, {"--format", "json"}, {"--explain"}, {"--format", "sarif"}, {"--format", "junit"}}) {
+    for (const std::vector<std::string>& form : {std::vector<std::string>{},
+                                                 {"--format", "json"},
+                                                 {"--explain"},
+                                                 {"--format", "sarif"},
+                                                 {"--format", "junit"}}) {
       std::vector<std::string> with = form;
       with.insert(with.end(), cache.begin(), cache.end());
       const Answer plain = check(text, form), first = check(text, with), second = check(text, with);
@@ -258,7 +268,8 @@ TEST_CASE("check takes proofs from a cache, and says the same as without") {
   // A study takes them, too.
   pal::MemoryFileSystem files = in_memory(good);
   files.add("study.toml", named);
-  const Answer study = pal::test::pal({"sweep", "study.toml", "-o", folder.path + "/s", "--cache", folder.path}, files);
+  const Answer study =
+      pal::test::pal({"sweep", "study.toml", "-o", folder.path + "/s", "--cache", folder.path}, files);
   CHECK(has(study.err, "1 proofs, 1 of them made before"));
 }
 
@@ -266,7 +277,8 @@ TEST_CASE("check does not take damaged proofs, and keeps none that a limit ended
   const StudyFolder folder;
   const pal::MemoryFileSystem files = in_memory(two_chains("9 ms"));
   const std::vector<std::string> words{"check", "s.pal", "--cache", folder.path};
-  REQUIRE(pal::test::pal({"check", "s.pal", "--cache", folder.path, "--timeout", "1ns"}, files).status == ExitStatus::not_met);
+  REQUIRE(pal::test::pal({"check", "s.pal", "--cache", folder.path, "--timeout", "1ns"}, files).status ==
+          ExitStatus::not_met);
   CHECK_FALSE(fs::exists(folder.path));
   REQUIRE(pal::test::pal(words, files).status == ExitStatus::all_hold);
   REQUIRE(folder.proofs("").size() == 1);

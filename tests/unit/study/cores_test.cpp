@@ -37,8 +37,11 @@ TEST_CASE("each piece is done once, whatever the number of processes") {
   for (const unsigned processes : {1U, 2U, 5U}) {
     const Marks marks;
     std::size_t last = 0;
-    const Deaths deaths = run_on_cores({50, processes, [&](std::size_t piece) { marks.set(piece); },
-                                        [&](std::size_t done) { last = done; }, {}});
+    const Deaths deaths = run_on_cores({50,
+                                        processes,
+                                        [&](std::size_t piece) { marks.set(piece); },
+                                        [&](std::size_t done) { last = done; },
+                                        {}});
     CHECK(deaths.empty());
     CHECK(marks.count() == 50);
     CHECK(last == 50);
@@ -48,7 +51,8 @@ TEST_CASE("each piece is done once, whatever the number of processes") {
 
 TEST_CASE("a process that dies is told of, and the others do the rest") {
   const Marks marks;
-  const Deaths deaths = run_on_cores({20, 2,
+  const Deaths deaths = run_on_cores({20,
+                                      2,
                                       [&](std::size_t piece) {
                                         if (piece == 3) ::kill(::getpid(), SIGKILL);
                                         marks.set(piece);
@@ -58,7 +62,8 @@ TEST_CASE("a process that dies is told of, and the others do the rest") {
   REQUIRE(deaths.size() == 1);
   CHECK(deaths[0] == "by signal 9 (Killed)");
   CHECK(marks.count() == 19);
-  CHECK(run_on_cores({1, 1, [](std::size_t) { throw std::bad_alloc(); }, {}, {}}).at(0) == "for lack of memory");
+  CHECK(run_on_cores({1, 1, [](std::size_t) { throw std::bad_alloc(); }, {}, {}}).at(0) ==
+        "for lack of memory");
 }
 
 TEST_CASE("once it is to stop, no piece is begun") {

@@ -39,7 +39,8 @@ std::string wrong(const Range& range) {
 TEST_CASE("a range goes from its first value to its last by steps, or in so many values") {
   CHECK(values({"1 ms", "2 ms", "500 us", {}, {}, 0}) == std::vector<std::string>{"1 ms", "1.5 ms", "2 ms"});
   CHECK(values({"1", "7", "3", {}, {}, 0}) == std::vector<std::string>{"1", "4", "7"});
-  CHECK(values({"1 ms", "2 ms", "400 us", {}, {}, 0}) == std::vector<std::string>{"1 ms", "1.4 ms", "1.8 ms"});
+  CHECK(values({"1 ms", "2 ms", "400 us", {}, {}, 0}) ==
+        std::vector<std::string>{"1 ms", "1.4 ms", "1.8 ms"});
   CHECK(values({"0 ms", "1 ms", {}, 3, {}, 0}) == std::vector<std::string>{"0 ms", "500 us", "1 ms"});
   CHECK(values({"5 ms", "9 ms", {}, 1, {}, 0}) == std::vector<std::string>{"5 ms"});
   CHECK(values({"0", "10", {}, 4, {}, 0}) == std::vector<std::string>{"0", "3", "6", "10"});
@@ -60,10 +61,12 @@ TEST_CASE("random values are picked once each, in order, and the seed says which
 TEST_CASE("a range without a value, or with too many, is refused before it is made") {
   CHECK(wrong({"2 ms", "1 ms", "1 ms", {}, {}, 0}) == "the range is empty: it goes from 2 ms to 1 ms");
   CHECK(wrong({"1 ms", "2 ms", {}, 0, {}, 0}) == "the range is empty: 'count' is 0");
-  CHECK(wrong({"0 ms", "1 s", "1 ns", {}, {}, 0}) == "the range has 1000000001 values; a figure has at most 100000");
+  CHECK(wrong({"0 ms", "1 s", "1 ns", {}, {}, 0}) ==
+        "the range has 1000000001 values; a figure has at most 100000");
   CHECK(wrong({"1 ms", "2 ms", "0 ms", {}, {}, 0}) == "'0 ms' is no step from 1 ms to 2 ms");
   CHECK(wrong({"1 ms", "2", "1 ms", {}, {}, 0}) == "'from' and 'to' are not both times");
-  CHECK(wrong({"soon", "2 ms", "1 ms", {}, {}, 0}) == "'soon' is neither a time, as \"20 ms\" is, nor a whole number");
+  CHECK(wrong({"soon", "2 ms", "1 ms", {}, {}, 0}) ==
+        "'soon' is neither a time, as \"20 ms\" is, nor a whole number");
   CHECK(wrong({"1", "3", "1", {}, 4, 1}) == "'random' asks for 4 different values, and the range has 3");
   CHECK(wrong({"1", "3", {}, {}, {}, 1}) == "a range needs one of 'step' and 'count'");
 }
@@ -90,7 +93,8 @@ set = ["PROCESSOR P1", "SM1.processor = P1"]
 )");
   REQUIRE(study.figures.size() == 3);
   CHECK(study.figures[0].choices[1].changes == std::vector<std::string>{"MC1.period = 10 ms"});
-  CHECK(study.figures[1].choices[1].changes == std::vector<std::string>{"SM1.priority = 2", "LS1.priority = 2"});
+  CHECK(study.figures[1].choices[1].changes ==
+        std::vector<std::string>{"SM1.priority = 2", "LS1.priority = 2"});
   CHECK(study.figures[2].choices[0].changes.empty());
   CHECK(study.figures[2].choices[1].label == "two processors");
   REQUIRE(study.plots.size() == 1);  // two figures are a map
@@ -113,7 +117,8 @@ TEST_CASE("what a study does not know is refused with its line") {
         "'set' of figure 'a' does not say where its value goes");
   CHECK(bad(head + "[[figure]]\nname = \"a\"\nfrom = 1\nto = 9\nstep = 1\nrandom = 2\n").what ==
         "figure 'a' has random values without a seed");
-  CHECK(bad(head + "[[plot]]\nover = [\"a\"]\n").what == "a plot is over 'a', which is no figure of this study");
+  CHECK(bad(head + "[[plot]]\nover = [\"a\"]\n").what ==
+        "a plot is over 'a', which is no figure of this study");
   CHECK(bad(head + "[limits]\ntimeout = \"soon\"\n").what == "'soon' is no length of time");
   CHECK(bad(head + "[limits]\nanalysis = \"half-open\"\n").what == "there is no analysis 'half-open'");
 }

@@ -16,22 +16,25 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-/// Two figures of 2 and 3 values, one skill, one requirement: it holds, fails, is undecided, never, not checked.
+/// Two figures of 2 and 3 values, one skill, one requirement: it holds, fails, is undecided, never, not
+/// checked.
 Table sample() {
   Table table;
   table.study.title = "a \"study\" | with, marks";
-  table.study.figures = {{"period", {{"5 ms", {}}, {"10 ms", {}}}, 0}, {"who, first", {{"a", {}}, {"b", {}}, {"c", {}}}, 0}};
+  table.study.figures = {{"period", {{"5 ms", {}}, {"10 ms", {}}}, 0},
+                         {"who, first", {{"a", {}}, {"b", {}}, {"c", {}}}, 0}};
   table.study.plots = {{{0}}, {{0, 1}}};
   table.pairs = {{"skill", "cell"}};
   table.requirements = {"soon"};
   table.notes = {"", "PAL0708: the period, \"0\""};
-  const Outcome outcomes[] = {Outcome::holds,     Outcome::fails, Outcome::undecided,
+  const Outcome outcomes[] = {Outcome::holds, Outcome::fails,       Outcome::undecided,
                               Outcome::never, Outcome::not_checked, Outcome::holds};
   for (std::uint32_t point = 0; point < 6; ++point) {
     Row row;
     row.point = point;
     row.outcome = outcomes[point];
     row.measure = pal::analyzer::Requirement::Measure::response;
+    row.described = true;
     row.limit = 9'000'000;
     if (row.outcome == Outcome::holds) row.bound = 7'000'000 + point;
     if (row.outcome == Outcome::fails) row.bound = row.attained = 12'000'000;
@@ -47,7 +50,8 @@ TEST_CASE("a table as CSV") {
   std::ostringstream out;
   write_csv(sample(), out);
   CHECK(out.str() ==
-        "point,skill,environment,period,\"who, first\",requirement,measure,verdict,limit_ns,bound_ns,attained_ns,"
+        "point,skill,environment,period,\"who, "
+        "first\",requirement,measure,verdict,limit_ns,bound_ns,attained_ns,"
         "slack_ns,exact,note\n"
         "0,skill,cell,5 ms,a,soon,response,holds,9000000,7000000,,2000000,false,\n"
         "1,skill,cell,5 ms,b,soon,response,fails,9000000,12000000,12000000,-3000000,false,\n"
@@ -123,7 +127,8 @@ TEST_CASE("a plot of slack shows the least of each value, and marks what has non
   const std::string plot = draw(sample(), sample().study.plots[0]);
   CHECK(plot.find("class=\"late\"") != std::string::npos);
   CHECK(plot.find("skill in cell, period = 5 ms: -3 ms; something is undecided") != std::string::npos);
-  CHECK(plot.find("skill in cell, period = 10 ms: 1.999995 ms; something was not checked") != std::string::npos);
+  CHECK(plot.find("skill in cell, period = 10 ms: 1.999995 ms; something was not checked") !=
+        std::string::npos);
 }
 
 TEST_CASE("the names of plots are names of files everywhere") {
