@@ -77,7 +77,7 @@ def is_red(command, folder):
 
 
 def run(command, folder, path, what, green):
-    done = subprocess.run(["sh", "-e", "-c", command], cwd=folder, env={**os.environ, "PATH": path}, capture_output=True,
+    done = subprocess.run(["sh", "-e", "-c", command], cwd=folder, env={**os.environ, "PATH": path, "BASE": "origin/main"}, capture_output=True,
                           check=False)
     if (done.returncode == 0) != green:
         FAULTS.append(f"{what}: `{command}` ended with {done.returncode}\n{done.stderr.decode(errors='replace')[-800:]}")
@@ -87,13 +87,17 @@ def run(command, folder, path, what, green):
 def main(pal, source, folder):
     source, folder = pathlib.Path(source), pathlib.Path(folder)
     lines = commands((source / PAGE).read_text(encoding="utf-8"))
-    if len(lines) != 5 or {"GitHub", "GitLab"} - {title.split(":")[0] for title, _ in lines}:
-        sys.exit(f"{PAGE}: {len(lines)} commands, where two services and three trials were expected")
+    if len(lines) != 9 or {"GitHub", "GitLab"} - {title.split(":")[0] for title, _ in lines}:
+        sys.exit(f"{PAGE}: {len(lines)} commands, where three pairs for two services and three trials were expected")
     path = f"{pathlib.Path(pal).resolve().parent}:{os.environ['PATH']}"
     shutil.rmtree(folder, ignore_errors=True)
     for what, files, green in scenarios(source):
         place = folder / what.replace(" ", "-")
         place.mkdir(parents=True)
+        # The branch that a change goes into has none of the files yet.
+        for words in (["init", "-q"], ["-c", "user.name=t", "-c", "user.email=t@t", "commit", "-q", "--allow-empty", "-m", "base"],
+                      ["update-ref", "refs/remotes/origin/main", "HEAD"]):
+            subprocess.run(["git", *words], cwd=place, check=True)
         for name, text in files.items():
             if text is None:
                 (place / name).mkdir()

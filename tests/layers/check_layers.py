@@ -16,9 +16,9 @@ KERNEL = ["runtime/include", "runtime/plugin", "runtime/watch", "runtime/kernel"
 RUNTIME = ["runtime/include", "trace"]
 PROTOCOLS = ["runtime/drivers/val/protocol.hpp", "runtime/drivers/alter/protocol.hpp"]
 COMPILER = ["pal/support", "pal/explain", "pal/doc", "pal/pan", "pal/syntax", "pal/rewrite", "pal/check", "analyzer", "analyzer/chart",
-            "analyzer/run_checker", "analyzer/whatif", *PARTS, "codegen", "operations", "language_server", "trace"]
+            "analyzer/run_checker", "analyzer/whatif", *PARTS, "codegen", "operations", "language_server", "study", "trace"]
 # Each program: a room may use those before it.
-ROOMS = {"pal": ["session", "reports", "commands", "options"], "workcell": ["session", "reports", "options", "commands"]}
+ROOMS = {"pal": ["session", "reports", "studies", "commands", "options"], "workcell": ["session", "reports", "options", "commands"]}
 
 
 def rooms(program, uses):
@@ -47,6 +47,7 @@ LAYERS = {
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "server": ["operations", "pal/explain", "pal/support", "pal/pan"],  # likewise
     "language_server": ["pal/support", "pal/pan", "pal/doc", "pal/syntax", "pal/rewrite", "pal/check", "operations"],  # proofs come from the program
+    "study": ["pal/support", "pal/pan", "analyzer", "analyzer/whatif", "analyzer/chart"] + PARTS + ["trace"],
     **rooms("pal", COMPILER),
     **{room: KERNEL[:i] + ["trace"] for i, room in enumerate(KERNEL)},
     **{protocol: RUNTIME for protocol in PROTOCOLS},
@@ -67,6 +68,7 @@ NAMESPACES = {
     "operations": "pal::operations",
     "server": "pal::server",
     "language_server": "pal::language_server",
+    "study": "pal::study",
     "runtime": "pal::runtime",
     "runtime/drivers": "pal::runtime::drivers",
     **{f"runtime/drivers/{device}": f"pal::runtime::drivers::{device}" for device in ["alter", "force_torque", "gripper", "range_finder", "val"]},
@@ -77,7 +79,7 @@ NAMESPACES = {
     "programs/pal": "pal::program",
     "programs/workcell": "pal::workcell",
 }
-THIRD_PARTY = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost)/|^(cgraph|gvc|png)\.h")
+THIRD_PARTY = re.compile(r"^(antlr4-runtime|graphviz|mujoco|EGL|GL|cairo|nlohmann|CLI|boost|openssl|toml\+\+)/|^(cgraph|gvc|png)\.h")
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.M)
 PERIOD = re.compile(r"milliseconds\(28\)|\b28ms\b|\b0\.028\b|/ 28\b|[pP]eriod = 28\b|within\(0, 28\)")
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)

@@ -148,6 +148,17 @@ void check_twice(const syntax::EnvironmentUnit& written, Diagnostics& diagnostic
 
 }  // namespace
 
+void check_figures(const pan::Environment& environment, Diagnostics& diagnostics) {
+  check_placements(environment, diagnostics);
+  for (const auto& device : environment.devices) {
+    std::visit(BehaviourCheck(device.where, diagnostics), device.behaviour);
+  }
+  if (environment.processors.empty()) {
+    diagnostics.report(Code::PAL0714, environment.where,
+                       "environment " + quoted(environment.name) + " has no processor", "add PROCESSOR P0");
+  }
+}
+
 pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagnostics& diagnostics) {
   pan::Environment result;
   result.name = written.name.text;
@@ -162,14 +173,7 @@ pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagn
       resource_names(written.resources.machine_controllers), resource_names(written.resources.skills)};
   for (const auto& cost : written.costs) place_of(result, cost.kind) = cost.time;
   check_twice(written, diagnostics);
-  check_placements(result, diagnostics);
-  for (const auto& device : result.devices) {
-    std::visit(BehaviourCheck(device.where, diagnostics), device.behaviour);
-  }
-  if (result.processors.empty()) {
-    diagnostics.report(Code::PAL0714, written.where,
-                       "environment " + quoted(written.name.text) + " has no processor", "add PROCESSOR P0");
-  }
+  check_figures(result, diagnostics);
   return result;
 }
 

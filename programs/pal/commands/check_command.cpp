@@ -1,4 +1,5 @@
 // pal check: findings, verdicts, and the exit status that they make.
+#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include "programs/pal/reports/sarif.hpp"
 #include "programs/pal/reports/statistics.hpp"
 #include "programs/pal/reports/witness.hpp"
+#include "programs/pal/session/changed_since.hpp"
 #include "programs/pal/session/colour.hpp"
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/patience.hpp"
@@ -40,15 +42,24 @@ void emit_pan(const check::Specification& specification, std::ostream& out) {
   for (const pan::Environment& environment : specification.environments) pan::dump(environment, out);
 }
 
+bool all_left_out(const std::vector<Unchecked>& not_checked) {
+  return !not_checked.empty() && std::all_of(not_checked.begin(), not_checked.end(),
+                                             [](const Unchecked& row) { return row.left_out; });
+}
+
 /// Of a report in text. The rows of the table have the reasons of each requirement.
 void say_what_was_not_checked(const std::vector<Unchecked>& not_checked, bool any_verdict, bool without_times,
                               std::ostream& err) {
   if (not_checked.empty() || without_times) return;
+  if (!any_verdict && all_left_out(not_checked)) {
+    err << "pal: nothing was proved, since nothing has changed that a proof depends on\n";
+    return;
+  }
   const Unchecked& first = not_checked.front();
   if (any_verdict) {
     err << "pal: " << subject_of(first) << " was not checked: " << first.reason;
     if (not_checked.size() > 1) err << "; nor " << not_checked.size() - 1 << " more";
-    err << " (--require-verdicts makes this an error)\n";
+    err << (first.left_out ? "\n" : " (--require-verdicts makes this an error)\n");
     return;
   }
   err << "pal: no time was checked: " << first.reason << " (" << first.hint
@@ -58,8 +69,10 @@ void say_what_was_not_checked(const std::vector<Unchecked>& not_checked, bool an
 ExitStatus status_of(const std::vector<Proof>& proofs, const std::vector<Unchecked>& not_checked,
                      const CheckOptions& options) {
   if (!all_hold(proofs)) return ExitStatus::not_met;
-  if (options.require_verdicts && !not_checked.empty()) return ExitStatus::not_met;
-  return has_verdicts(proofs) || options.without_times ? ExitStatus::all_hold : ExitStatus::not_met;
+  const bool only_left_out = all_left_out(not_checked);
+  if (options.require_verdicts && !not_checked.empty() && !only_left_out) return ExitStatus::not_met;
+  return has_verdicts(proofs) || only_left_out || options.without_times ? ExitStatus::all_hold
+                                                                        : ExitStatus::not_met;
 }
 
 struct Input {
@@ -100,6 +113,19 @@ std::optional<std::string> write_witnesses(const std::string& path, const std::v
   return write_files({{path, text.str()}});
 }
 
+/// Says how many proofs were kept ones, and keeps the folder at its size.
+void tidy(const study::ProofStore& cache, const CheckOptions& options, const std::vector<Proof>& proofs,
+          std::ostream& err) {
+  cache.trim(options.cache_size);
+  if (cache.damaged() > 0)
+    err << "pal: " << cache.damaged() << " kept proofs were damaged, and were made again\n";
+  const auto kept =
+      std::count_if(proofs.begin(), proofs.end(), [](const Proof& proof) { return proof.kept; });
+  if (!options.quiet)
+    err << "pal: " << kept << " of " << proofs.size() << " proofs were kept ones, of " << options.cache
+        << "\n";
+}
+
 }  // namespace
 
 ExitStatus check(const CheckOptions& options, const Console& console) {
@@ -111,21 +137,41 @@ ExitStatus check(const CheckOptions& options, const Console& console) {
   if (!may_write({options.witness}, inputs_of(session), console)) return ExitStatus::usage;
   if (options.emit == Stage::pan) emit_pan(session.specification, console.out);
 
+  std::vector<LeftOut> left_out;
+  if (!options.changed_since.empty() && !session.diagnostics.has_errors()) {
+    auto unchanged = unchanged_since(options.changed_since, session);
+    if (const auto* wrong = std::get_if<std::string>(&unchanged)) {
+      console.err << "pal: " << *wrong << "\n";
+      return ExitStatus::usage;
+    }
+    left_out = std::get<std::vector<LeftOut>>(std::move(unchanged));
+  }
   std::vector<Proof> proofs;
+  study::ProofStore cache(options.cache);
   if (!session.diagnostics.has_errors() && !options.without_times) {
     ProofLimits limits = options.limits;
     limits.peak_memory = options.statistics;
     limits.addends = options.explain || options.format == Format::json;
+    limits.cache = options.cache.empty() ? nullptr : &cache;
+    limits.leaves_out = [&left_out](const pan::Network& skill, const pan::Environment& environment) {
+      return std::any_of(left_out.begin(), left_out.end(), [&](const LeftOut& each) {
+        return each.skill == &skill && each.environment == &environment;
+      });
+    };
+    limits.fresh = options.statistics || !options.witness.empty();
     if (console.terminal && options.format == Format::text && !options.quiet) {
       CheckDisplay display(console.out, terminal_size());
-      proofs = prove(session, limits,
-                     [&display](const auto& problem, const auto& known) { display.show(problem, known); },
-                     input.session);
+      proofs = prove(
+          session, limits,
+          [&display](const auto& problem, const auto& known) { display.show(problem, known); },
+          input.session);
     } else {
       proofs = prove(session, limits, {}, input.session);
     }
   }
-  const std::vector<Unchecked> not_checked = unchecked(session, proofs, why_unproved(input, options));
+  if (!options.cache.empty()) tidy(cache, options, proofs, console.err);
+  std::vector<Unchecked> not_checked = unchecked(session, proofs, why_unproved(input, options));
+  mark_left_out(left_out, not_checked);
   const bool raised = options.warnings_as_errors && raise_warnings(session);
   ExitStatus found = status_of_findings(session);
   if (raised && found == ExitStatus::all_hold) found = ExitStatus::wrong_specification;

@@ -11,6 +11,8 @@
 #include "programs/pal/session/exit_status.hpp"
 #include "programs/pal/session/proof.hpp"
 #include "programs/pal/session/selection.hpp"
+#include "programs/pal/studies/engines.hpp"
+#include "study/proof_store.hpp"
 
 namespace pal::program {
 
@@ -30,8 +32,31 @@ struct CheckOptions {
   bool warnings_as_errors = false;  // a warning is an error
   bool statistics = false;
   std::string witness;  // where to write the witnesses
+  std::string changed_since;  // a revision of git; empty: all is proved
+  std::string cache;          // folder with kept proofs; empty: none
+  std::uint64_t cache_size = study::usual_store_size;
 };
 ExitStatus check(const CheckOptions& options, const Console& console);
+
+struct SweepOptions {
+  std::string study;   // TOML
+  std::string folder;  // for results; empty: named after the study
+  std::string cache;   // empty: in the folder
+  std::uint64_t cache_size = study::usual_store_size;
+  Engine engine = Engine::cores;
+  unsigned jobs = 0;
+  std::uint64_t block = 0;
+  std::string hosts;
+  double patience = 1800;
+  bool worst_runs = false;
+  bool all_hold = false;
+  bool retry = false;
+  bool count = false;
+  std::uint64_t most = 1'000'000;  // proofs
+  std::string cells;               // "A..B"; empty: all
+};
+/// Makes a study. all_hold: it is complete.
+ExitStatus sweep(const SweepOptions& options, const Console& console);
 
 struct ReplayOptions {
   Selection selection;

@@ -86,6 +86,8 @@ ExitStatus run(const std::vector<std::string>& given, const Console& console) {
   SequenceOptions sequence_options;
   ResourcesOptions resources_options;
   add_check(app, check_options);
+  SweepOptions sweep_options;
+  add_sweep(app, sweep_options);
   add_replay(app, replay_options);
   SimulateOptions simulate_options;
   add_simulate(app, simulate_options);
@@ -117,6 +119,7 @@ ExitStatus run(const std::vector<std::string>& given, const Console& console) {
     return status == 0 ? ExitStatus::all_hold : ExitStatus::usage;
   }
   if (app.got_subcommand("check")) return check(check_options, console);
+  if (app.got_subcommand("sweep")) return sweep(sweep_options, console);
   if (app.got_subcommand("replay")) return replay(replay_options, console);
   if (app.got_subcommand("simulate")) return simulate(simulate_options, console);
   if (app.got_subcommand("whatif")) return what_if(what_if_options, console);

@@ -48,6 +48,12 @@ void add_check(CLI::App& app, CheckOptions& options) {
                    "PAL file with measured times, to compare with the environment's; may be repeated")
       ->type_name("FILE")
       ->take_all();
+  add_cache(*command, options.cache, options.cache_size);
+  command
+      ->add_option(
+          "--changed-since", options.changed_since,
+          "prove only skills of which a file, or the environment's, differs from this revision of git")
+      ->type_name("REV");
   auto* explain = command->add_flag("--explain", options.explain, "print what adds up to each bound");
   command->add_flag("--quiet", options.quiet, "print only findings, and nothing if all holds")
       ->excludes(explain);

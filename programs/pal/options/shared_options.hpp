@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 #include "programs/pal/commands/commands.hpp"
 
@@ -22,6 +24,9 @@ void add_selection(CLI::App& command, Selection& selection);
 
 /// --max-states, --timeout and --threads. `timeout` describes --timeout; null: as for check.
 void add_limits(CLI::App& command, ProofLimits& limits, const char* timeout = nullptr);
+
+/// --cache and --cache-size.
+void add_cache(CLI::App& command, std::string& folder, std::uint64_t& size);
 
 /// --format: text or json.
 void add_format(CLI::App& command, Format& format);

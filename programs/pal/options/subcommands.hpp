@@ -9,6 +9,7 @@
 namespace pal::program {
 
 void add_check(CLI::App& app, CheckOptions& options);
+void add_sweep(CLI::App& app, SweepOptions& options);
 void add_replay(CLI::App& app, ReplayOptions& options);
 void add_simulate(CLI::App& app, SimulateOptions& options);
 void add_what_if(CLI::App& app, WhatIfOptions& options);

@@ -128,9 +128,10 @@ std::vector<Suite> suites_of(const std::vector<Unchecked>& not_checked, bool req
     const std::string name = row.skill.empty() ? "pal check" : suite_name(row.skill, row.environment);
     if (suites.empty() || suites.back().name != name) suites.push_back({name, {}});
     const std::string hint = row.hint.empty() ? "" : "hint: " + row.hint + "\n";
+    const bool fault = required && !row.left_out;
     suites.back().cases.push_back(
-        {row.requirement.empty() ? "has a requirement" : row.requirement, required ? "error" : "skipped",
-         required ? "PAL0892" : "",
+        {row.requirement.empty() ? "has a requirement" : row.requirement, fault ? "error" : "skipped",
+         fault ? "PAL0892" : "",
          (row.skill.empty() ? "nothing was checked: " : "not checked: ") + row.reason, hint, 0});
   }
   return suites;

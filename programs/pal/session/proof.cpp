@@ -12,6 +12,7 @@
 #include "pal/check/resources.hpp"
 #include "pal/check/shared_messages.hpp"
 #include "programs/pal/session/interruption.hpp"
+#include "programs/pal/session/kept_here.hpp"
 #include "programs/pal/session/memory.hpp"
 #include "programs/pal/session/patience.hpp"
 
@@ -98,14 +99,14 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
 
 }  // namespace
 
-namespace {
-
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             const SourceManager& sources, Diagnostics& diagnostics) {
   check::check_listed(skill, environment, diagnostics);
   check::check_shared_messages(skill, environment, diagnostics);
   return analyzer::make_problem(skill, environment, diagnostics, &sources);
 }
+
+namespace {
 
 /// The same, given up soon after Ctrl-C: then the session is as it was.
 std::optional<analyzer::Problem> problem_in_patience(const pan::Network& skill,
@@ -152,6 +153,16 @@ analyzer::Options options_of(const ProofLimits& limits) {
   return options;
 }
 
+std::shared_ptr<std::atomic<bool>> note_stop(analyzer::Options& options) {
+  const auto limited = std::make_shared<std::atomic<bool>>(false);
+  options.stop = [stop = options.stop, limited] {
+    const bool now = stop();
+    if (now) *limited = true;
+    return now;
+  };
+  return limited;
+}
+
 std::function<bool()> end_after(double seconds, Clock::time_point begin) {
   return [begin, seconds] {
     return Interruption::asked_for() || (seconds > 0 && seconds_since(begin) > seconds);
@@ -162,9 +173,6 @@ void limit_checks(const ProofLimits& limits, Session& session) {
   session.stop = end_after(limits.seconds / 2, limits.begun);
 }
 
-namespace {
-
-/// Of environments of one name a skill has those that its file sees, or all if it sees none of them.
 bool is_of(const pan::Network& skill, const pan::Environment& environment,
            const check::Specification& specification) {
   const auto seen = specification.seen.find(skill.skill.where.file);
@@ -176,6 +184,8 @@ bool is_of(const pan::Network& skill, const pan::Environment& environment,
              specification.environments.begin(), specification.environments.end(),
              [&](const pan::Environment& other) { return other.name == environment.name && sees(other); });
 }
+
+namespace {
 
 /// Of a skill, if another one has its name.
 std::string file_of(const pan::Network& skill, const Session& session) {
@@ -191,15 +201,23 @@ std::string file_of(const pan::Network& skill, const Session& session) {
 std::vector<Proof> prove(Session& session, const ProofLimits& limits, const ProofObserver& observer,
                          const std::shared_ptr<const Session>& alive) {
   const Interruption interruption;
-  const analyzer::Options options = options_of(limits);
+  analyzer::Options options = options_of(limits);
+  const auto limited = note_stop(options);
   std::vector<Proof> proofs;
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
       if (!is_of(skill, environment, session.specification)) continue;
+      if (limits.leaves_out && limits.leaves_out(skill, environment)) continue;
       if (is_work_left()) return proofs;
       auto problem = alive ? problem_in_patience(skill, environment, session, alive)
                            : problem_of(skill, environment, session);
       if (!problem) continue;
+      KeptHere kept(skill, environment, session, limits);
+      if (auto analysis = kept.find(*problem)) {
+        proofs.push_back({std::move(*problem), std::move(*analysis), true, false, false,
+                          file_of(skill, session), false, true});
+        continue;
+      }
       const bool explored = limits.analysis != analyzer::AnalysisChoice::compositional &&
                             limits.analysis != analyzer::AnalysisChoice::half_open &&
                             analyzer::fits_exploration(*problem);
@@ -209,11 +227,13 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
             {std::move(*problem), std::move(none), explored, true, true, file_of(skill, session), false});
         continue;
       }
+      *limited = false;
       const auto attempt = std::make_shared<Attempt>(std::move(*problem), limits.analysis, options);
       analyzer::Analysis analysis = attempt->run(observer);
       proofs.push_back({attempt->problem(), std::move(analysis), explored, (options.stop() || is_work_left()),
                         Interruption::asked_for(), file_of(skill, session),
                         limits.analysis == analyzer::AnalysisChoice::half_open});
+      if (!*limited && !proofs.back().ended) kept.keep(proofs.back().analysis);
     }
   }
   return proofs;

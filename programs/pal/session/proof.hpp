@@ -1,6 +1,7 @@
 // A skill's requirements proved in an environment: the stages from network to verdict, one after the other.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "analyzer/problem/problem.hpp"
 #include "programs/pal/session/measure_text.hpp"
 #include "programs/pal/session/selection.hpp"
+#include "study/proof_store.hpp"
 
 namespace pal::program {
 
@@ -25,6 +27,7 @@ struct Proof {
   bool ended_by_user = false;   // by Ctrl-C
   std::string file = {};        // of the skill, if another one has its name; else empty
   bool half_open = false;       // its bounds have half-open windows
+  bool kept = false;            // by an earlier call: its verdicts hold, and have no runs
 };
 
 /// "touch in workcell", with the skill's file where its name is not enough.
@@ -39,6 +42,11 @@ struct ProofLimits {
   unsigned threads = 0;                                                    // at work; 0: one a core
   bool peak_memory = false;                                                // count it
   bool addends = false;                                                    // find what adds up to bounds
+  study::ProofStore* cache =
+      nullptr;  // proofs in which everything holds are taken from it; all are kept there
+  /// True of what is not to be proved; empty: all is.
+  std::function<bool(const pan::Network&, const pan::Environment&)> leaves_out = {};
+  bool fresh = false;  // none is taken: runs or statistics are asked for
 };
 
 /// The model of `skill` in `environment`. If the environment lacks something that the skill needs: nothing,
@@ -46,8 +54,21 @@ struct ProofLimits {
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             Session& session);
 
+/// The same, with findings in `diagnostics`.
+std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
+                                            const SourceManager& sources, Diagnostics& diagnostics);
+
+/// Whether the skill is proved in this environment: of environments of one name, in those that its file sees,
+/// or in all if it sees none of them.
+bool is_of(const pan::Network& skill, const pan::Environment& environment,
+           const check::Specification& specification);
+
 /// The limits in the form that an analysis takes. Ctrl-C ends it, too, as long as an Interruption lives.
 analyzer::Options options_of(const ProofLimits& limits);
+
+/// True as soon as `options.stop` has said so: then what is undecided might be decided with more time or
+/// memory.
+std::shared_ptr<std::atomic<bool>> note_stop(analyzer::Options& options);
 
 /// Whether it is time to end: after Ctrl-C (as long as an Interruption lives), or `seconds` after `begin` (0:
 /// never).

@@ -1,50 +1,13 @@
 #include "programs/pal/session/scene_cell.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-extern char** environ;
+#include "programs/pal/session/process.hpp"
 
 namespace pal::program {
 namespace {
-
-struct Spoken {
-  int status = -1;  // of its exit; negative: it did not run
-  std::string out;
-};
-
-/// Runs it and waits for its end. What it says of errors goes where ours goes.
-Spoken run_and_read(const std::string& program, std::vector<std::string> words) {
-  Spoken result;
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return result;
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  words.insert(words.begin(), program);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = -1;
-  const int failed = ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  ::close(ends[1]);
-  std::array<char, 4096> piece{};
-  for (ssize_t count = 0; failed == 0 && (count = ::read(ends[0], piece.data(), piece.size())) > 0;)
-    result.out.append(piece.data(), static_cast<std::size_t>(count));
-  ::close(ends[0]);
-  int status = 0;
-  if (failed == 0 && ::waitpid(child, &status, 0) == child && WIFEXITED(status))
-    result.status = WEXITSTATUS(status);
-  return result;
-}
 
 std::string workcell_program() {
   std::error_code problem;

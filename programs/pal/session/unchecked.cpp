@@ -37,8 +37,8 @@ struct MeasureName {
 void add_requirements(const pan::Network& skill, const std::string& environment, const Why& why,
                       std::vector<Unchecked>& list) {
   for (const pan::Requirement& requirement : skill.requirements) {
-    Unchecked row{skill.skill.name,  environment, requirement.name, "",
-                  requirement.limit, why.reason,  why.hint,         requirement.where};
+    Unchecked row{skill.skill.name, environment, requirement.name,  "",   requirement.limit,
+                  why.reason,       why.hint,    requirement.where, false};
     row.measure = std::visit(MeasureName{row.limit}, requirement.measure);
     list.push_back(std::move(row));
   }
@@ -82,7 +82,8 @@ std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof
                       {},
                       "the skill has no REQUIREMENT",
                       "write what it must keep, as REQUIREMENT quick : DURATION TO COMPLETION 0 AT MOST 1 s",
-                      skill.skill.where});
+                      skill.skill.where,
+                      false});
     if (environments.empty()) {
       add_requirements(skill, {}, without_environment, list);
       continue;
@@ -98,7 +99,7 @@ std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof
     const Why no_skill{"there is no SKILL in the files given",
                        "name the file with the skill, or use it by USES"};
     const Why& none = unproved == Unproved::ended_by_user ? without_proof : no_skill;
-    list.push_back({{}, {}, {}, "", {}, none.reason, none.hint, begin});
+    list.push_back({{}, {}, {}, "", {}, none.reason, none.hint, begin, false});
   }
   return list;
 }
@@ -112,6 +113,7 @@ std::string subject_of(const Unchecked& unchecked) {
 
 void report_unchecked(const std::vector<Unchecked>& list, Session& session) {
   for (const Unchecked& row : list) {
+    if (row.left_out) continue;
     const bool nothing = row.skill.empty();
     session.diagnostics.report(
         Code::PAL0892, row.where,

@@ -20,6 +20,7 @@ struct Unchecked {
   std::string reason;  // "no environment was given"
   std::string hint;
   SourceSpan where;
+  bool left_out = false;  // by --changed-since: no fault, but not checked all the same
 };
 
 /// Why something may have no proof.
