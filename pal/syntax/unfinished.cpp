@@ -53,8 +53,8 @@ std::optional<GoingOn> behind(std::size_t at, std::vector<std::size_t> added, co
   return going_on_at(place, copy(tokens.all(), mistake.unit_begin, at + 1, &change), tokens.text());
 }
 
-/// Whether the line that begins at `at` begins something: with a keyword or a text, or not indented deeper
-/// than the line before, or behind a parenthesis that this line leaves open.
+/// Whether the line that begins at `at` begins something. It does with a keyword or a text, and where it is
+/// not indented deeper than the line before. It also does behind a parenthesis that this line leaves open.
 bool begins_anew(std::size_t at, std::size_t line_before, const Tokens& tokens) {
   const auto& all = tokens.all();
   int open = 0;
