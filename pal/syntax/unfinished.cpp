@@ -65,6 +65,12 @@ bool begins_anew(std::size_t at, std::size_t line_before, const Tokens& tokens) 
          all[at]->getCharPositionInLine() <= all[line_before]->getCharPositionInLine();
 }
 
+/// A line that ends something ends itself.
+bool begins_with_end(std::size_t line, const Tokens& tokens) {
+  static constexpr std::array ends{Parser::END, Parser::END_CASE, Parser::END_CONCURRENT, Parser::END_WTM};
+  return std::find(ends.begin(), ends.end(), tokens.all()[line]->getType()) != ends.end();
+}
+
 Diagnostic told(std::size_t at, const GoingOn& expected, const Tokens& tokens) {
   const auto* last = tokens.all()[at - 1];
   const std::string words = expected.spelling.empty() ? "more" : expected.spelling;
@@ -119,6 +125,7 @@ std::optional<UnfinishedLine> unfinished_line(const Mistake& mistake, Tokens& to
   for (auto line = begins.size() - 1; line-- > 0;) {
     // What a line has in place of PAL's own form tells more than what is missing behind it.
     if (mistake.foreign && mistake.finding.where.begin < tokens.span(all[begins[line]]).begin) continue;
+    if (begins_with_end(begins[line + 1], tokens)) continue;
     if (!begins_anew(begins[line], begins[line + 1], tokens)) continue;
     if (auto found = unfinished_before(begins[line], mistake, tokens)) return found;
   }

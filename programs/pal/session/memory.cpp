@@ -87,9 +87,15 @@ bool takes_more(std::size_t bytes) {
   const std::int64_t now = Clock::now().time_since_epoch().count();
   std::int64_t last = looked;
   if (now - last < every || !looked.compare_exchange_strong(last, now)) return more;
-  if (is_over(bytes)) malloc_trim(0);
+  if (is_over(bytes)) give_back_memory();
   more = is_over(bytes);
   return more;
+}
+
+void give_back_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 std::size_t peak_memory() {

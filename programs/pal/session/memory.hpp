@@ -18,4 +18,7 @@ std::size_t memory_there_is();
 /// milliseconds only.
 bool takes_more(std::size_t bytes);
 
+/// Returns memory to the system that was freed, and that the allocator keeps.
+void give_back_memory();
+
 }  // namespace pal::program

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "programs/pal/reports/proof_chart.hpp"
+#include "programs/pal/session/memory.hpp"
 #include "programs/workcell/session/failure.hpp"
 
 namespace pal::workcell {
@@ -41,6 +42,7 @@ std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& o
   const bool chosen = program::read(selection, console, session);
   std::vector<program::Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = program::prove(session, {});
+  program::give_back_memory();
   if (proofs.empty()) {
     program::show_findings(session, console);
     throw Failure(ExitStatus::wrong_specification, selection.files.front(),

@@ -69,7 +69,7 @@ void take_events(SessionResult& result, std::shared_ptr<trace::EventSpool> spool
 
 void take_samples(SessionResult& result, const SampleRecorder& recorder) {
   result.samples = recorder.spool();
-  result.read_log();
+  result.log = result.samples->telling(most_samples);
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
@@ -196,14 +196,6 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
     result.picture = sim::take_picture(cell.workcell(), picture);
   }
   return result;
-}
-
-void SessionResult::drop_log() {
-  std::vector<sim::Sample>().swap(log);
-}
-
-void SessionResult::read_log() {
-  if (samples) log = samples->telling(most_samples);
 }
 
 std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,

@@ -1,6 +1,5 @@
 #include "programs/workcell/session/skill_facts.hpp"
 
-#include <malloc.h>
 #include <sys/resource.h>
 
 #include <functional>
@@ -9,6 +8,7 @@
 #include <variant>
 
 #include "analyzer/analysis.hpp"
+#include "programs/pal/session/memory.hpp"
 #include "programs/pal/session/proof.hpp"
 #include "programs/pal/session/selection.hpp"
 #include "programs/workcell/session/needed_tool.hpp"
@@ -123,11 +123,7 @@ std::unique_ptr<Studied> read(const KnownSkill& skill, const std::function<bool(
 /// Gives the memory that proofs and drawings needed back to the system, which else stays with the program.
 struct Trimmed {
   Trimmed() = default;
-  ~Trimmed() {
-#ifdef __GLIBC__
-    ::malloc_trim(0);
-#endif
-  }
+  ~Trimmed() { program::give_back_memory(); }
   Trimmed(const Trimmed&) = delete;
   Trimmed& operator=(const Trimmed&) = delete;
 };
