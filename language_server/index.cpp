@@ -29,7 +29,7 @@ const syntax::Tree* Index::tree(const std::string& path) {
   while (sources.size() < file.index()) sources.add({}, {});
   sources.add(path, text->content());
   Diagnostics unwanted;
-  syntax::Tree tree{file, false, {}};
+  syntax::Tree tree{file, false, true, {}};
   if (report_unless_text(sources, file, unwanted)) tree = syntax::parse(sources, file, unwanted);
   auto& entry = parsed_[path];
   entry = {revision, std::move(tree)};

@@ -2,6 +2,7 @@
 // and all else is done in the server's thread.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -34,6 +35,7 @@ using Channels = std::vector<Channel>;
 /// Records in a row, one after the other. The cell fills it, and nobody changes it afterwards.
 struct SampleBlock {
   std::size_t width = 0;  // numbers of a record
+  double pace = 0;        // seconds of the cell in one of the wall, lately; 0: not known
   std::vector<Duration> times;
   std::vector<double> raw;
 
@@ -71,8 +73,10 @@ class Decimator {
  public:
   Decimator(std::size_t fields, Duration period) : fields_(fields), period_(period) {}
 
-  /// Takes samples, adds those spans to `whole` that are over.
-  void take(std::span<const Duration> times, std::span<const double> samples, std::vector<SampleSpan>& whole);
+  /// Takes samples, adds those spans to `whole` that are over. Spans that begin now are as long as `least`,
+  /// if that is longer than the period.
+  void take(std::span<const Duration> times, std::span<const double> samples, std::vector<SampleSpan>& whole,
+            Duration least = {});
 
  private:
   std::size_t fields_;
@@ -81,13 +85,22 @@ class Decimator {
   Duration due_{};
 };
 
-/// Fills blocks and hands them on. One thread only.
+/// When a block is whole: a multiple of `least` records has come, and so much time has passed on the wall, or
+/// there are `most` records. So a cell that runs quickly wakes the server no more often than one at the pace
+/// of the wall.
+struct BlockLength {
+  std::size_t least = 1, most = 1;  // a multiple of `least`
+  std::chrono::steady_clock::duration wall{};
+};
+
+/// Fills blocks and hands them on. Blocks that nobody holds any more are filled again. One thread only.
 class BlockWriter {
  public:
   using HandOn = std::function<void(std::shared_ptr<const SampleBlock>)>;
-  /// Blocks of `length` records with `width` numbers each.
-  BlockWriter(std::size_t width, std::size_t length, HandOn hand_on)
-      : width_(width), length_(length), hand_on_(std::move(hand_on)) {}
+  using Clock = std::function<std::chrono::steady_clock::time_point()>;
+  /// Records have `width` numbers each.
+  BlockWriter(std::size_t width, BlockLength length, HandOn hand_on,
+              Clock clock = std::chrono::steady_clock::now);
 
   /// Room for the next record's numbers, which the caller fills before the next call.
   std::span<double> record(Duration time);
@@ -95,9 +108,18 @@ class BlockWriter {
   void flush();
 
  private:
-  std::size_t width_, length_;
+  struct Pool;
+  void open();
+  void measure_pace();
+
+  std::size_t width_;
+  BlockLength length_;
   HandOn hand_on_;
+  Clock clock_;
+  std::shared_ptr<Pool> pool_;
   std::shared_ptr<SampleBlock> block_;
+  std::chrono::steady_clock::time_point since_;  // the block began
+  double lately_cell_s_ = 0, lately_wall_s_ = 0;
 };
 
 }  // namespace pal::server

@@ -13,6 +13,13 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers of binary frames are little endian");
 
+// Of live data for one client of a cell that runs quicker than the wall, in a second of the wall: all
+// channels at their full rate are a quarter of it in a cell at the pace of the wall.
+constexpr double most_bytes_a_second = 4e6;
+constexpr double quick = 2;  // times as quick as the wall
+// A number takes four times as long as text as in a binary frame.
+constexpr double text_costs = 4;
+
 std::string notification(const char* method, Json params) {
   return dump({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
 }
@@ -152,12 +159,31 @@ void LiveView::show(Duration time, const std::shared_ptr<const Profile>& profile
         {[time, profile](std::uint64_t dropped) { return profile_as_text(time, *profile, dropped); }});
 }
 
+Duration LiveView::least_span(double pace) const {
+  const auto bytes_a_second = [&](Duration least) {
+    double sum = 0;
+    for (const Watched& each : watched_) {
+      const Channel& channel = (*channels_)[each.channel];
+      if (channel.form != Channel::Form::numbers) continue;
+      const double bytes = static_cast<double>((3 + 3 * channel.fields.size()) * sizeof(double));
+      sum += (each.binary ? bytes : text_costs * bytes) / seconds(std::max(each.period, least));
+    }
+    return pace * sum;
+  };
+  Duration least = std::chrono::milliseconds(1);
+  if (pace < quick) return least;
+  // Powers of two: the places of longer spans on the clock are places of shorter ones, too.
+  while (bytes_a_second(least) > most_bytes_a_second) least *= 2;
+  return least;
+}
+
 void LiveView::show(const ShownBlock& block) {
+  const Duration least = least_span(block.block().pace);
   for (Watched& each : watched_) {
     const Channel& channel = (*channels_)[each.channel];
     if (channel.form != Channel::Form::numbers) continue;
     std::vector<SampleSpan> spans;
-    each.decimator.take(block.block().times, block.of(each.channel), spans);
+    each.decimator.take(block.block().times, block.of(each.channel), spans, least);
     if (spans.empty()) continue;
     std::uint64_t samples = 0;
     for (const SampleSpan& span : spans) samples += span.count;

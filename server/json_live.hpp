@@ -37,6 +37,9 @@ class LiveView {
     Duration due{};  // of a profile
   };
 
+  /// How long spans are at the least, lest there be more bytes than a client is given in a second.
+  Duration least_span(double pace) const;
+
   const SessionOutput& output_;
   const Channels* channels_;
   Duration period_{}, due_{};

@@ -30,8 +30,8 @@ using boost::system::error_code;
 constexpr std::size_t most_waiting = 10'000;
 constexpr std::size_t most_samples = 64;
 constexpr std::size_t most_blocks = 64;
-// So that requests come in between.
-constexpr std::size_t blocks_at_once = 4;
+// Records, so that requests come in between.
+constexpr std::size_t records_at_once = 80;
 
 tcp::acceptor listen_at(asio::io_context& io, const std::string& address, std::uint16_t port) {
   error_code problem;
@@ -237,8 +237,9 @@ struct Server::Parts {
   }
   /// The first ones; the others come behind what else waits for this thread.
   void show_blocks(std::deque<std::shared_ptr<const SampleBlock>>& blocks) {
-    for (std::size_t i = 0; i < blocks_at_once && !blocks.empty(); ++i) {
+    for (std::size_t records = 0; records < records_at_once && !blocks.empty();) {
       const ShownBlock shown(options.channels, std::move(blocks.front()));
+      records += shown.block().size();
       blocks.pop_front();
       for_each([&](Session& session) { session.show(shown); });
     }

@@ -1,4 +1,5 @@
-// How long the skills take in this workcell at the most, by their parameters.
+// How long the skills take in this workcell at the most, by their parameters. Each skill's folder says its
+// own.
 #pragma once
 
 #include <span>

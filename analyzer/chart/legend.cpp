@@ -154,6 +154,8 @@ Length draw_sign_key(const std::vector<Layer>& layers, Length top, SvgWriter& ou
   sign(out.has_drawn("bar message"), "send, receive", bar("bar message"));
   sign(out.has_drawn("bar conditional"), "set, read or test of conditions", bar("bar conditional"));
   sign(out.has_drawn("bar serving"), "device busy", bar("bar serving"));
+  sign(out.has_drawn("crowd"), "many actions, without their messages; of events near one another the first",
+       bar("crowd"));
   sign(out.has_drawn("wait"), "waits", stroke("wait"));
   sign(out.has_drawn("ready"), "ready, but the processor is taken", bar("ready"));
   sign(out.has_drawn("event"), "device event", [&out](Length x, Length y) {

@@ -68,6 +68,7 @@ void Panel::place_rows() {
 
 Length Panel::draw() {
   out_.raw(style_.labelled ? "<g>\n" : "<g class=\"compact\">\n");
+  for (const Layer& layer : layers_) find_crowds(layer);
   draw_bands();
   draw_grid();
   draw_names();

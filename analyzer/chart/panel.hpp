@@ -1,6 +1,7 @@
 // One coordinate system of a chart: lanes, waveforms and dimension lines over one time scale.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct PanelStyle {
   bool labelled = true;
   bool overlay = false;  // two runs share a lane
   Margin margin;
+  /// Bars no wider than this, and no farther apart, are drawn as one block; 0: each by itself.
+  Length crowd = 0;
   Length lane_height() const { return bar_height() + (labelled ? 150 : 60); }
   Length bar_height() const { return labelled ? (overlay ? 220 : 150) : (overlay ? 140 : 110); }
   Length wave_height() const { return labelled ? 200 : 150; }
@@ -52,6 +55,21 @@ class Panel {
     Length x1 = 0;
     std::vector<int> numbers;
   };
+
+  /// Bars of a lane that are drawn as one block.
+  struct Crowd {
+    std::size_t first = 0;
+    std::size_t bars = 0;
+    std::int64_t from_ns = 0;
+    std::int64_t to_ns = 0;
+  };
+
+  // panel_crowds.cpp: what is drawn as one block
+  void find_crowds(const Layer& layer);
+  const Crowd* crowd_at(const Layer& layer, std::size_t lane, std::int64_t from_ns, std::int64_t to_ns) const;
+  bool has_crowds(const Layer& layer) const;
+  void draw_crowd(const Layer& layer, std::size_t lane, const Crowd& crowd);
+  static bool is_edge(const Layer& layer, std::int64_t ns);
 
   // panel.cpp: the frame
   void place_rows();
@@ -124,6 +142,7 @@ class Panel {
   Labels labels_;
   std::vector<Row> rows_;
   std::vector<Row> waves_;
+  std::map<const Layer*, std::vector<std::vector<Crowd>>> crowds_;  // by lane, in order of time
   Length lanes_top_ = 0;
   Length lanes_bottom_ = 0;
   Length bottom_ = 0;  // of all but the axis

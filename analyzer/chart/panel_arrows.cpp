@@ -11,6 +11,7 @@ namespace pal::analyzer::chart {
 namespace {
 
 constexpr Length small_font = 85;
+constexpr Length event_width = 90;
 
 std::string arrow_style(const Arrow& arrow, Role role) {
   std::string style = "arrow";
@@ -33,6 +34,11 @@ bool Panel::arrow_ends(const Layer& layer, const Arrow& arrow, Point& from, Poin
   const std::int64_t a = layer.rows[arrow.from_lane];
   const std::int64_t b = layer.rows[static_cast<std::size_t>(arrow.to_lane)];
   if (a < 0 || b < 0 || a == b) return false;
+  const bool kept = is_edge(layer, arrow.from_ns) || is_edge(layer, arrow.to_ns);
+  if (!kept &&
+      (crowd_at(layer, arrow.from_lane, arrow.from_ns, arrow.from_ns) != nullptr ||
+       crowd_at(layer, static_cast<std::size_t>(arrow.to_lane), arrow.to_ns, arrow.to_ns) != nullptr))
+    return false;
   const Box sender = bar_box(layer, arrow.from_lane, arrow.from_ns, arrow.from_ns);
   const Box receiver = bar_box(layer, static_cast<std::size_t>(arrow.to_lane), arrow.to_ns, arrow.to_ns);
   const bool down = a < b;
@@ -155,6 +161,7 @@ void Panel::draw_promise(const Layer& layer, const Mark& mark, Length place) {
 }
 
 void Panel::draw_marks(const Layer& layer) {
+  std::map<std::int64_t, Length> last;  // event that was drawn, by lane
   for (const Mark& mark : layer.timeline->marks) {
     if (!touches(layer, mark.at_ns, mark.at_ns)) continue;
     const Length place = x(layer, mark.at_ns);
@@ -176,6 +183,10 @@ void Panel::draw_marks(const Layer& layer) {
     const std::string faded = layer.role == Role::backdrop ? " backdrop" : "";
     const Length middle = (box.y0 + box.y1) / 2;
     if (mark.kind == MarkKind::event) {
+      const auto before = last.find(mark.lane);
+      const bool near = before != last.end() && place - before->second < event_width;
+      if (near && has_crowds(layer) && !is_edge(layer, mark.at_ns)) continue;
+      last[mark.lane] = place;
       out_.path(
           move_to({place - 45, box.y0}) + line_to({place + 45, box.y0}) + line_to({place, box.y1}) + "Z",
           "event" + faded, title);

@@ -18,6 +18,7 @@ void Panel::draw_gaps(const Layer& layer) {
     const Lane& lane = layer.timeline->lanes[i];
     for (const Gap& gap : lane.gaps) {
       if (!touches(layer, gap.from_ns, gap.to_ns)) continue;
+      if (crowd_at(layer, i, gap.from_ns, gap.to_ns) != nullptr) continue;
       const Box box = bar_box(layer, i, gap.from_ns, gap.to_ns);
       const std::string span = "\n" + at(gap.from_ns + layer.shift_ns) + " to " +
                                at(gap.to_ns + layer.shift_ns) + " (" +
@@ -49,7 +50,8 @@ void Panel::label_gaps(const Layer& layer) {
     if (layer.rows[i] < 0) continue;
     const Row& row = rows_[static_cast<std::size_t>(layer.rows[i])];
     for (const Gap& gap : layer.timeline->lanes[i].gaps) {
-      if (touches(layer, gap.from_ns, gap.to_ns)) label_gap(layer, gap, row);
+      if (touches(layer, gap.from_ns, gap.to_ns) && crowd_at(layer, i, gap.from_ns, gap.to_ns) == nullptr)
+        label_gap(layer, gap, row);
     }
   }
 }

@@ -11,6 +11,7 @@ namespace {
 // What is shorter than this on the page is drawn as wide; its title has the true time.
 constexpr Length least_bar = 14;
 constexpr Length lane_font = 85;
+constexpr Length spot_width = 56;
 
 std::string style_of(const Bar& bar, Role role) {
   std::string style = "bar ";
@@ -79,6 +80,10 @@ void Panel::draw_bars(const Layer& layer) {
     const Lane& lane = layer.timeline->lanes[i];
     for (const Bar& bar : lane.bars) {
       if (!touches(layer, bar.from_ns, bar.to_ns)) continue;
+      if (const Crowd* crowd = crowd_at(layer, i, bar.from_ns, bar.to_ns)) {
+        if (&bar == &lane.bars[crowd->first]) draw_crowd(layer, i, *crowd);
+        continue;
+      }
       const Box box = bar_box(layer, i, bar.from_ns, bar.to_ns);
       const auto number = static_cast<std::size_t>(&bar - lane.bars.data());
       out_.rect(box, style_of(bar, layer.role), bar_title(layer, lane, bar),
@@ -118,6 +123,7 @@ void Panel::label_bars(const Layer& layer) {
     };
     for (const Bar& bar : lane.bars) {
       if (!touches(layer, bar.from_ns, bar.to_ns)) continue;
+      if (crowd_at(layer, i, bar.from_ns, bar.to_ns) != nullptr) continue;
       const Box box = bar_box(layer, i, bar.from_ns, bar.to_ns);
       const int number = style_.labelled && !bar.resumed ? numbering_.number(lane, bar) : 0;
       if (layer.role == Role::backdrop) {
@@ -209,8 +215,18 @@ void Panel::draw_waves(const Layer& layer) {
                 wave.name + " " + what + (sample.value ? " TRUE" : " FALSE") + who(sample) + "\n" +
                     at(sample.at_ns + layer.shift_ns));
     };
-    for (const Sample& set : wave.sets) spot(set, "set", "set to");
-    for (const Sample& read : wave.reads) spot(read, "read", "read as");
+    const auto spots = [&](const std::vector<Sample>& samples, const char* style, const char* what) {
+      const Sample* last = nullptr;
+      for (const Sample& sample : samples) {
+        const bool near = last != nullptr && last->value == sample.value &&
+                          x(layer, sample.at_ns) - x(layer, last->at_ns) < spot_width;
+        if (near && has_crowds(layer) && !is_edge(layer, sample.at_ns)) continue;
+        spot(sample, style, what);
+        last = &sample;
+      }
+    };
+    spots(wave.sets, "set", "set to");
+    spots(wave.reads, "read", "read as");
   }
 }
 

@@ -24,7 +24,7 @@ struct Round {
   std::size_t events;
   std::uint64_t runs;
 };
-constexpr std::array<Round, 2> rounds{{{1'500, 8}, {30'000, 4}}};
+constexpr std::array<Round, 2> rounds{{{1'500, 8}, {12'000, 4}}};
 
 /// SimulationOptions::seldom of one run after the other.
 constexpr std::array<std::uint64_t, 4> seldom{16, 64, 4, 0};
@@ -125,6 +125,7 @@ class Search {
         how.max_events = round.events;
         how.stop = stop_;
         how.record = false;
+        how.hash_states = true;
         if (auto found = in(simulate(machine_, how))) return found;
       }
     }
@@ -133,18 +134,16 @@ class Search {
 
  private:
   /// Stretches that look as if they could be repeated, the first ones first.
-  std::vector<Stretch> candidates(const Simulation& made) const {
+  static std::vector<Stretch> candidates(const Simulation& made) {
     std::vector<Stretch> found;
     std::unordered_map<std::size_t, std::size_t> met;
-    Player player(machine_, made.script);
     std::size_t m = 0;  // of the measurements, the first behind this firing
     std::vector<std::size_t> behind;
-    do {
-      const std::size_t k = player.at();
+    for (std::size_t k = 0; k < made.script.size(); ++k) {
       while (m < made.measured.size() && made.measured_after[m] <= k + 1) ++m;
       behind.push_back(m);
       if (m == made.measured.size()) break;
-      const auto [place, is_new] = met.try_emplace(Snapshot(player.run()).hash(), k);
+      const auto [place, is_new] = met.try_emplace(made.states[k], k);
       const std::size_t before = std::exchange(place->second, k);
       if (is_new) continue;
       const Measurement& first = made.measured[behind[before]];
@@ -152,7 +151,7 @@ class Search {
       if (!same || made.script[before].at == made.script[k].at) continue;
       found.push_back({before, k, made.measured_after[behind[before]] - 1, first});
       if (found.size() == most_confirmations) break;
-    } while (player.go());
+    }
     return found;
   }
 

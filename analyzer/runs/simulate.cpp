@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analyzer/runs/dice.hpp"
+#include "analyzer/runs/snapshot.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -180,6 +181,7 @@ class Run {
   void note(int fired, Nanoseconds at, std::vector<std::uint8_t> choices) {
     made_.script.push_back({fired, std::move(choices), at});
     made_.measured_after.resize(concrete_run_.measured().size(), made_.script.size());
+    if (options_.hash_states) made_.states.push_back(hash_of_snapshot(concrete_run_));
     made_.end = at;
   }
 

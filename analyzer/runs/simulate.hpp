@@ -23,6 +23,7 @@ struct SimulationOptions {
   std::size_t max_events = 1'000'000;
   std::function<bool()> stop;  // asked at each event; where it says so the run is known no further
   bool record = true;
+  bool hash_states = false;  // fills Simulation::states
   /// By device, where not empty: the instant of its first event or frame, counted from its opening; -1:
   /// drawn.
   Table<DeviceId, Nanoseconds> phases;
@@ -36,6 +37,7 @@ struct Simulation {
   std::vector<Measurement> measured;
   std::vector<ScriptedFiring> script;       // what fired: replay() makes the same run
   std::vector<std::size_t> measured_after;  // for each of `measured`: the number of firings before
+  std::vector<std::size_t> states;          // behind each firing, if asked for: hash_of_snapshot()
   bool ended = false;                       // the skill did
   bool failed = false;                      // an event of what is watched can have no response
   Nanoseconds end = 0;                      // all that happens up to then is known

@@ -15,15 +15,17 @@ class Snapshot {
  public:
   explicit Snapshot(const ConcreteRun& run);
 
-  std::size_t hash() const;
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
 
- private:
   /// Best and worst time, what is done of it, and whether it is frozen.
   using Timer = std::tuple<Nanoseconds, Nanoseconds, Nanoseconds, bool>;
 
+ private:
   State state_;
   std::vector<std::optional<Timer>> timers_;
 };
+
+/// The same for runs with the same snapshot. No snapshot is made for it.
+std::size_t hash_of_snapshot(const ConcreteRun& run);
 
 }  // namespace pal::analyzer

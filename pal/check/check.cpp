@@ -22,8 +22,9 @@ namespace {
 
 class Checker {
  public:
-  Checker(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics, const std::function<bool()>& stop)
-      : trees_(trees), diagnostics_(diagnostics), stop_(stop) {}
+  Checker(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics, const std::function<bool()>& stop,
+          Depth depth)
+      : trees_(trees), diagnostics_(diagnostics), stop_(stop), depth_(depth) {}
 
   Specification check() {
     find_twice();
@@ -101,17 +102,56 @@ class Checker {
     return true;
   }
 
+  /// Names that are declared nowhere, in files with syntax errors. A declaration without its name, or one on
+  /// a line that was left out, may be that of any of them: then nothing is said.
+  void look_up_names(const check::Scope& scope, const syntax::SkillUnit& skill) {
+    for (const auto tree : scope.trees) {
+      if (trees_[tree].lost || !has_all_names(trees_[tree])) return;
+    }
+    Diagnostics found;
+    check::build_network(scope, skill, found);
+    for (const Diagnostic& each : found.all()) {
+      switch (each.code) {
+        case Code::PAL0201:
+        case Code::PAL0202:
+        case Code::PAL0203:
+        case Code::PAL0204: {
+          auto& told = diagnostics_.report(each.code, each.where, each.message, each.hint);
+          told.notes = each.notes;
+          told.fix = each.fix;
+          break;
+        }
+        default:
+          break;
+      }
+    }
+  }
+
+  static bool has_all_names(const syntax::Tree& tree) {
+    return std::all_of(tree.units.begin(), tree.units.end(), [](const syntax::Unit& unit) {
+      if (const auto* message = std::get_if<syntax::MessageUnit>(&unit)) return !message->name.text.empty();
+      if (const auto* condition = std::get_if<syntax::ConditionUnit>(&unit))
+        return !condition->name.text.empty();
+      if (const auto* device = std::get_if<syntax::DeviceUnit>(&unit)) return !device->name.text.empty();
+      const auto* module = std::get_if<syntax::ModuleUnit>(&unit);
+      if (module == nullptr) return true;
+      return !module->name.text.empty() &&
+             std::none_of(module->activities.begin(), module->activities.end(),
+                          [](const auto& activity) { return activity.name.text.empty(); });
+    });
+  }
+
   void check_skill(std::size_t index, const syntax::SkillUnit& skill) {
     const auto scope = check::scope_of(trees_, index, diagnostics_);
     used_.insert(scope.trees.begin(), scope.trees.end());
     // What a syntax error hides would be missed everywhere else.
-    if (!complete(scope)) return;
+    if (!complete(scope)) return look_up_names(scope, skill);
     const auto before = diagnostics_.all().size();
     const auto errors_before = diagnostics_.errors();
     auto network = check::build_network(scope, skill, diagnostics_);
     const bool sound = every_name_known(before);
     check_network(network, sound);
-    if (sound && diagnostics_.errors() == errors_before)
+    if (depth_ == Depth::all && sound && diagnostics_.errors() == errors_before)
       check::check_deadlocks(network, pan::Flow(network), diagnostics_, stop_);
     result_.skills.push_back(std::move(network));
     std::set<FileId> files;
@@ -218,6 +258,7 @@ class Checker {
   const std::vector<syntax::Tree>& trees_;
   Diagnostics& diagnostics_;
   const std::function<bool()>& stop_;
+  const Depth depth_;
   Specification result_;
   std::set<std::size_t> used_;
   Declared environments_;
@@ -229,8 +270,8 @@ class Checker {
 }  // namespace
 
 Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
-                    const std::function<bool()>& stop) {
-  return Checker(trees, diagnostics, stop).check();
+                    const std::function<bool()>& stop, Depth depth) {
+  return Checker(trees, diagnostics, stop, depth).check();
 }
 
 }  // namespace pal::check

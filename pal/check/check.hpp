@@ -25,11 +25,15 @@ struct Specification {
   std::vector<pan::Network> sketches;
 };
 
+/// How much is checked.
+enum class Depth { all, without_deadlocks };
+
 /// Looks up every name, builds the networks, and reports everything that can be found without times. A file
 /// sees its own declarations and those of the files that it USES; each skill is checked with what its own
 /// file sees. `stop` is called again and again by checks that may take long, such as the search for
 /// deadlocks. If it returns true, they end undecided. Empty: they take as long as they need.
+/// Where a file has syntax errors, names alone are looked up, if all declarations could be read.
 Specification check(const std::vector<syntax::Tree>& trees, Diagnostics& diagnostics,
-                    const std::function<bool()>& stop = {});
+                    const std::function<bool()>& stop = {}, Depth depth = Depth::all);
 
 }  // namespace pal::check

@@ -61,7 +61,7 @@ class SourceReader {
       trees_.push_back(drawn ? syntax::parse_dot(sources_, file, diagnostics_)
                              : syntax::parse(sources_, file, diagnostics_));
     } else {
-      trees_.push_back({file, false, {}});
+      trees_.push_back({file, false, true, {}});
     }
     return file;
   }

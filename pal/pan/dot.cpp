@@ -94,7 +94,7 @@ class DotWriter {
     const auto* choose = as<Choose>(i);
     for (std::size_t arm = 0; choose != nullptr && arm < choose->guards.size(); ++arm) {
       DotAttributes guard = {{"pal_kind", "guard"}, {"pal_guard", guard_text(network_, choose->guards[arm])}};
-      add(look_.arm(choose->guards[arm], reached), guard);
+      add(look_.arm(i, arm, reached), guard);
       guard.emplace_back("group", arm_column(i, arm));
       line("  " + arm_name(i, arm) + " " + dot_list(guard));
     }

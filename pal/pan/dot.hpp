@@ -2,6 +2,8 @@
 // attributes.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@ struct DotOptions {
   Direction direction = Direction::top_down;
   /// Statements as capital letters and conditions as c1, c2, …, with a key to both.
   bool letters = false;
+  /// The condition of a CASE's arm, or of an UNTIL (arm 0), as its author wrote it. Where there is no
+  /// function or no text, it is drawn as guard_text() spells it. Letters do not ask for it.
+  std::function<std::string(NodeId node, std::size_t arm)> written{};
 };
 
 /// The graph of a module that has a body. Every node and edge carries its whole content in attributes that

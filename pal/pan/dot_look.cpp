@@ -53,9 +53,10 @@ DotAttributes DotLook::node(std::size_t node, bool reached) const {
   return look;
 }
 
-DotAttributes DotLook::arm(const Guard& guard, bool reached) const {
+DotAttributes DotLook::arm(std::size_t node, std::size_t arm, bool reached) const {
+  const Guard& of = std::get<Choose>(body(node).content).guards[arm];
   DotAttributes look = {
-      {"label", this->guard(guard)}, {"style", "filled,rounded"}, {"fillcolor", condition_fill}};
+      {"label", guard(of, node, arm)}, {"style", "filled,rounded"}, {"fillcolor", condition_fill}};
   if (!reached) make_pale(look);
   return look;
 }
@@ -133,8 +134,10 @@ DotAttributes DotLook::pale_edge() {
   return {{"color", pale}, {"style", "dashed"}};
 }
 
-std::string DotLook::guard(const Guard& it) const {
-  return options_.letters ? letters_.guard(it) : wrapped(guard_text(network_, it));
+std::string DotLook::guard(const Guard& it, std::size_t node, std::size_t arm) const {
+  if (options_.letters) return letters_.guard(it);
+  const std::string written = options_.written ? options_.written(NodeId(node), arm) : std::string();
+  return wrapped(written.empty() ? guard_text(network_, it) : written);
 }
 
 DotAttributes DotLook::box(std::size_t i, const char* fill, const char* ink) const {
@@ -191,10 +194,10 @@ DotAttributes DotLook::of(const Merge&, std::size_t) const {
 DotAttributes DotLook::of(const Loop&, std::size_t) const {
   return dot("circle", "0.14", "white");
 }
-DotAttributes DotLook::of(const Until& until, std::size_t) const {
+DotAttributes DotLook::of(const Until& until, std::size_t i) const {
   if (!until.guard) return dot("circle", "0.14", "white");
-  const std::string text =
-      options_.letters ? "until " + guard(*until.guard) : "UNTIL( " + guard(*until.guard) + " )";
+  const std::string condition = guard(*until.guard, i, 0);
+  const std::string text = options_.letters ? "until " + condition : "UNTIL( " + condition + " )";
   return {{"label", text}, {"style", "filled,rounded"}, {"fillcolor", condition_fill}};
 }
 DotAttributes DotLook::of(const Fork&, std::size_t i) const {

@@ -16,7 +16,7 @@ class DotLook {
   /// Of a node; pale if no flow reaches it.
   DotAttributes node(std::size_t node, bool reached) const;
   /// Of the condition that an arm of a CASE begins with.
-  DotAttributes arm(const Guard& guard, bool reached) const;
+  DotAttributes arm(std::size_t node, std::size_t arm, bool reached) const;
   /// Of the graph, with its title, and the key to letters if there are any.
   DotAttributes graph() const;
   /// What nodes and edges have in common.
@@ -39,13 +39,13 @@ class DotLook {
   DotAttributes of(const Choose&, std::size_t) const;
   DotAttributes of(const Merge&, std::size_t) const;
   DotAttributes of(const Loop&, std::size_t) const;
-  DotAttributes of(const Until& until, std::size_t) const;
+  DotAttributes of(const Until& until, std::size_t i) const;
   DotAttributes of(const Fork&, std::size_t i) const;
   DotAttributes of(const Join&, std::size_t i) const;
 
   DotAttributes box(std::size_t i, const char* fill, const char* ink = "black") const;
   DotAttributes bar(std::size_t blocks) const;
-  std::string guard(const Guard& it) const;
+  std::string guard(const Guard& it, std::size_t node, std::size_t arm) const;
   std::string sign_rows(std::size_t columns) const;
   std::string signs(const std::string& title) const;
   bool downwards() const { return options_.direction == DotOptions::Direction::top_down; }

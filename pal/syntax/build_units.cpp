@@ -15,7 +15,10 @@ Tree Builder::build(Parser::FileContext* file) {
 }
 
 std::optional<Unit> Builder::unit(Parser::UnitContext* context) {
-  if (auto* c = context->uses()) return uses(c);
+  if (auto* c = context->uses()) {
+    if (is_made_up(c->STRING()->getSymbol())) return std::nullopt;
+    return uses(c);
+  }
   if (auto* c = context->messageUnit()) return message_unit(c);
   if (auto* c = context->conditionUnit()) return condition_unit(c);
   if (auto* c = context->deviceUnit()) return device_unit(c);

@@ -60,19 +60,22 @@ void add(const antlr4::misc::IntervalSet& from, std::set<std::size_t>& types) {
   }
 }
 
-/// What would have gone on from where a decision failed.
-void add_dead_ends(antlr4::Parser* parser, std::exception_ptr error, std::set<std::size_t>& types) {
+}  // namespace
+
+antlr4::misc::IntervalSet expected_tokens(antlr4::Parser* parser, const std::exception_ptr& error) {
   try {
-    std::rethrow_exception(std::move(error));
+    if (error) std::rethrow_exception(error);
   } catch (const antlr4::NoViableAltException& exception) {
-    if (exception.getDeadEndConfigs() == nullptr) return;
+    const bool at_once = exception.getStartToken() == exception.getOffendingToken();
+    if (at_once || exception.getDeadEndConfigs() == nullptr) return parser->getExpectedTokens();
+    antlr4::misc::IntervalSet all;
     for (const auto& config : exception.getDeadEndConfigs()->configs)
-      add(parser->getATN().nextTokens(config->state), types);
+      all.addAll(parser->getATN().nextTokens(config->state));
+    return all;
   } catch (const antlr4::RecognitionException&) {
   }
+  return parser->getExpectedTokens();
 }
-
-}  // namespace
 
 std::size_t offending(std::exception_ptr error) {
   try {
@@ -128,12 +131,7 @@ bool FirstMistake::tell_missing_end(antlr4::Parser* parser, const antlr4::Token*
 void FirstMistake::reportNoViableAlternative(antlr4::Parser* parser, const antlr4::NoViableAltException& e) {
   const auto* at = e.getOffendingToken();
   if (tell_missing_end(parser, at)) return;
-  antlr4::misc::IntervalSet expected;
-  if (const auto* configs = e.getDeadEndConfigs()) {
-    for (const auto& config : configs->configs) expected.addAll(parser->getATN().nextTokens(config->state));
-  } else {
-    expected = getExpectedTokens(parser);
-  }
+  const auto expected = expected_tokens(parser, std::make_exception_ptr(e));
   tell_unexpected(parser, at, spelling(expected));
 }
 
@@ -206,7 +204,7 @@ void FirstMistake::stop(antlr4::Parser* parser, std::size_t at, std::exception_p
   mistake.finding = *told_;
   mistake.foreign = foreign_;
   add(parser->getExpectedTokens(), mistake.expected);
-  if (error) add_dead_ends(parser, error, mistake.expected);
+  add(expected_tokens(parser, error), mistake.expected);
   antlr4::tree::ParseTree* unit = parser->getContext();
   const auto is_file = [](const antlr4::tree::ParseTree* tree) {
     return dynamic_cast<const Parser::FileContext*>(tree) != nullptr;

@@ -18,6 +18,9 @@ namespace pal::syntax {
 /// The token that `error` says cannot stand where it does.
 std::size_t offending(std::exception_ptr error);
 
+/// What could stand where the parser cannot go on. Where a decision failed, what would have gone on there.
+antlr4::misc::IntervalSet expected_tokens(antlr4::Parser* parser, const std::exception_ptr& error);
+
 /// Throws ParseCancellationException at the first mistake.
 class FirstMistake : public antlr4::DefaultErrorStrategy {
  public:

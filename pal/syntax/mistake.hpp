@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "PalParser.h"
@@ -29,5 +30,16 @@ std::optional<Mistake> first_mistake(Tokens& tokens);
 /// How far a parser gets with these tokens: the index of the first token that cannot stand where it does, or
 /// the number of all tokens.
 std::size_t reach(std::vector<std::unique_ptr<antlr4::Token>> tokens, antlr4::TokenSource& text);
+
+/// What could stand at a place, and how a person is told.
+struct GoingOn {
+  std::set<std::size_t> types;
+  std::string spelling;
+};
+
+/// What could stand at token `place`, which fits nowhere. Nothing if a token before it cannot stand where it
+/// does.
+std::optional<GoingOn> going_on_at(std::size_t place, std::vector<std::unique_ptr<antlr4::Token>> tokens,
+                                    antlr4::TokenSource& text);
 
 }  // namespace pal::syntax

@@ -24,13 +24,14 @@ SourceSpan line_of(const SourceManager& sources, SourceSpan place) {
 Tree parse(const SourceManager& sources, FileId file, Diagnostics& diagnostics) {
   const auto findings_before = diagnostics.all().size();
   const Reading reading(file, sources.text(file), diagnostics);
-  if (reading.root() == nullptr) return {file, false, {}};
+  if (reading.root() == nullptr) return {file, false, true, {}};
   // What a mended line seems to say is not held against it.
   for (auto i = findings_before; i < diagnostics.all().size(); ++i) {
     diagnostics.distrust(line_of(sources, diagnostics.all()[i].where));
   }
   auto tree = Builder(reading.tokens(), diagnostics).build(reading.root());
   tree.complete = reading.complete();
+  tree.lost = reading.lost();
   return tree;
 }
 

@@ -76,6 +76,7 @@ Tree parse_dot(const SourceManager& sources, FileId file, Diagnostics& diagnosti
     }
   }
   tree.complete = diagnostics.errors() == errors_before;
+  tree.lost = !tree.complete;
   return tree;
 }
 

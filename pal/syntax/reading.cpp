@@ -9,6 +9,7 @@
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/syntax/first_mistake.hpp"
 #include "pal/syntax/repair.hpp"
+#include "pal/syntax/unfinished.hpp"
 
 namespace pal::syntax {
 
@@ -73,6 +74,13 @@ std::optional<Change> without_line(const Mistake& mistake, const Tokens& tokens)
   return Change{first, next - first, {}};
 }
 
+/// A sign that is missing. Other changes may make something else of the lines around: a heading of a
+/// statement, for one.
+bool adds_sign(const Change& change) {
+  return change.removed == 0 && change.added.size() == 1 && change.added.front() >= Parser::LEFT &&
+         change.added.front() < Parser::NAME;
+}
+
 void report(Diagnostic told, Diagnostics& diagnostics) {
   auto& finding = diagnostics.report(told.code, told.where, std::move(told.message), std::move(told.hint));
   finding.notes = std::move(told.notes);
@@ -80,23 +88,30 @@ void report(Diagnostic told, Diagnostics& diagnostics) {
 }
 
 /// Reports one mistake after the other. Each is mended before the next is looked for, or else its line is
-/// left out.
-void report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
+/// left out. Returns whether one was, or may have another meaning now, or the text behind one was left out.
+bool report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
   const bool is_long = tokens.all().size() > most_mended_tokens;
+  bool lost = false;
   for (std::size_t reported = 0;; ++reported) {
     const auto mistake = first_mistake(tokens);
-    if (!mistake) return;
-    if (is_made_up(tokens.all()[mistake->at])) return;  // not the user's mistake
+    if (!mistake) return lost;
+    if (is_made_up(tokens.all()[mistake->at])) return true;  // not the user's mistake
     if (reported == most_reports) {
       diagnostics.report(Code::PAL0104, mistake->finding.where,
                          "too many syntax errors; the rest of this file is not read",
                          "correct the first of them, and make sure that this file is PAL");
-      return;
+      return true;
+    }
+    if (auto line = is_long ? std::nullopt : unfinished_line(*mistake, tokens)) {
+      report(std::move(line->finding), diagnostics);
+      tokens.apply(line->change);
+      continue;
     }
     auto change = is_long ? std::nullopt : repair_of(*mistake, tokens);
     report(change ? told_by(*change, *mistake, tokens) : mistake->finding, diagnostics);
+    lost = lost || !change || !adds_sign(*change);
     if (!change) change = without_line(*mistake, tokens);
-    if (!change || is_long) return;
+    if (!change || is_long) return true;
     tokens.apply(*change);
   }
 }
@@ -123,12 +138,13 @@ Reading::Reading(FileId file, std::string_view text, Diagnostics& diagnostics)
   parser_->removeErrorListeners();  // the strategies report for themselves
   root_ = parse_quickly(*parser_);
   if (root_ == nullptr) {
-    report_mistakes(tokens_, diagnostics);
+    lost_ = report_mistakes(tokens_, diagnostics);
     tokens_.stream().seek(0);
     parser_.emplace(&tokens_.stream());
     parser_->removeErrorListeners();
     root_ = parse_carefully(*parser_, tokens_);
   }
+  lost_ = lost_ || tokens_.has_errors();
   complete_ = !tokens_.has_errors() && diagnostics.errors() == errors_before;
 }
 

@@ -23,12 +23,15 @@ class Reading {
   Parser::FileContext* root() const { return root_; }
   /// There were no errors.
   bool complete() const { return complete_; }
+  /// A line with a mistake, or the text behind one, was left out, or may have another meaning now.
+  bool lost() const { return lost_; }
 
  private:
   Tokens tokens_;
   std::optional<Parser> parser_;  // owns the tree
   Parser::FileContext* root_ = nullptr;
   bool complete_ = false;
+  bool lost_ = false;
 };
 
 }  // namespace pal::syntax

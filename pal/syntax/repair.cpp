@@ -166,8 +166,19 @@ bool is_other_word(const Change& one, const Change& other, const Mistake& mistak
 
 }  // namespace
 
+bool may_be_mended(const Mistake& mistake) {
+  return mistake.at >= mistake.unit_begin && mistake.at - mistake.unit_begin <= longest_unit;
+}
+
+bool gets_past(const Change& change, const Mistake& mistake, Tokens& tokens) {
+  const auto& all = tokens.all();
+  std::size_t next_line = mistake.at + 1;
+  while (next_line + 1 < all.size() && !tokens.first_on_line(all[next_line])) ++next_line;
+  return progress(change, mistake, sight, tokens) >= std::min(sight, next_line + 1 - mistake.at);
+}
+
 std::optional<Change> repair_of(const Mistake& mistake, Tokens& tokens) {
-  if (mistake.at < mistake.unit_begin || mistake.at - mistake.unit_begin > longest_unit) return std::nullopt;
+  if (!may_be_mended(mistake)) return std::nullopt;
   std::vector<Change> best;
   std::size_t furthest = least;
   for (Change& change : candidates(mistake, tokens)) {

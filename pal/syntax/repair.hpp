@@ -14,6 +14,12 @@ namespace pal::syntax {
 /// diagnosis and recovery", ACM TOPLAS 9(2), 1987. Nothing if there is none.
 std::optional<Change> repair_of(const Mistake& mistake, Tokens& tokens);
 
+/// False if its unit is so long that trying changes would take too long.
+bool may_be_mended(const Mistake& mistake);
+
+/// Whether the parser gets past `mistake` and into the next line after `change`.
+bool gets_past(const Change& change, const Mistake& mistake, Tokens& tokens);
+
 /// The mistake as `change` mends it: what is missing, too many or misspelled, with the fix if a program can
 /// make it.
 Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& tokens);

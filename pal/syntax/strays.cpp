@@ -228,6 +228,7 @@ class Reader {
   /// on.
   std::size_t activity(std::size_t at) {
     if (at + 1 >= all_.size() || !may_not_name_activity(all_[at + 1]->getType())) return at;
+    if (tokens_.first_on_line(all_[at + 1])) return at;  // the name is missing
     const auto* word = all_[at + 1];
     report(Code::PAL0101, tokens_.span(word),
            "'" + word->getText() + "' is a word of PAL, and cannot name an activity", "choose another name");

@@ -268,6 +268,7 @@ using Unit =
 struct Tree {
   FileId file{};
   bool complete = true;
+  bool lost = false;  // after syntax errors: lines may be missing, or have another meaning
   std::vector<Unit> units;  // in the order of the text
 };
 

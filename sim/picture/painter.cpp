@@ -7,7 +7,7 @@ namespace pal::sim {
 namespace {
 
 constexpr int most_shapes = 2000;
-constexpr int shadow_map = 4096;
+constexpr int shadow_map = 2048;
 
 mjvCamera camera_of(const View& view) {
   mjvCamera camera;

@@ -66,16 +66,15 @@ void arm_columns(Text& text, const Sample& sample) {
 // The latest message of each port with fields, as it stands at one sample after the other.
 class LatestMessages {
  public:
-  explicit LatestMessages(const MessageLog& messages) : messages_(messages) {
+  explicit LatestMessages(const MessageLog& messages)
+      : messages_(messages), reader_(messages), next_(reader_.next()) {
     for (const MessageLog::DeviceNames& device : messages.devices())
       latest_.emplace_back(device.ports.size());
   }
 
   void up_to(runtime::Time time) {
-    for (; next_ < messages_.messages().size() && messages_.messages()[next_].time <= time; ++next_) {
-      const LoggedMessage& message = messages_.messages()[next_];
-      latest_[message.device][message.port] = &message;
-    }
+    for (; next_ != nullptr && next_->time <= time; next_ = reader_.next())
+      latest_[next_->device][next_->port] = next_->fields;
   }
 
   void write(Text& text) const {
@@ -85,18 +84,21 @@ class LatestMessages {
   }
 
  private:
-  static void write(Text& text, const LoggedMessage* message, const std::vector<runtime::FieldSpec>& fields) {
+  /// No values: there was no message yet.
+  static void write(Text& text, const std::vector<double>& values,
+                    const std::vector<runtime::FieldSpec>& fields) {
     std::size_t place = 0;  // of the field's first value in the message
     for (const runtime::FieldSpec& field : fields) {
-      if (has_column(field) && message == nullptr) append(text, ",");
-      if (has_column(field) && message != nullptr) append(text, ",{:.6g}", message->fields[place]);
+      if (has_column(field) && values.empty()) append(text, ",");
+      if (has_column(field) && !values.empty()) append(text, ",{:.6g}", values[place]);
       place += field.count;
     }
   }
 
   const MessageLog& messages_;
-  std::vector<std::vector<const LoggedMessage*>> latest_;
-  std::size_t next_ = 0;
+  MessageLog::Reader reader_;
+  const LoggedMessage* next_;
+  std::vector<std::vector<std::vector<double>>> latest_;  // values, by device and port
 };
 
 }  // namespace

@@ -1,10 +1,14 @@
 // The messages through the ports of the devices: commands to them, readings from them.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "pal/runtime/observer.hpp"
+#include "pal/trace/spool.hpp"
 
 namespace pal::sim {
 
@@ -15,9 +19,11 @@ struct LoggedMessage {
   std::vector<double> fields;
 };
 
-/// Records the messages of a run. Give it to the run as its observer.
+/// Records the messages of a run, on the disk as they come. Give it to the run as its observer.
 class MessageLog final : public runtime::MessageObserver {
  public:
+  /// Throws std::runtime_error if there can be no temporary file.
+  MessageLog();
   void passed(runtime::Time when, const runtime::Device& device, std::size_t port,
               std::span<const double> fields) override;
 
@@ -27,14 +33,36 @@ class MessageLog final : public runtime::MessageObserver {
   };
   /// Those that messages with fields went to or came from, in the order in which they were first seen.
   const std::vector<DeviceNames>& devices() const { return devices_; }
-  /// In the order in which they passed.
-  const std::vector<LoggedMessage>& messages() const { return messages_; }
+  std::size_t size() const { return size_; }
+  /// Some were lost, because the disk was full.
+  bool failed() const { return file_->failed(); }
+  /// All messages, in the order in which they passed.
+  void for_each(const std::function<void(const LoggedMessage&)>& see) const;
+
+  /// Reads the messages one by one, in the order in which they passed. The log outlives it.
+  class Reader {
+   public:
+    explicit Reader(const MessageLog& log) : log_(log) {}
+    /// The next message; nullptr behind the last one. It is valid until the next call.
+    const LoggedMessage* next();
+
+   private:
+    bool take(void* to, std::size_t count);
+
+    const MessageLog& log_;
+    std::vector<std::byte> room_;
+    std::size_t taken_ = 0;   // of `room_`
+    std::size_t offset_ = 0;  // in the file, behind `room_`
+    LoggedMessage message_;
+  };
 
  private:
   std::size_t number_of(const runtime::Device& device);
 
   std::vector<DeviceNames> devices_;
-  std::vector<LoggedMessage> messages_;
+  std::shared_ptr<trace::SpoolFile> file_;
+  std::vector<std::byte> record_;  // the one that is written
+  std::size_t size_ = 0;
 };
 
 }  // namespace pal::sim

@@ -51,13 +51,13 @@ std::vector<Readings> force_readings(const MessageLog& messages) {
       const auto fz = std::find(fields.begin(), fields.end(), runtime::FieldSpec{"fz", "N"});
       if (names.ports[port].to_device || fz == fields.end()) continue;
       Readings readings{names.name + " " + names.ports[port].message, "time_s,pressing_N\n"};
-      for (const LoggedMessage& message : messages.messages()) {
-        if (message.device != device || message.port != port) continue;
+      messages.for_each([&](const LoggedMessage& message) {
+        if (message.device != device || message.port != port) return;
         const double force = -message.fields[static_cast<std::size_t>(fz - fields.begin())];
         readings.csv += fmt::format("{:.6f},{:.4f}\n", seconds(message.time), force);
         readings.least = std::min(readings.least, force);
         readings.greatest = std::max(readings.greatest, force);
-      }
+      });
       if (readings.csv.back() == '\n' && std::count(readings.csv.begin(), readings.csv.end(), '\n') > 1)
         result.push_back(std::move(readings));
     }
@@ -93,9 +93,8 @@ std::vector<ForceLevel> near_levels(const std::vector<ForceLevel>& levels, doubl
 bool shows_force(const std::vector<Sample>& log, const MessageLog& messages,
                  const ForcePlotOptions& options) {
   if (!options.levels.empty() || !options.bands.empty() || !force_readings(messages).empty()) return true;
-  return std::any_of(log.begin(), log.end(), [](const Sample& sample) {
-    return sample.contact_force > 0 || sample.grip_force > 0;
-  });
+  return std::any_of(log.begin(), log.end(),
+                     [](const Sample& sample) { return sample.contact_force > 0 || sample.grip_force > 0; });
 }
 
 std::vector<std::size_t> telling_rows(const std::vector<double>& value, std::size_t most) {
@@ -126,8 +125,10 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
   if (const auto gripped = grip_csv(log)) {
     plot.data.emplace_back("grip.csv", *gripped);
     for (const Sample& sample : log) high = std::max(high, sample.grip_force);
-    grip = fmt::format(", \\\n  'grip.csv' skip 1 using 1:2 with lines linewidth 1.6 linecolor \"{}\" title 'grip of each finger'",
-                       PlotColours::wanted);
+    grip = fmt::format(
+        ", \\\n  'grip.csv' skip 1 using 1:2 with lines linewidth 1.6 linecolor \"{}\" title 'grip of each "
+        "finger'",
+        PlotColours::wanted);
   }
   for (const ForceBand& band : options.bands) high = std::max(high, band.high);
   std::string readings;
@@ -158,7 +159,8 @@ Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, cons
         "set label {2} at graph 0.01, first {0:g} offset 0,0.6 textcolor \"{1}\"\n",
         level.newtons, PlotColours::limit, quoted(fmt::format("{} {:g} N", level.label, level.newtons)));
   plot.script += fmt::format(
-      "plot 'force.csv' skip 1 using 1:2 with lines linewidth 1.6 linecolor \"{}\" title 'contact force'{}{}\n",
+      "plot 'force.csv' skip 1 using 1:2 with lines linewidth 1.6 linecolor \"{}\" title 'contact "
+      "force'{}{}\n",
       PlotColours::actual, grip, readings);
   return plot;
 }

@@ -61,6 +61,7 @@ void SampleSpool::for_each(const std::function<void(const Sample&)>& see) const 
 
 std::vector<Sample> SampleSpool::telling(std::size_t most) const {
   std::vector<Sample> kept;
+  kept.reserve(std::min(size(), most));
   if (size() <= most) {
     for_each([&kept](const Sample& sample) { kept.push_back(sample); });
     return kept;

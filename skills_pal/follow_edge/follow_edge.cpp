@@ -35,6 +35,12 @@ constexpr double beside_edge = 1, square_to_it = 2;
 // Profiles within which the tool must come nearer to the edge by `nearer` mm while it aligns.
 constexpr int patience = 60;
 constexpr double nearer = 0.3;
+// So far off the tool may be when it begins, mm and deg.
+constexpr double farthest_off = 400, most_askew = 45;
+// s, for a step of the correction while the tool aligns: twice a cycle. The thesis's law makes a step for
+// every second profile.
+constexpr double for_a_step = 0.056, for_a_step_literal = 0.156;
+constexpr double to_settle = 10;  // s
 // mm in a cycle: what turning about the edge may add to the range finder's way.
 constexpr double most_swing = 3.5;
 constexpr double interpreting = 3;  // ms from a profile's end until the skill knows the edge, in the mean
@@ -78,14 +84,16 @@ class Method final : public SM1Activities {
     off_ = 0;
     least_off_ = 1e9;
     since_nearer_ = 0;
-    far_off_ = 0;
+    far_off_ = aligning_ = 0;
     most_turn_ = std::min(parameters.rotation, most_swing / (parameters.standoff * 10) / degree);
+    most_aligning_ = static_cast<int>(1000 / cycle * time_to_align());
     law_.start({parameters.translation, most_turn_}, parameters.history, parameters.standoff * 10);
   }
 
   Motion track(const Edge& edge) override {
     take_back_what_was_dropped();
     clock_.tick();
+    if (!aligned()) ++aligning_;
     if (edge.at > last_at_) {
       last_at_ = edge.at;
       if (edge.seen) see(edge);
@@ -106,7 +114,7 @@ class Method final : public SM1Activities {
   bool decide_pc_lost(const Edge& edge) override {
     unseen_ = edge.seen ? 0 : unseen_ + 1;
     return unseen_ >= lost_after || strays_ >= lost_after || far_off_ >= lost_after ||
-           since_nearer_ >= patience;
+           since_nearer_ >= patience || aligning_ > most_aligning_;
   }
   bool decide_pc_end() override { return gone_ >= parameters_.distance * 10; }
 
@@ -130,9 +138,16 @@ class Method final : public SM1Activities {
     return motion.empty() ? Eigen::Isometry3d::Identity() : motion.at(instant);
   }
 
+  bool aligned() const { return parameters_.literal ? law_.aligned() : aligned_; }
+  // At the most, s: longest.def promises no more.
+  double time_to_align() const {
+    const double each = parameters_.literal ? for_a_step_literal : for_a_step;
+    return each * (farthest_off / parameters_.translation + most_askew / most_turn_) + to_settle;
+  }
+
   // Along the edge in this cycle: nothing while the tool still aligns.
   double way() const {
-    if (parameters_.literal ? !law_.aligned() : !aligned_) return 0;
+    if (!aligned()) return 0;
     return std::min(parameters_.track, parameters_.distance * 10 - gone_);
   }
 
@@ -153,7 +168,7 @@ class Method final : public SM1Activities {
   // the edge must stay near.
   void watch(const Edge& edge) {
     off_ = std::hypot(edge.y, edge.z - parameters_.standoff * 10);
-    const bool was_aligned = parameters_.literal ? law_.aligned() : aligned_;
+    const bool was_aligned = aligned();
     aligned_ = aligned_ || (off_ <= beside_edge && std::abs(edge.slope) <= square_to_it);
     const double most = parameters_.literal ? strays_from_literal : strays_from;
     far_off_ = was_aligned && off_ > most ? far_off_ + 1 : 0;
@@ -228,11 +243,12 @@ class Method final : public SM1Activities {
   int unseen_ = 0;  // profiles without an edge, one after the other
   int strays_ = 0;  // profiles with another edge, one after the other
   bool aligned_ = false;
-  double off_ = 0;        // mm, as the newest profile shows it
-  double least_off_ = 0;  // mm and deg together, while the tool aligns
-  int since_nearer_ = 0;  // profiles
-  int far_off_ = 0;       // profiles, one after the other
-  double most_turn_ = 0;  // deg in a cycle
+  double off_ = 0;                        // mm, as the newest profile shows it
+  double least_off_ = 0;                  // mm and deg together, while the tool aligns
+  int since_nearer_ = 0;                  // profiles
+  int far_off_ = 0;                       // profiles, one after the other
+  int aligning_ = 0, most_aligning_ = 0;  // cycles
+  double most_turn_ = 0;                  // deg in a cycle
   LiteralLaw law_;
 };
 

@@ -30,6 +30,7 @@ constexpr double contact = 0.4;                         // N: less is felt in th
 constexpr int most_in_air = 5;                          // cycles: a surface that goes on is met again by then
 constexpr int calm_cycles = 5;                          // in the band at the end of the way, without a motion
 constexpr double landing_limit = 10, ending_limit = 2;  // s
+constexpr double down_limit = 60;  // s: a band that is too soft hardly brings the tool down
 
 class Method final : public SM1Activities {
  public:
@@ -43,7 +44,7 @@ class Method final : public SM1Activities {
     along_y_ = std::sin(angle);
     regulator_.start((hardest_ + softest_) / 2, parameters.stiffness, parameters.vertical);
     gone_ = sunk_ = 0;
-    in_band_ = sliding_ = landing_ = in_air_ = ending_ = calm_ = 0;
+    in_band_ = sliding_ = down_ = landing_ = in_air_ = ending_ = calm_ = 0;
     stopped_ = failed_ = false;
   }
 
@@ -147,6 +148,8 @@ class Method final : public SM1Activities {
       in_band_ = force >= std::max(softest_, contact) && force <= hardest_ ? in_band_ + 1 : 0;
     }
     if (sunk_ > farthest) throw std::runtime_error("no surface within 20 mm");
+    if (++down_ * alter_period > down_limit)
+      throw std::runtime_error("the tool has not landed within 60 s: is the band too soft to bring it down?");
     if (landing_ * alter_period > landing_limit)
       throw std::runtime_error("the tool does not come to rest in its band: is the stiffness right?");
     return in_band_ >= landed_cycles;
@@ -160,7 +163,8 @@ class Method final : public SM1Activities {
   double sunk_ = 0;  // mm, most towards the surface before the tool landed
   int in_band_ = 0;  // cycles, before the tool slides
   int sliding_ = 0;  // cycles, no more than cycles_to_speed
-  int landing_ = 0;  // cycles since it touched, before it slides
+  int down_ = 0;     // cycles before it slides
+  int landing_ = 0;  // of those, since it touched
   int in_air_ = 0;   // cycles, one after the other
   int ending_ = 0;   // cycles at the end of the way
   int calm_ = 0;     // of those, in the band without a motion

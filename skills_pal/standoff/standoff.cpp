@@ -1,6 +1,7 @@
 #include "skills_pal/standoff/standoff.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "skills_pal/modules/alter.hpp"
 #include "skills_pal/modules/looking.hpp"
@@ -15,7 +16,10 @@ using namespace standoff;
 
 constexpr int looks = 8;       // that are averaged
 constexpr double fine = 0.03;  // mm: what going on would not make better
-constexpr int most_rounds = 3;
+constexpr int good_rounds = 3;
+// A surface that does not stay where it is is not followed for ever.
+constexpr int most_rounds = 10;
+constexpr double most_way = 700;  // mm: twice from one end of what the range finder sees to the other
 
 class Method final : public SM1Activities {
  public:
@@ -26,6 +30,7 @@ class Method final : public SM1Activities {
     count_ = 0;
     within_ = false;
     rounds_ = 0;
+    gone_ = 0;
   }
 
   Motion step(const Distance& distance) override {
@@ -47,16 +52,21 @@ class Method final : public SM1Activities {
     sum_ = 0;
     count_ = 0;
     // A little further if that still makes it better.
-    const bool best = std::abs(error) <= fine || ++rounds_ > most_rounds;
+    const bool best = std::abs(error) <= fine || ++rounds_ > good_rounds;
     within_ = std::abs(error) <= parameters_.tolerance && best;
+    if (within_) return;
+    gone_ += std::abs(error);
+    if (rounds_ > most_rounds || gone_ > most_way)
+      throw std::runtime_error("the surface does not stay within the tolerance of its distance");
     Way way;
     way.dz = error;
-    if (!within_) looking_.go(way);
+    looking_.go(way);
   }
 
   Parameters parameters_;
   Looking looking_;
-  double sum_ = 0;  // mm
+  double sum_ = 0;   // mm
+  double gone_ = 0;  // mm, there and back
   int count_ = 0;
   int rounds_ = 0;
   bool within_ = false;

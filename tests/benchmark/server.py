@@ -216,7 +216,7 @@ def channels():
 
             run()
             without, with_two, readers = [], [], []
-            for _ in range(9 if paced else 3):
+            for _ in range(20 if paced else 3):
                 without.append(run())
                 watchers = [quiet(server, "viewer") for _ in range(2)]
                 for each in watchers:
@@ -242,6 +242,20 @@ def channels():
             server.end()
 
 
+class LiveReader(multiprocessing.Process):
+    """Takes live data, answers pings, and keeps nothing."""
+
+    def __init__(self, client):
+        super().__init__(daemon=True)
+        self.client, self.samples = client, multiprocessing.Value("q", 0)
+
+    def run(self):
+        while True:
+            self.client.step()
+            self.samples.value += sum(message["head"]["spans"] for message in self.client.events if "head" in message)
+            self.client.events.clear()
+
+
 class Watcher(threading.Thread):
     """Reads its events as a page does, answers pings, and keeps nothing."""
 
@@ -261,6 +275,11 @@ def memory():
     try:
         asks, watcher = quiet(server), Watcher(quiet(server, "viewer"))
         watcher.start()
+        live = quiet(server, "viewer")
+        names = [each["channel"] for each in live.call("channels.list")]
+        live.call("channels.watch", channels=[{"channel": name, "period_s": 0.001, "binary": True} for name in names])
+        reader = LiveReader(live)
+        reader.start()
         text = long_operation(20)
         asks.call("operation.load", main="f", files={"f": text})
         marks, runs, spent, last = [], 0, 0, time.monotonic()
@@ -277,7 +296,10 @@ def memory():
                 print(f"memory: {spent / 60:.0f} min, {runs} runs: {marks[-1]:.1f} MiB", flush=True)
             now = time.monotonic()
             spent, last = spent + min(now - last, 5), now  # the time in which a signal held this program up does not count
-        assert watcher.is_alive(), "the watcher was let go"
+        assert watcher.is_alive() and reader.is_alive(), "a client was let go"
+        half = marks[len(marks) // 2:]
+        print(f"memory: all channels at their full rate went to a client, {reader.samples.value / 1e6:.1f} million spans; in the second half "
+              f"{(half[-1] - half[0]) / max(1, len(half) - 1) * 12 / given.minutes:+.2f} MiB a minute")
         print(f"memory: over {given.minutes:g} min and {runs} runs of an operation of 20 skills: "
               f"{', '.join(f'{each:.0f}' for each in marks)} MiB")
     finally:

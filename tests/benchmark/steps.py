@@ -66,14 +66,13 @@ def system(steps, processors=PROCESSORS, seed=1):
 
 
 def check(pal, files, *options):
-    """The reports of `pal check`, and the processor time of all of them in seconds."""
+    """What `pal check` prints of each file, and the processor time of all of them in seconds."""
     def used():
         children = resource.getrusage(resource.RUSAGE_CHILDREN)
         return children.ru_utime + children.ru_stime
     begin = used()
-    runs = [subprocess.run([pal, "check", file, "--format", "json", "--statistics", *options], capture_output=True, text=True,
-                           check=False) for file in files]
-    return [json.loads(run.stdout) for run in runs], used() - begin
+    runs = [subprocess.run([pal, "check", file, *options], capture_output=True, text=True, check=False) for file in files]
+    return [run.stdout for run in runs], used() - begin
 
 
 def row(pals, name, texts, folder):
@@ -83,17 +82,19 @@ def row(pals, name, texts, folder):
         pathlib.Path(files[-1]).write_text(text)
     best = {}
     for _ in range(TURNS):
-        for analysis in ("auto", "compositional"):
-            for pal in pals:
-                reports, seconds = check(pal, files, "--analysis", analysis)
-                proofs = sum(report["statistics"]["seconds"] for report in reports)
-                best[pal, analysis] = min(best.get((pal, analysis), (seconds, proofs)), (seconds, proofs))
+        for pal in pals:
+            for analysis in ("auto", "compositional"):
+                best[pal, analysis] = min(best.get((pal, analysis), 1e9), check(pal, files, "--analysis", analysis)[1])
+            texts, seconds = check(pal, files, "--analysis", "compositional", "--format", "json", "--statistics")
+            reports = [json.loads(text) for text in texts]
+            proofs = sum(report["statistics"]["seconds"] for report in reports)
+            best[pal, "json"] = min(best.get((pal, "json"), (seconds, proofs)), (seconds, proofs))
     rows = [each for report in reports for each in report["requirements"]]
     held = sum(1 for each in rows if each["verdict"] == "holds")
     for pal in pals:
-        (default, _), (bounds, proofs) = best[pal, "auto"], best[pal, "compositional"]
-        print(f"| {name} | {default:.2f} s | {bounds:.2f} s | {proofs:.2f} s | {held} of {len(rows)} |" + (f" {pal} |" if len(pals) > 1 else ""),
-              flush=True)
+        default, compositional, (as_json, proofs) = best[pal, "auto"], best[pal, "compositional"], best[pal, "json"]
+        print(f"| {name} | {default:.2f} s | {compositional:.2f} s | {as_json:.2f} s | {proofs:.2f} s | {held} of {len(rows)} |"
+              + (f" {pal} |" if len(pals) > 1 else ""), flush=True)
 
 
 def main():
@@ -106,7 +107,7 @@ def main():
         print(system(options.steps), end="")
         return
     pals = options.pal or [str(ROOT / "build/release/bin/pal")]
-    print("| steps | default | compositional | of it the bounds, by the clock | hold |\n| --- | --- | --- | --- | --- |")
+    print("| steps | default | compositional | as JSON, with all addends | of it the bounds, by the clock | hold |\n| --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for steps in options.sizes or (400, 2000, 10000):

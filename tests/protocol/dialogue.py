@@ -187,7 +187,9 @@ try:
     spans = []
     while not spans or spans[-1]["end_s"] < felt["end_s"]:
         spans += cell.notice("samples", lambda each: each["params"]["channel"] == "force")["params"]["spans"]
-    assert all(span["count"] == 20 for span in spans[1:-1]), [span["count"] for span in spans]
+    # A span has 20 ms, or on a quick machine, which is given no more bytes, twice that and more; no sample is missing.
+    assert all(span["count"] >= 20 for span in spans[1:-1]), [span["count"] for span in spans]
+    assert all(abs(after["begin_s"] - span["end_s"] - 0.001) < 1e-9 for span, after in zip(spans, spans[1:])), spans
     assert min(span["low"][2] for span in spans) < -5, "it pressed with its threshold"
     assert cell.notice("samples", lambda each: each["params"]["channel"] == "speed")["params"]["spans"][0]["high"][0] > 0
     frame = cell.notice("binary")

@@ -16,21 +16,27 @@ const watch = process.argv.includes("--watch");
 
 function page(metafile) {
   const outputs = Object.entries(metafile.outputs);
-  const entry = outputs.find(([, each]) => each.entryPoint?.endsWith("main.tsx"));
+  const made = (source) => outputs.find(([, each]) => each.entryPoint?.endsWith(source));
   const name = (path) => relative(out, join(root, path)).replaceAll("\\", "/");
-  const first = [entry[0], ...entry[1].imports.filter((each) => each.kind === "import-statement").map((each) => each.path)];
+  const needs = ([path, each]) => [path, ...each.imports.filter((one) => one.kind === "import-statement").map((one) => one.path)];
+  const start = made("start.ts"), main = made("main.tsx");
+  const first = [...new Set([...needs(start), ...needs(main)])];
+  const font = outputs.map(([path]) => path).find((path) => path.includes("inter-latin-wght"));
   const html = readFileSync(join(root, "src/index.html"), "utf8")
-    .replace("<!-- style -->", `<link rel="stylesheet" href="${name(entry[1].cssBundle)}">`)
+    .replace("<!-- style -->", `<link rel="stylesheet" href="${name(main[1].cssBundle)}">`)
     .replace("<!-- script -->", first.slice(1).map((each) => `<link rel="modulepreload" href="${name(each)}">`).join("\n  ") +
-      `\n  <script type="module" src="${name(entry[0])}"></script>`);
+      `\n  <link rel="preload" as="font" type="font/woff2" href="${name(font)}" crossorigin>` +
+      `\n  <script type="module" src="${name(start[0])}"></script>`);
   writeFileSync(join(out, "index.html"), html);
+  // The style of all that start.ts leads to: the same text once more.
+  rmSync(join(root, start[1].cssBundle));
   copyFileSync(join(root, "src/look/icon.svg"), join(out, "icon.svg"));
   writeFileSync(join(out, "LICENSES.txt"), licences(root));
 }
 
 const options = {
   absWorkingDir: root,
-  entryPoints: ["src/main.tsx"],
+  entryPoints: ["src/start.ts", "src/main.tsx"],
   outdir: out,
   bundle: true,
   splitting: true,

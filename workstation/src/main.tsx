@@ -1,4 +1,4 @@
-// Starts the page.
+// Draws the page.
 import "@fontsource-variable/inter/wght.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
@@ -9,7 +9,7 @@ import "./look/page.css";
 import "./storage/storage.css";
 import { keepBreakpoints } from "./state/breakpoints";
 import { keepBackup, restore, restoreFromDisk } from "./state/backup";
-import { connect, useCell } from "./state/cell";
+import { useCell } from "./state/cell";
 import { keepChecking } from "./state/checks";
 import { useDrawing } from "./state/drawing";
 import { showLoaded } from "./state/keep";
@@ -25,14 +25,17 @@ keepChecking();
 keepBreakpoints();
 
 // Who comes late sees what runs, unless a drawing of one's own is under way.
-const stop = useCell.subscribe((now) => {
-  if (now.link !== "ready") return;
+const stop = useCell.subscribe(looked);
+function looked(): void {
+  if (useCell.getState().link !== "ready") return;
   stop();
   void onDisk.then((there) => {
     const empty = useDrawing.getState().drawing.icons.length === 0;
     if (!restored && !there && empty) void showLoaded();
   });
-});
+}
+looked();
 
 createRoot(document.getElementById("page")!).render(<App />);
-connect();
+// When nothing else is to be done: the windows that are opened seldom open at once then.
+(window.requestIdleCallback ?? setTimeout)(() => void import("./dialog/rare"));

@@ -169,6 +169,7 @@ BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, TaskId task) con
   Foreign foreign;
   const std::vector<Group>& groups = by_processor_[asker.processor];
   foreign.alone.reserve(groups.size());
+  std::vector<const Task*> counted;
   for (const Group& group : groups) {
     if (group.priority < asker.priority) break;
     const bool is_own = group.transaction == own;
@@ -176,7 +177,7 @@ BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, TaskId task) con
     if (is_own) {
       foreign.own = &group;
     } else if (!group.single) {
-      add_foreign(group, asker, foreign);
+      add_foreign(group, asker, counted, foreign);
     } else if (group.cost != 0 && counts(&asker, group.transaction, group.first)) {
       foreign.alone.push_back({group.period, group.jitter, group.cost});
     }
@@ -184,9 +185,10 @@ BusyWindows::Foreign BusyWindows::foreign_of(TransactionId own, TaskId task) con
   return foreign;
 }
 
-void BusyWindows::add_foreign(const Group& group, const Task& asker, Foreign& foreign) const {
+void BusyWindows::add_foreign(const Group& group, const Task& asker, std::vector<const Task*>& counted,
+                              Foreign& foreign) const {
   const Transaction& of = transactions_[group.transaction];
-  std::vector<const Task*> counted;
+  counted.clear();
   for (const auto& [t, share] : group.workers) {
     const Task& task = of.tasks[t];
     if (task.priority < asker.priority || !counts(&asker, group.transaction, t)) continue;
@@ -199,13 +201,11 @@ void BusyWindows::add_foreign(const Group& group, const Task& asker, Foreign& fo
     return;
   }
   if (counted.size() > many_tasks) return foreign.several.push_back(&group);
-  Foreign::Together& together = foreign.together.emplace_back();
-  together.period = of.period;
-  together.count = counted.size();
+  foreign.together.push_back({of.period, foreign.due.size(), counted.size()});
   for (const Task* first : counted) {
     for (const Task* task : counted) {
       const Nanoseconds due = phase(of, *first, task->offset);
-      together.due.push_back({due, (task->jitter + due) / of.period, task->cost});
+      foreign.due.push_back({due, (task->jitter + due) / of.period, task->cost});
     }
   }
 }
@@ -216,10 +216,10 @@ Nanoseconds BusyWindows::of_foreign(const Foreign& foreign, const Task& asker, N
     work = plus(work, work_of(releases(each.period, each.jitter, length), each.cost));
   for (const Foreign::Together& each : foreign.together) {
     Nanoseconds most = 0;
-    for (std::size_t at = 0; at < each.due.size(); at += each.count) {
+    for (std::size_t scenario = 0; scenario < each.count; ++scenario) {
       Nanoseconds sum = 0;
-      for (std::size_t i = at; i < at + each.count; ++i) {
-        const auto& [phase, piled, cost] = each.due[i];
+      for (std::size_t i = 0; i < each.count; ++i) {
+        const auto& [phase, piled, cost] = foreign.due[each.first + scenario * each.count + i];
         const Nanoseconds jobs = piled + (length >= phase ? (length - phase) / each.period + 1 : 0);
         sum = plus(sum, work_of(jobs, cost));
       }

@@ -171,21 +171,23 @@ class BusyWindows {
       Nanoseconds piled = 0;  // released before the window
       Nanoseconds cost = 0;
     };
-    /// Tasks of one transaction: `count` after `count` in `due`, one scenario after the other.
+    /// Tasks of one transaction: from `first` in `due`, `count` for each of `count` scenarios.
     struct Together {
       Nanoseconds period = 0;
+      std::size_t first = 0;
       std::size_t count = 0;
-      std::vector<Due> due;
     };
     Load load;
     const Group* own = nullptr;  // the task's own
     std::vector<Alone> alone;
     std::vector<Together> together;
+    std::vector<Due> due;
     std::vector<const Group*> several;  // what is too much to be found once, or has alternatives
   };
   Foreign foreign_of(TransactionId own, TaskId asker) const;
-  /// Adds the tasks of one of several.
-  void add_foreign(const Group& group, const Task& asker, Foreign& foreign) const;
+  /// Adds the tasks of one of several. `counted` is room for them.
+  void add_foreign(const Group& group, const Task& asker, std::vector<const Task*>& counted,
+                   Foreign& foreign) const;
   /// The same as of_others() for the asker.
   Nanoseconds of_foreign(const Foreign& foreign, const Task& asker, Nanoseconds length) const;
   /// Whether tasks can come nearer together than occurrences a period apart allow. This needs occurrences

@@ -6,22 +6,43 @@
 
 #include "pal/check/to_unit.hpp"
 #include "pal/pan/dot.hpp"
+#include "pal/syntax/parse.hpp"
 #include "pal/syntax/print.hpp"
+#include "pal/syntax/written_conditions.hpp"
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/session/write.hpp"
 
 namespace pal::program {
 namespace {
 
+/// Conditions as all files of PAL that were read have them. A drawing has them in a spelling of its own.
+syntax::WrittenConditions written_conditions(const SourceManager& sources) {
+  syntax::WrittenConditions written;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const FileId file(i);
+    const std::string& name = sources.name(file);
+    if (name.ends_with(".dot") || name.ends_with(".gv")) continue;
+    Diagnostics known;  // the command has told them
+    syntax::add_written_conditions(syntax::parse(sources, file, known), sources, written);
+  }
+  return written;
+}
+
 /// The pictures of one network's modules. Modules that stand in several skills are drawn once: their bodies
 /// are the same.
-void add_pictures(const pan::Network& network, const PanOptions& options, std::vector<OutputFile>& files) {
+void add_pictures(const pan::Network& network, const PanOptions& options,
+                  const syntax::WrittenConditions& written, std::vector<OutputFile>& files) {
   pan::DotOptions dot_options;
   dot_options.letters = options.letters;
   if (options.letters) dot_options.direction = pan::DotOptions::Direction::left_to_right;
   for (std::size_t i = 0; i < network.modules.size(); ++i) {
     const pan::Module& module = network.modules[i];
     if (module.body.empty() || (!options.module.empty() && module.name != options.module)) continue;
+    dot_options.written = [&](pan::NodeId node, std::size_t arm) -> std::string {
+      const SourceSpan where = module.body[node].where;
+      const auto found = written.find({where.file, where.begin});
+      return found == written.end() || arm >= found->second.size() ? std::string() : found->second[arm];
+    };
     const std::string dot = pan::to_dot(network, pan::ModuleId(i), dot_options);
     const std::string skill = network.skill.name.empty() ? "" : network.skill.name + ".";
     const std::string stem = options.output + "/" + skill + module.name + ".pan";
@@ -74,8 +95,10 @@ ExitStatus draw_pan(const PanOptions& options, const Console& console) {
   if (options.pal) return print_pal(session.specification, options, console);
 
   std::vector<OutputFile> files;
-  for (const pan::Network& network : session.specification.skills) add_pictures(network, options, files);
-  for (const pan::Network& network : session.specification.sketches) add_pictures(network, options, files);
+  const syntax::WrittenConditions written = written_conditions(session.sources);
+  for (const auto* networks : {&session.specification.skills, &session.specification.sketches}) {
+    for (const pan::Network& network : *networks) add_pictures(network, options, written, files);
+  }
   if (files.empty()) return no_module(options, console);
   if (names_a_file(options.output)) {
     const std::string wanted = options.dot ? ".dot" : ".svg";

@@ -9,6 +9,7 @@
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/options/completion.hpp"
 #include "programs/pal/options/shared_options.hpp"
+#include "programs/pal/options/steady_help.hpp"
 #include "programs/pal/options/subcommands.hpp"
 
 namespace pal::program {
@@ -71,6 +72,7 @@ bool is_known_command(CLI::App& app, const std::vector<std::string>& arguments, 
 ExitStatus run(const std::vector<std::string>& given, const Console& console) {
   const std::vector<std::string> arguments = without_help_command(given);
   CLI::App app{"PAL: robot skills that meet their deadlines, proved", "pal"};
+  app.formatter(std::make_shared<SteadyHelp>());
   app.set_version_flag("--version", "pal " PAL_VERSION);
   app.require_subcommand(1);
   app.footer(statuses_of_proofs);

@@ -268,7 +268,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                     Session session, std::ostream& out) {
   if (command.live) session.progress = &out;
   session.terminal = command.terminal;
-  const SessionResult result = run_as_asked(command, skill, session, out);
+  SessionResult result = run_as_asked(command, skill, session, out);
   const runtime::Outcome& outcome = result.outcome;
   out << fmt::format("{} in scene {}: {} {}\n", skill.description().name, session.scene.name,
                      outcome.fault ? "fault, completion" : "completion", outcome.code);
@@ -291,7 +291,11 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                        *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
   std::vector<Promise> proved;
-  if (command.proof) proved = promises(known, outcome, result.events.get());
+  if (command.proof) {
+    result.drop_log();  // the proof takes much memory itself
+    proved = promises(known, outcome, result.events.get());
+    result.read_log();
+  }
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <system_error>
 
+#include "programs/pal/options/steady_help.hpp"
 #include "programs/workcell/session/interrupt.hpp"
 #include "sim/cell/served_port.hpp"
 #include "sim/report/video.hpp"
@@ -357,6 +358,7 @@ CLI::App* describe_operation(CLI::App& app, OperationCommand& command, std::vect
 ExitStatus run_program(const std::vector<std::string>& arguments, const SkillSource& source,
                        std::ostream& out, std::ostream& error, bool terminal, std::istream* in) {
   CLI::App app("Runs skills on a PUMA 560 in physics, in virtual time.", "workcell");
+  app.formatter(std::make_shared<program::SteadyHelp>());
   app.set_version_flag("--version", "workcell " PAL_VERSION);
   app.require_subcommand(1);
   app.footer(

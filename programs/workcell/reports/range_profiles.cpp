@@ -20,14 +20,25 @@ constexpr std::size_t count = skills::sensing::most_points;
 constexpr std::size_t message_size = 3 * count + 1;
 constexpr double half_fan = 20 * 3.14159265358979323846 / 180;
 
-std::vector<const sim::LoggedMessage*> profiles_in(const sim::MessageLog& messages) {
-  std::vector<const sim::LoggedMessage*> result;
-  for (const sim::LoggedMessage& message : messages.messages()) {
-    const auto& device = messages.devices()[message.device];
-    if (device.name == "range-finder" && device.ports[message.port].message == "profile" &&
-        message.fields.size() == message_size)
-      result.push_back(&message);
-  }
+bool is_profile(const sim::MessageLog& messages, const sim::LoggedMessage& message) {
+  const auto& device = messages.devices()[message.device];
+  return device.name == "range-finder" && device.ports[message.port].message == "profile" &&
+         message.fields.size() == message_size;
+}
+
+/// The first and the last profile and some between, at equal steps; fewer if there are fewer.
+std::vector<sim::LoggedMessage> some_profiles(const sim::MessageLog& messages) {
+  std::size_t all = 0;
+  messages.for_each([&](const auto& message) { all += is_profile(messages, message) ? 1 : 0; });
+  const std::size_t shown = std::min(all, most_shown);
+  std::vector<sim::LoggedMessage> result;
+  std::size_t number = 0;
+  messages.for_each([&](const auto& message) {
+    if (!is_profile(messages, message)) return;
+    const std::size_t i = result.size();
+    if (i < shown && number == (shown == 1 ? 0 : i * (all - 1) / (shown - 1))) result.push_back(message);
+    ++number;
+  });
   return result;
 }
 
@@ -95,16 +106,12 @@ std::string time_of(const sim::LoggedMessage& message) {
 }  // namespace
 
 std::vector<sim::Plot> range_plots(const sim::MessageLog& messages, const std::string& title) {
-  const auto all = profiles_in(messages);
-  if (all.empty()) return {};
-  std::vector<sim::RangeProfile> some;
-  const std::size_t shown = std::min(all.size(), most_shown);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const auto& message = *all[shown == 1 ? 0 : i * (all.size() - 1) / (shown - 1)];
-    some.push_back(interpreted(message, time_of(message)));
-  }
-  return {sim::profile_plot(interpreted(*all.back(), title + ", " + time_of(*all.back()))),
-          sim::profiles_plot(some, title)};
+  const auto some = some_profiles(messages);
+  if (some.empty()) return {};
+  std::vector<sim::RangeProfile> shown;
+  for (const auto& message : some) shown.push_back(interpreted(message, time_of(message)));
+  return {sim::profile_plot(interpreted(some.back(), title + ", " + time_of(some.back()))),
+          sim::profiles_plot(shown, title)};
 }
 
 }  // namespace pal::workcell

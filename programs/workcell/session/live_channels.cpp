@@ -16,8 +16,8 @@ using Shown = std::span<double>;
 // Where each thing begins in a raw record. A pose is a place in m and a turn: x, y, z, w.
 constexpr std::size_t wrench_at = 0, tool_at = 6, set_point_at = 13, joints_at = 20, joint_set_points_at = 26,
                       speed_at = 32, contact_at = 33, gripper_at = 34, width = 36;
-// So often a block is handed on, in ms of the cell.
-constexpr std::size_t block_length = 20;
+// In ms of the cell, and of the wall for a cell that is quicker than that.
+constexpr server::BlockLength block_length{20, 1020, std::chrono::milliseconds(30)};
 
 constexpr std::array<const char*, 6> pose_names{"x", "y", "z", "O", "A", "T"};
 

@@ -48,12 +48,12 @@ class SampleRecorder {
 /// The distances that the range finder measured.
 sim::PeakHistory distances(const sim::MessageLog& messages) {
   sim::PeakHistory history;
-  for (const sim::LoggedMessage& message : messages.messages()) {
+  messages.for_each([&](const sim::LoggedMessage& message) {
     const auto& device = messages.devices()[message.device];
-    if (device.name != "range-finder" || device.ports[message.port].message != "profile") continue;
+    if (device.name != "range-finder" || device.ports[message.port].message != "profile") return;
     if (const auto nearest = sim::quantity("range-nearest", message.fields))
       history.add({std::chrono::duration<double>(message.time).count(), *nearest});
-  }
+  });
   return history;
 }
 
@@ -69,7 +69,7 @@ void take_events(SessionResult& result, std::shared_ptr<trace::EventSpool> spool
 
 void take_samples(SessionResult& result, const SampleRecorder& recorder) {
   result.samples = recorder.spool();
-  result.log = result.samples->telling(most_samples);
+  result.read_log();
   for (const sim::Sample& sample : result.log)
     result.peak_force = std::max(result.peak_force, sample.contact_force);
   if (!result.log.empty()) result.resting_force = result.log.back().contact_force;
@@ -187,7 +187,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   result.video_problem = world->observers.end();
   if (events) take_events(result, events);
   if (samples) take_samples(result, *samples);
-  if ((events && events->failed()) || (samples && samples->spool()->failed()))
+  if ((events && events->failed()) || (samples && samples->spool()->failed()) || result.messages.failed())
     throw std::runtime_error("the run cannot be written down: the folder for temporary files is full");
   if (session.picture && samples) {
     sim::PictureOptions picture = captioned({}, skill, session);
@@ -196,6 +196,14 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
     result.picture = sim::take_picture(cell.workcell(), picture);
   }
   return result;
+}
+
+void SessionResult::drop_log() {
+  std::vector<sim::Sample>().swap(log);
+}
+
+void SessionResult::read_log() {
+  if (samples) log = samples->telling(most_samples);
 }
 
 std::optional<double> parameter_value(const runtime::Skill& skill, const Session& session,

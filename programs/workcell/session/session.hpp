@@ -69,6 +69,10 @@ struct SessionResult {
   double resting_force = 0;  // N, at the end of the log
   sim::Picture picture;
   std::string video_problem;  // why there is no video after all; empty with it, or if none was asked for
+
+  /// Gives back the memory of `log`, until read_log() takes it from `samples` again.
+  void drop_log();
+  void read_log();
 };
 
 /// Runs the skill, then lets the arm end its motion and come to rest. Pictures, video and progress change

@@ -33,6 +33,8 @@ struct Both {
   std::optional<codegen::Plan> plan;
 };
 
+/// Without the notes of broken promises: the devices of the test keep none, and an interpreted skill has
+/// fewer of them.
 runtime::Outcome run(runtime::Skill& skill, const codegen::Plan& plan, test::Payloads payloads,
                      std::uint64_t seed, CostPolicy costs) {
   std::vector<std::unique_ptr<runtime::Device>> devices;
@@ -42,23 +44,22 @@ runtime::Outcome run(runtime::Skill& skill, const codegen::Plan& plan, test::Pay
     attached.push_back(devices.back().get());
   }
   runtime::StillWorld world;
-  return runtime::Dispatcher(attached, world)
-      .run(skill, {},
-           {.costs = costs,
-            .seed = seed,
-            .horizon = std::chrono::milliseconds(100),
-            .trace = runtime::TraceMode::last,  // of a run that spins at one instant; others are shorter
-            .trace_capacity = 4096});
-}
-
-/// Without the notes of broken promises: the devices of the test keep none, and an interpreted skill has
-/// none.
-runtime::Outcome run_compiled(const Both& both, std::uint64_t seed, CostPolicy costs) {
-  const auto skill = both.compiled_skill.make(test::dealer(seed));
-  runtime::Outcome outcome = run(*skill, *both.plan, test::Payloads::zeros, seed, costs);
+  runtime::Outcome outcome =
+      runtime::Dispatcher(attached, world)
+          .run(skill, {},
+               {.costs = costs,
+                .seed = seed,
+                .horizon = std::chrono::milliseconds(100),
+                .trace = runtime::TraceMode::last,  // of a run that spins at one instant; others are shorter
+                .trace_capacity = 4096});
   std::erase_if(outcome.trace.events,
                 [](const trace::Event& event) { return event.kind == trace::Kind::broken; });
   return outcome;
+}
+
+runtime::Outcome run_compiled(const Both& both, std::uint64_t seed, CostPolicy costs) {
+  const auto skill = both.compiled_skill.make(test::dealer(seed));
+  return run(*skill, *both.plan, test::Payloads::zeros, seed, costs);
 }
 
 runtime::Outcome run_interpreted(const Both& both, std::uint64_t seed, CostPolicy costs) {

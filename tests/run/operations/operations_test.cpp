@@ -337,6 +337,9 @@ TEST_CASE("skills keep the longest times that the cell declares, from one end of
       {"parts", "pick-at-location", {parameter("approach", 200.0), parameter("speed", 20.0)}, 0},
       {"parts", "pick-at-location", {parameter("location", std::string("PLACE"))}, 1},
       {"pallet", "palletize", {parameter("placed", 9.0)}, 1},
+      {"waves", "rub", {parameter("distance", 2.0), parameter("speed", 2.0)}, 0},
+      {"flat", "standoff", {parameter("speed", 3.0)}, 0},
+      {"seam", "follow-edge", {parameter("distance", 3.0), parameter("rotation", 0.05)}, 0},
   };
   for (const Case& each : cases) {
     INFO(each.skill << " in " << each.scene);
@@ -351,6 +354,41 @@ TEST_CASE("skills keep the longest times that the cell declares, from one end of
                                                            each.parameters, nullptr, longest_of(known));
     CHECK(longest);
   }
+}
+
+TEST_CASE("a cell's skills say which values they refuse together") {
+  const auto scene = pal::sim::find_scene("touch", {PAL_SOURCE_DIR "/sim/scenes"});
+  pal::sim::Cell cell(scene);
+  const auto known = installed_skills();
+  const auto refused = cell_of(cell, known, scene, {PAL_SOURCE_DIR "/sim/scenes"}).refused_together;
+  REQUIRE(refused);
+  CHECK_FALSE(refused("rub", {parameter("distance", 2.0)}));
+  CHECK(refused("rub", {parameter("greatest-force", -10.0), parameter("least-force", -20.0)})
+            .value_or("")
+            .find("greatest-force must be below least-force") != std::string::npos);
+  CHECK_FALSE(refused("juggle", {}));
+}
+
+TEST_CASE("every completion of a skill of the workcell has a longest time") {
+  const auto known = installed_skills();
+  const auto longest = longest_of(known);
+  for (const auto& [name, skill] : templates_of(known))
+    for (const auto& each : skill.completions) {
+      INFO(name << ' ' << each.code);
+      CHECK(longest.count({name, each.code}) == 1);
+    }
+}
+
+TEST_CASE("rub gives up within its time if its band is too soft to bring the tool down") {
+  pal::sim::Cell cell(pal::sim::find_scene("waves", {PAL_SOURCE_DIR "/sim/scenes"}));
+  const auto known = installed_skills();
+  CellRunner runner(cell, known, pal::runtime::CostPolicy::worst, 1);
+  const pal::runtime::Time begin = runner.now();
+  const auto result =
+      runner.run("rub", {parameter("greatest-force", -1.0), parameter("least-force", 0.0)}, std::nullopt);
+  CHECK(result.code == 2);
+  CHECK(result.reason.find("has not landed within 60 s") != std::string::npos);
+  CHECK(runner.now() - begin < std::chrono::seconds(62));
 }
 
 TEST_CASE("a skill that takes longer than is declared says so") {

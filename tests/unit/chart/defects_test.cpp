@@ -51,6 +51,37 @@ const SvgText* text_with(const SvgContent& content, const std::string& words) {
   return found == content.texts.end() ? nullptr : &*found;
 }
 
+/// Two threads that send to each other every 20 us for so long.
+Timeline chatter(std::int64_t end) {
+  Timeline run;
+  run.skill = "chatter";
+  run.origin = "predicted";
+  run.end_ns = end;
+  run.lanes = {{"SM1", false, "P0", 1, {}, {}}, {"LS1", false, "P1", 1, {}, {}}};
+  for (std::int64_t at = 0; at < end; at += 20 * us) {
+    run.lanes[0].bars.push_back(bar(at, at + 2 * us, "TXM( a to LS1 )"));
+    run.lanes[1].bars.push_back(bar(at + 4 * us, at + 6 * us, "WTM( a from SM1 )"));
+    run.arrows.push_back({0, at + 2 * us, 1, at + 4 * us, at + 4 * us, "a", Fate::taken});
+  }
+  return run;
+}
+
+TEST_CASE("what is too much to see is drawn as blocks, and the picture stays small") {
+  const std::string large = svg(chatter(200 * ms), over(0, 200 * ms - 14 * us, 150 * ms));
+  CHECK(large.size() < 200'000);
+  CHECK(large.find("class=\"crowd\"") != std::string::npos);
+  CHECK(large.find("many actions, without their messages") != std::string::npos);
+  // The first and the last action are those of the interval: each by itself.
+  CHECK(large.find("SM1: TXM( a to LS1 )") != std::string::npos);
+  CHECK(large.find("LS1: WTM( a from SM1 )") != std::string::npos);
+
+  const std::string small = svg(chatter(1 * ms), over(0, 1 * ms - 14 * us, 150 * ms));
+  CHECK(small.find("crowd") == std::string::npos);
+  ChartOptions options = over(0, 200 * ms - 14 * us, 150 * ms);
+  options.ids = true;
+  CHECK(svg(chatter(200 * ms), options).find("crowd") == std::string::npos);
+}
+
 TEST_CASE("of a long action only its ends are enlarged") {
   const Timeline run = long_work();
   const ChartOptions options = over(0, 30 * ms + 100 * us, -1);

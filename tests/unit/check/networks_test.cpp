@@ -92,3 +92,16 @@ TEST_CASE("a file is read once, however it is named") {
   CHECK(checked.trees.size() == 2);
   CHECK(checked.diagnostics.all().empty());
 }
+
+TEST_CASE("a check without deadlocks says all but them") {
+  MemoryFileSystem files;
+  files.add("a.pal", test::source_file("tests/golden/check/fail_deadlock.pal"));
+  SourceManager sources;
+  Diagnostics all, quick;
+  const auto trees = check::read_sources(files, sources, {"a.pal"}, all);
+  check::check(trees, all);
+  check::check(trees, quick, {}, check::Depth::without_deadlocks);
+  REQUIRE(all.errors() == 1);
+  CHECK(all.all().front().code == Code::PAL0521);
+  CHECK(quick.errors() == 0);
+}

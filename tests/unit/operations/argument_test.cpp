@@ -52,14 +52,14 @@ Cell pressing_cell() {
 }
 
 /// The messages of all errors.
-std::string errors_of(const std::string& text) {
+std::string errors_of(const std::string& text, const Cell& cell = pressing_cell()) {
   MemoryFileSystem files;
   files.add("o.op.json", text);
   SourceManager sources;
   Diagnostics diagnostics;
   const auto program = load(files, sources, "o.op.json", diagnostics);
   if (program && !diagnostics.has_errors()) check_shape(*program, diagnostics);
-  if (program && !diagnostics.has_errors()) check_cell(*program, pressing_cell(), diagnostics);
+  if (program && !diagnostics.has_errors()) check_cell(*program, cell, diagnostics);
   std::string result;
   for (const Diagnostic& each : diagnostics.sorted())
     if (each.severity == Severity::error) result += each.message + "\n";
@@ -127,6 +127,34 @@ TEST_CASE("arguments are checked in name, type, range and unit") {
       errors_of(operation(
           R"({"id": "a", "kind": "delay", "seconds": {"argument": "x"}, "next": "end"}, {"id": "end", "kind": "exit"})")) ==
       "operation 'o' has no argument 'x'\n");
+}
+
+TEST_CASE(
+    "the skill itself is asked whether it refuses values together, if all of them are known and allowed") {
+  Cell cell = pressing_cell();
+  std::vector<std::string> asked;
+  cell.refused_together = [&](const std::string& skill,
+                              const std::vector<Parameter>& given) -> std::optional<std::string> {
+    const double force = std::get<double>(given.at(0).value);
+    asked.push_back(skill + " " + given.at(0).name);
+    if (force < 30) return std::nullopt;
+    return "force is too great for this tool";
+  };
+  const auto with = [](const std::string& parameters) {
+    return operation(
+        R"({"id": "a", "kind": "skill", "skill": "press", "parameters": )" + parameters +
+        R"(, "next": "end", "error": "bad"}, {"id": "end", "kind": "exit"}, {"id": "bad", "kind": "exit", "code": 5})");
+  };
+  CHECK(errors_of(with(R"({"force": 20})"), cell).empty());
+  CHECK(errors_of(with(R"({"force": 35})"), cell) ==
+        "skill 'press' refuses these values together: force is too great for this tool\n");
+  CHECK(asked == std::vector<std::string>{"press force", "press force"});
+  // A value that is refused by itself is one finding; defaults alone are the skill's own.
+  CHECK(errors_of(with(R"({"force": 50})"), cell).find("together") == std::string::npos);
+  CHECK(errors_of(with("{}"), cell).empty());
+  // What an argument will be is not known yet.
+  CHECK(errors_of(pressing(R"("hard": 35)"), cell).empty());
+  CHECK(asked.size() == 2);
 }
 
 TEST_CASE("a refused value is one finding") {

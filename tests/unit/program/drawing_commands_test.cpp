@@ -42,6 +42,48 @@ TEST_CASE("pal pan draws every module with a body, or the one that is named") {
   CHECK(pal::test::pal({"pan", touch, "-m", "SM9", "-o", folder.path()}).status == ExitStatus::usage);
 }
 
+TEST_CASE("pal pan draws conditions as they are written") {
+  const Folder folder("pan-written");
+  fs::create_directories(folder.path());
+  std::ofstream(folder.file("written.pal")) << R"(Logical Sensor: LS1
+BEGIN
+  REPEAT
+    SPC( near )
+    SPC( far )
+    RPC( near )
+    RPC( far )
+    CASE
+      ( near ):
+        Do Nothing
+      ( NOT near ):  # nothing there
+        CASE
+          ( far = TRUE ):
+            Do Nothing
+          ( far = FALSE  # not yet
+          ):
+            Do Nothing
+        END CASE
+    END CASE
+  UNTIL( ( near = TRUE  AND
+           NOT ( far = TRUE ) ) OR far )
+END
+)";
+  REQUIRE(pal::test::pal({"pan", folder.file("written.pal"), "--dot", "-o", folder.path()}).status ==
+          ExitStatus::all_hold);
+  const std::string dot = content(folder.file("LS1.LS1.pan.dot"));
+  CHECK_THAT(dot, Catch::Contains("label=\"near\"") && Catch::Contains("label=\"NOT near\"") &&
+                      Catch::Contains("label=\"far = TRUE\""));
+  CHECK_THAT(dot, Catch::Contains("label=\"far = FALSE\""));  // as it would be spelt: it has a comment inside
+  CHECK_THAT(dot, Catch::Contains("UNTIL( ( near = TRUE") && Catch::Contains("NOT ( far = TRUE ) )"));
+  CHECK_THAT(dot, Catch::Contains("pal_guard=\"near = TRUE\""));  // the content stays in one spelling
+
+  // Drawn again from the drawing, which has one spelling.
+  fs::rename(folder.file("LS1.LS1.pan.dot"), folder.file("LS1.dot"));
+  REQUIRE(pal::test::pal({"pan", folder.file("LS1.dot"), "--dot", "-o", folder.path()}).status ==
+          ExitStatus::all_hold);
+  CHECK_THAT(content(folder.file("LS1.LS1.pan.dot")), Catch::Contains("label=\"near = TRUE\""));
+}
+
 TEST_CASE("pal atc draws the worst run and writes it as a trace") {
   const Folder folder("atc");
   const std::vector<std::string> arguments{"atc",     touch,

@@ -114,7 +114,7 @@ TEST_CASE("a gap in the samples ends a span") {
 
 TEST_CASE("blocks have what was recorded, and the rest when they are flushed") {
   std::vector<std::shared_ptr<const SampleBlock>> blocks;
-  BlockWriter writer(2, 3, [&](auto block) { blocks.push_back(std::move(block)); });
+  BlockWriter writer(2, {3, 3}, [&](auto block) { blocks.push_back(std::move(block)); });
   for (int i = 0; i < 4; ++i) {
     const auto room = writer.record(i * Duration(1ms));
     room[0] = i, room[1] = -i;
@@ -127,6 +127,98 @@ TEST_CASE("blocks have what was recorded, and the rest when they are flushed") {
   REQUIRE(blocks.size() == 2);
   CHECK(blocks[1]->size() == 1);
   CHECK(blocks[1]->record(0)[0] == 3);
+}
+
+TEST_CASE("a quick cell hands on few blocks, and says how quick it is") {
+  std::vector<std::shared_ptr<const SampleBlock>> blocks;
+  std::chrono::steady_clock::time_point wall;
+  BlockWriter writer(
+      1, {20, 1000, 15ms}, [&](auto block) { blocks.push_back(std::move(block)); }, [&] { return wall; });
+  Duration time = 0ms;
+  const auto go = [&](std::size_t records, std::chrono::microseconds each) {
+    for (std::size_t i = 0; i < records; ++i) {
+      writer.record(time)[0] = 0;
+      time += 1ms;
+      wall += each;
+    }
+  };
+  go(200, 1000us);
+  REQUIRE(blocks.size() == 9);
+  CHECK(blocks.back()->size() == 20);
+  CHECK(blocks.back()->pace == Approx(0.95));
+  writer.flush();
+  blocks.clear();
+  go(20'001, 10us);
+  REQUIRE(blocks.size() == 20);
+  CHECK(blocks.back()->size() == 1000);
+  CHECK(blocks.back()->pace > 60);
+  CHECK(blocks.front()->pace < 60);
+}
+
+TEST_CASE("a cell that catches up after a delay is not taken for a quick one") {
+  std::vector<std::shared_ptr<const SampleBlock>> blocks;
+  std::chrono::steady_clock::time_point wall;
+  BlockWriter writer(
+      1, {20, 1000, 15ms}, [&](auto block) { blocks.push_back(std::move(block)); }, [&] { return wall; });
+  for (int i = 0; i < 1000; ++i) {
+    writer.record(i * Duration(1ms));
+    // It stands for 300 ms, and goes on when that is made up for.
+    wall += i == 500 ? 300ms : i > 500 && i < 800 ? 0ms : 1ms;
+  }
+  for (const auto& block : blocks) CHECK(block->pace < 2);
+}
+
+TEST_CASE("a block that nobody holds any more is filled again, one that is held is not") {
+  std::vector<std::shared_ptr<const SampleBlock>> blocks;
+  BlockWriter writer(1, {1, 1}, [&](auto block) { blocks.push_back(std::move(block)); });
+  const auto write = [&](double value) {
+    writer.record(0ms)[0] = value;
+    writer.flush();
+    return blocks.back().get();
+  };
+  const SampleBlock* first = write(1);
+  CHECK(write(2) != first);
+  CHECK(blocks[0]->record(0)[0] == 1);
+  blocks.erase(blocks.begin());
+  CHECK(write(3) == first);
+  CHECK(blocks.back()->size() == 1);
+}
+
+TEST_CASE("of a quick cell a client gets as many bytes as it is given, in longer spans that lose no peak") {
+  Viewer viewer;
+  const auto spans_of = [&](double pace, const Json& period, bool binary) {
+    viewer.watch({{{"channel", "plain"}, {"period_s", period}, {"binary", binary}}});
+    viewer.said.clear();
+    std::vector<double> values(1000, 1.0);
+    values[333] = 40;
+    auto block = block_of(0ms, values);
+    block->pace = pace;
+    viewer.session->show(ShownBlock(viewer.channels, block));
+    REQUIRE(viewer.said.size() == 1);
+    if (binary) {
+      const std::string& bytes = viewer.said[0];
+      std::uint32_t length = 0;
+      std::memcpy(&length, bytes.data(), 4);
+      return Json::parse(bytes.substr(4, length))["spans"].get<std::size_t>();
+    }
+    const Json spans = Json::parse(viewer.said[0])["params"]["spans"];
+    std::size_t count = 0;
+    double high = 0;
+    for (const Json& span : spans) {
+      count += span["count"].get<std::size_t>();
+      high = std::max(high, span["high"][0].get<double>());
+    }
+    CHECK(count + spans.back()["count"].get<std::size_t>() >= 1000);
+    CHECK(high == 40);
+    return spans.size();
+  };
+  // A span of one field has six numbers: 48 bytes a millisecond, 192 as text, and 4 MB a second are given.
+  CHECK(spans_of(0, 0.001, true) == 1000);
+  CHECK(spans_of(1, 0.001, false) == 1000);
+  CHECK(spans_of(50, 0.001, true) == 1000);
+  CHECK(spans_of(100, 0.001, true) == 500);
+  CHECK(spans_of(100, 0.001, false) == 125);
+  CHECK(spans_of(200, 0.05, false) == 20);
 }
 
 TEST_CASE("a client gets the channels that it watches, as text or as bytes") {

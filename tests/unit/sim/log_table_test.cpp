@@ -48,7 +48,7 @@ TEST_CASE("the log has what was commanded and read up to each millisecond") {
   messages.passed(1500us, echo, 0, std::array{3.5});
   messages.passed(3500us, echo, 1, std::array{7.0});
   messages.passed(4ms, echo, 2, {});  // without fields: the trace has it
-  REQUIRE(messages.messages().size() == 2);
+  REQUIRE(messages.size() == 2);
 
   std::vector<Sample> log(4);
   for (std::size_t i = 0; i < 4; ++i) log[i].time = static_cast<int>(i + 1) * 1ms;

@@ -7,17 +7,11 @@ import { FindingsList } from "./FindingsList";
 import { IconForm } from "./IconForm";
 import { IconHelpButton } from "./IconHelpButton";
 
-const SkillHelp = lazy(() => import("./SkillHelp"));
-const Explain = lazy(() => import("./Explain"));
-const KeysHelp = lazy(() => import("./KeysHelp"));
-const Ways = lazy(() => import("./Ways"));
-const Breakpoints = lazy(() => import("../execution/Breakpoints"));
-const StoreWindow = lazy(() => import("../storage/StoreWindow"));
-const Versions = lazy(() => import("../storage/Versions"));
-
-type About = LazyExoticComponent<ComponentType<{ about: string }>>;
-const later: Partial<Record<WindowKind, About>> = {
-  skill: SkillHelp, explain: Explain, keys: KeysHelp as About, ways: Ways as About, breakpoints: Breakpoints as About, store: StoreWindow as About, versions: Versions,
+type Rare = typeof import("./rare");
+type Body = ComponentType<{ about: string }>;
+const rare = (name: keyof Rare): LazyExoticComponent<Body> => lazy(async () => ({ default: (await import("./rare"))[name] as Body }));
+const later: Partial<Record<WindowKind, LazyExoticComponent<Body>>> = {
+  skill: rare("SkillHelp"), explain: rare("Explain"), keys: rare("KeysHelp"), ways: rare("Ways"), breakpoints: rare("Breakpoints"), store: rare("StoreWindow"), versions: rare("Versions"),
 };
 
 const split = (about: string): [string, string] => [about.slice(0, about.lastIndexOf("/")), about.slice(about.lastIndexOf("/") + 1)];
@@ -30,7 +24,7 @@ export function WindowLayer() {
 
 function Shown({ window: each }: { window: OpenWindow }) {
   const [operation, icon] = split(each.about);
-  const Body = later[each.kind];
+  const Later = later[each.kind];
   if (each.kind === "icon")
     return (
       <FloatWindow window={each} title={icon} footer={<IconHelpButton operation={operation} icon={icon} />}>
@@ -45,7 +39,7 @@ function Shown({ window: each }: { window: OpenWindow }) {
   };
   return (
     <FloatWindow window={each} title={titles[each.kind] ?? ""} wide={each.kind === "skill" || each.kind === "store" || each.kind === "explain" || each.kind === "versions"}>
-      <Suspense fallback={<p className="nothing">{t("loading")}</p>}>{Body && <Body about={each.about} />}</Suspense>
+      <Suspense fallback={<p className="nothing loading">{t("loading")}</p>}>{Later && <Later about={each.about} />}</Suspense>
     </FloatWindow>
   );
 }

@@ -70,6 +70,7 @@ export function keepChecking(): void {
     if (now.link === "ready" && before.link !== "ready") soon(0);
     if (now.locations !== before.locations || now.stored !== before.stored) soon(50);
   });
+  soon(0);
 }
 
 /** Puts a finding's cure into the drawing. False: the drawing is another one by now. */

@@ -40,14 +40,29 @@ export function useLanguage(): Language {
   return useSyncExternalStore((listener) => (listeners.add(listener), () => listeners.delete(listener)), currentLanguage);
 }
 
+/** Made once each: the browser takes long to make them. */
+function kept<K, V>(make: (key: K) => V): (key: K) => V {
+  const made = new Map<K, V>();
+  return (key) => {
+    const there = made.get(key) ?? make(key);
+    made.set(key, there);
+    return there;
+  };
+}
+const pluralRules = kept((inLanguage: Language) => new Intl.PluralRules(inLanguage));
+const numberFormat = kept((key: string) => {
+  const [inLanguage, digits] = key.split(":");
+  return new Intl.NumberFormat(inLanguage, digits === "" ? { maximumSignificantDigits: 12 } : { minimumFractionDigits: Number(digits), maximumFractionDigits: Number(digits) });
+});
+
 export type Values = Record<string, string | number>;
 
 /** "{count|one icon|{count} icons}" takes the form for the number; "{name}" the value. */
 export function fill(text: string, values: Values, inLanguage: Language): string {
-  const plural = new Intl.PluralRules(inLanguage);
+  if (!text.includes("{")) return text;
   return text
     .replace(/\{(\w+)\|([^|}]*)\|((?:[^{}]|\{\w+\})*)\}/g, (_, name, one, other) =>
-      plural.select(Number(values[name])) === "one" ? one : other)
+      pluralRules(inLanguage).select(Number(values[name])) === "one" ? one : other)
     .replace(/\{(\w+)\}/g, (whole, name) => {
       const value = values[name];
       return value === undefined ? whole : typeof value === "number" ? number(value) : value;
@@ -61,17 +76,17 @@ export function t(word: Word, values: Values = {}): string {
 export const isWord = (text: string): text is Word => text in english;
 
 export function number(value: number, digits?: number): string {
-  return new Intl.NumberFormat(language, digits === undefined ? { maximumSignificantDigits: 12 }
-    : { minimumFractionDigits: digits, maximumFractionDigits: digits }).format(value);
+  return numberFormat(`${language}:${digits ?? ""}`).format(value);
 }
 
-/** A length of time with no more digits than it means: 0.35 s, 4.2 s, 38 s, 2 min 5 s. */
+/** A length of time with no more digits than it means: 0.35 s, 4.2 s, 38 s, 2 min, 2 min 5 s. */
 export function duration(seconds: number): string {
   if (seconds < 0.005) return "0 s";
   if (seconds < 9.95) return `${number(seconds, seconds < 0.995 ? 2 : 1)} s`;
   if (seconds < 120) return `${number(Math.round(seconds))} s`;
-  const minutes = Math.floor(Math.round(seconds) / 60);
-  return minutes < 120 ? `${number(minutes)} min ${number(Math.round(seconds) % 60)} s` : `${number(Math.round(minutes / 6) / 10)} h`;
+  const minutes = Math.floor(Math.round(seconds) / 60), rest = Math.round(seconds) % 60;
+  if (minutes >= 120) return `${number(Math.round(minutes / 6) / 10)} h`;
+  return rest === 0 ? `${number(minutes)} min` : `${number(minutes)} min ${number(rest)} s`;
 }
 
 /** 0:07, 12:30: a clock that runs. */

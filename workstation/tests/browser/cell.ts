@@ -12,7 +12,7 @@ export interface Cell {
   folder: string;
   url: string;
   port: number;
-  /** What its program has used of the processor, in seconds. */
+  /** What the simulation has used of the processor, in seconds. */
   processorTime(): number;
   /** Its own end, as when the machine fails. */
   kill(): Promise<void>;
@@ -66,8 +66,8 @@ export async function cell(scene: string, options: readonly string[] = ["--fast"
   const address = `http://127.0.0.1:${port}`;
   const made: Cell = {
     processorTime: () => {
-      const fields = readFileSync(`/proc/${child.pid}/stat`, "utf8").replace(/^.*\) /, "").split(" ");
-      return (Number(fields[11]) + Number(fields[12])) / 100;
+      // Its first thread is the cell's own; others prove skills and serve clients.
+      return Number(readFileSync(`/proc/${child.pid}/task/${child.pid}/schedstat`, "utf8").split(" ")[0]) / 1e9;
     },
     address, token, folder, port, url: `${address}/#token=${token}`,
     kill: async () => (child.kill("SIGKILL"), gone),

@@ -51,6 +51,10 @@ async function tour(page: Page, name: string): Promise<void> {
     await noViolation(page, `${name}, ${window}`);
   };
   await look("canvas");
+  await page.locator(".state-bounds").click();
+  await page.locator('[data-window="ways"] li').first().waitFor();
+  await look("ways");
+  await page.locator('[data-window="ways"] .window-head button').click();
   await icon(page, "find").dblclick({ position: { x: 60, y: 8 } });
   await look("dialog");
   await page.locator('[data-window="icon"] .window-foot button').first().click();
@@ -65,9 +69,11 @@ async function tour(page: Page, name: string): Promise<void> {
   await look("file-menu");
   await page.keyboard.press("Escape");
   await page.keyboard.press("Control+o");
+  await page.locator('[data-window="store"] .window-body > :not(.loading)').first().waitFor();
   await look("store");
   await page.locator('[data-window="store"] .window-head button').click();
   await page.keyboard.press("F1");
+  await page.locator('[data-window="keys"] .help').waitFor();
   await look("keys");
   await page.locator('[data-window="keys"] .window-head button').click();
   await rest(page, name, look);

@@ -110,7 +110,7 @@ async function panning(from: Browser, served: Cell): Promise<void> {
   await page.context().close();
 }
 
-/** Processor time of the cell's program for one run of the operation: what a page costs the simulation. */
+/** Processor time of the cell's own thread for one run of the operation: what a page costs the simulation. */
 async function slowed(from: Browser): Promise<void> {
   const cost = async (pages: number): Promise<number> => {
     const served = await cell("touch", ["--fast"]);
@@ -130,7 +130,7 @@ async function slowed(from: Browser): Promise<void> {
     return (took.at(-1)! - took[0]!) / 4;
   };
   const one = await cost(1), three = await cost(3);
-  say("processor time of the cell, two pages more", `${((three / one - 1) * 100).toFixed(1)} %`, "under 1 %");
+  say("processor time of the simulation, two pages more", `${((three / one - 1) * 100).toFixed(1)} %`, "under 1 %");
 }
 
 /** A hundred random edits from each of twenty seeds, taken back one by one. */

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import english from "../../src/words/en.json";
 import french from "../../src/words/fr.json";
-import { fill } from "../../src/words/words";
+import { duration, fill } from "../../src/words/words";
 
 const source = join(process.env.WORKSTATION!, "src");
 const files = (readdirSync(source, { recursive: true }) as string[]).filter((each) => /\.tsx?$/.test(each)).map((each) => ({ name: each, text: readFileSync(join(source, each), "utf8") }));
@@ -43,4 +43,8 @@ test("plurals by language", () => {
   assert.equal(fill("{count|one icon|{count} icons}", { count: 0 }, "en"), "0 icons");
   assert.equal(fill("{count|une icône|{count} icônes}", { count: 0 }, "fr"), "une icône");
   assert.equal(fill("{a} – {b}", { a: "x" }, "en"), "x – {b}");
+});
+
+test("a length of time has no more digits than it means", () => {
+  assert.deepEqual([0, 0.35, 4.24, 38.2, 119.6, 120, 125, 300, 7200].map(duration), ["0 s", "0.35 s", "4.2 s", "38 s", "120 s", "2 min", "2 min 5 s", "5 min", "2 h"]);
 });
