@@ -7,10 +7,12 @@ ssh, and by Slurm; then by the last two again while one host is killed in the mi
 Whatever happens, the hosts are gone at the end: with the first process of its namespace the kernel ends all others.
 """
 import argparse
+import ctypes
 import itertools
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -34,6 +36,11 @@ values = [1, 2]
 """
 
 
+def die_with_parent():
+    """The kernel ends the host if this program ends in any way, killed or not (prctl(2), PR_SET_PDEATHSIG)."""
+    ctypes.CDLL(None).prctl(1, signal.SIGKILL)
+
+
 class Host:
     """Its processes are children of `init`, in namespaces that end with it."""
 
@@ -46,7 +53,7 @@ class Host:
                   f"mkdir -p /root/.ssh && mount --bind {self.folder}/root-ssh /root/.ssh && ip link set lo up && "
                   f"touch {self.folder}/up && exec sleep infinity")
         self.init = subprocess.Popen(["unshare", "--net", "--mount", "--uts", "--pid", "--fork", "--mount-proc", "--kill-child",
-                                      "sh", "-c", script])
+                                      "sh", "-c", script], preexec_fn=die_with_parent)
         wait_for(lambda: (self.folder / "up").exists(), f"host {name}")
         # The first process of the namespace is the child of unshare.
         self.pid = int(subprocess.run(["ps", "-o", "pid=", "--ppid", str(self.init.pid)], capture_output=True, text=True, check=True).stdout.split()[0])
