@@ -91,11 +91,16 @@ def connect(hosts):
     return addresses
 
 
+def own_address(host):
+    """On its loopback: that of a link would go with the host at the other end."""
+    return f"10.78.0.{HOSTS.index(host.name) + 1}"
+
+
 def names_seen_by(host, addresses):
-    """Its /etc/hosts: each host has an own address on the network that it shares with this one."""
+    """Its /etc/hosts: each other host has an address on the network that it shares with this one; its own stays if those go."""
     lines = ["127.0.0.1 localhost"]
     for other in HOSTS:
-        address = next(iter(addresses[host.name].values())) if other == host.name else addresses[other][host.name]
+        address = own_address(host) if other == host.name else addresses[other][host.name]
         lines.append(f"{address} {other}")
     return "\n".join(lines) + "\n"
 
@@ -153,6 +158,7 @@ class Cluster:
     def start_host(self, host, addresses):
         (host.folder / "hosts").write_text(names_seen_by(host, addresses))
         host.run("mount", "--bind", str(host.folder / "hosts"), "/etc/hosts")
+        host.run("ip", "address", "add", f"{own_address(host)}/32", "dev", "lo")
         host.run("mkdir", "-p", "/run/slurm-spool")
         self.daemon(host, "munged", "--force", f"--key-file={self.folder}/munge.key", "--socket=/run/munge/munge.socket.2",
                     "--pid-file=/run/munge/munged.pid", f"--log-file={host.folder}/munged.log", "--seed-file=/run/munge/seed")
