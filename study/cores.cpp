@@ -45,7 +45,6 @@ class Shared {
 constexpr int out_of_memory = 3, other_trouble = 4;
 
 [[noreturn]] void work_on(const CoresWork& work, Counters& counters) {
-  ::signal(SIGTERM, SIG_DFL);  // the parent's way to end it, whatever the parent does with its own
   int status = 0;
   try {
     while (!work.stop || !work.stop()) {
@@ -77,11 +76,21 @@ Deaths run_on_cores(const CoresWork& work) {
   Shared shared;
   std::vector<pid_t> processes;
   const std::size_t wanted = std::min<std::size_t>(std::max(1U, work.processes), work.pieces);
+  // No process runs the parent's handler: until it has its own way to end, SIGTERM waits.
+  sigset_t termination, before;
+  ::sigemptyset(&termination);
+  ::sigaddset(&termination, SIGTERM);
+  ::sigprocmask(SIG_BLOCK, &termination, &before);
   for (std::size_t i = 0; i < wanted; ++i) {
     const pid_t child = ::fork();
-    if (child == 0) work_on(work, *shared);
+    if (child == 0) {
+      ::signal(SIGTERM, SIG_DFL);  // whatever the parent does with its own
+      ::sigprocmask(SIG_SETMASK, &before, nullptr);
+      work_on(work, *shared);
+    }
     if (child > 0) processes.push_back(child);
   }
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
   if (processes.empty() && wanted > 0) throw std::system_error(errno, std::generic_category(), "a process");
   Deaths deaths;
   bool told = false;

@@ -55,7 +55,7 @@ class Plot {
     }
     for (const auto& line : spots_) {
       for (const Spot& spot : line) {
-        if (spot.least == no_slack) continue;
+        if (spot.least == no_slack || spot.outcome != Outcome::holds) continue;  // not drawn
         low_ = std::min(low_, spot.least);
         high_ = std::max(high_, spot.least);
       }

@@ -7,10 +7,12 @@ ssh, and by Slurm; then by the last two again while one host is killed in the mi
 Whatever happens, the hosts are gone at the end: with the first process of its namespace the kernel ends all others.
 """
 import argparse
+import ctypes
 import itertools
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -34,6 +36,11 @@ values = [1, 2]
 """
 
 
+def die_with_parent():
+    """The kernel ends the host if this program ends in any way, killed or not (prctl(2), PR_SET_PDEATHSIG)."""
+    ctypes.CDLL(None).prctl(1, signal.SIGKILL)
+
+
 class Host:
     """Its processes are children of `init`, in namespaces that end with it."""
 
@@ -46,7 +53,7 @@ class Host:
                   f"mkdir -p /root/.ssh && mount --bind {self.folder}/root-ssh /root/.ssh && ip link set lo up && "
                   f"touch {self.folder}/up && exec sleep infinity")
         self.init = subprocess.Popen(["unshare", "--net", "--mount", "--uts", "--pid", "--fork", "--mount-proc", "--kill-child",
-                                      "sh", "-c", script])
+                                      "sh", "-c", script], preexec_fn=die_with_parent)
         wait_for(lambda: (self.folder / "up").exists(), f"host {name}")
         # The first process of the namespace is the child of unshare.
         self.pid = int(subprocess.run(["ps", "-o", "pid=", "--ppid", str(self.init.pid)], capture_output=True, text=True, check=True).stdout.split()[0])
@@ -84,11 +91,16 @@ def connect(hosts):
     return addresses
 
 
+def own_address(host):
+    """On its loopback: that of a link would go with the host at the other end."""
+    return f"10.78.0.{HOSTS.index(host.name) + 1}"
+
+
 def names_seen_by(host, addresses):
-    """Its /etc/hosts: each host has an own address on the network that it shares with this one."""
+    """Its /etc/hosts: each other host has an address on the network that it shares with this one; its own stays if those go."""
     lines = ["127.0.0.1 localhost"]
     for other in HOSTS:
-        address = next(iter(addresses[host.name].values())) if other == host.name else addresses[other][host.name]
+        address = own_address(host) if other == host.name else addresses[other][host.name]
         lines.append(f"{address} {other}")
     return "\n".join(lines) + "\n"
 
@@ -146,6 +158,7 @@ class Cluster:
     def start_host(self, host, addresses):
         (host.folder / "hosts").write_text(names_seen_by(host, addresses))
         host.run("mount", "--bind", str(host.folder / "hosts"), "/etc/hosts")
+        host.run("ip", "address", "add", f"{own_address(host)}/32", "dev", "lo")
         host.run("mkdir", "-p", "/run/slurm-spool")
         self.daemon(host, "munged", "--force", f"--key-file={self.folder}/munge.key", "--socket=/run/munge/munge.socket.2",
                     "--pid-file=/run/munge/munged.pid", f"--log-file={host.folder}/munged.log", "--seed-file=/run/munge/seed")

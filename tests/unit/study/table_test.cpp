@@ -125,7 +125,12 @@ TEST_CASE("a map has a field for each pair of values, in the colour of its worst
 
 TEST_CASE("a plot of slack shows the least of each value, and marks what has none") {
   const std::string plot = draw(sample(), sample().study.plots[0]);
-  CHECK(plot.find("class=\"late\"") != std::string::npos);
+  // Where something else is not known, the least slack is not drawn, and the axis does not go there.
+  CHECK(plot.find("class=\"late\"") == std::string::npos);
+  Table known = sample();
+  known.rows[2].outcome = Outcome::holds;
+  known.rows[2].bound = 8'000'000;
+  CHECK(draw(known, known.study.plots[0]).find("class=\"late\"") != std::string::npos);
   CHECK(plot.find("skill in cell, period = 5 ms: -3 ms; something is undecided") != std::string::npos);
   CHECK(plot.find("skill in cell, period = 10 ms: 1.999995 ms; something was not checked") !=
         std::string::npos);
