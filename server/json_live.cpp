@@ -13,8 +13,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers of binary frames are little endian");
 
-// Of live data for one client of a cell that runs quicker than the wall, in a second of the wall: all
-// channels at their full rate are a quarter of it in a cell at the pace of the wall.
+// The most live data for one client of a cell that runs quicker than the wall, in a second of the wall. At
+// the pace of the wall all channels at their full rate are a quarter of it.
 constexpr double most_bytes_a_second = 4e6;
 constexpr double quick = 2;  // times as quick as the wall
 // A number takes four times as long as text as in a binary frame.

@@ -47,8 +47,8 @@ class ConditionFlow {
 };
 
 /// What each actor knows of a device: the newest sample that its messages of `channels` carried. A sample
-/// is from when the device began to serve the request: from when it took it, and of a device that does not
-/// say when it is busy, from when the request reached it or its answer before that was sent.
+/// is from when the device began to serve the request, which is when it took the request. A device may not
+/// say when it is busy. Then the sample is from when the request reached it, or the answer before was sent.
 class SampleFlow {
  public:
   SampleFlow(const Trace& tables, Marks channels, Kept kept = {});
