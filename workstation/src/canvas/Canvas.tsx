@@ -2,7 +2,7 @@
 // mouse or finger. The keyboard is in keys.ts.
 import { Background, BackgroundVariant, ConnectionMode, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
 import "@xyflow/react/dist/base.css";
-import { useCallback, useEffect, useMemo, useRef, type DragEvent, type MouseEvent } from "react";
+import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, type DragEvent, type MouseEvent } from "react";
 import type { Point } from "../model/operation";
 import { useCell } from "../state/cell";
 import { select, shownOperation, useDrawing } from "../state/drawing";
@@ -151,7 +151,7 @@ const writes = (element: Element | null) => element?.closest("input, textarea, [
 
 /** Bound to the document: after a deletion the focus may be nowhere. */
 function useKeys(): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const pressed = (event: KeyboardEvent) => {
       const active = document.activeElement;
       if (event.defaultPrevented || writes(active)) return;

@@ -1,5 +1,5 @@
 // The bar on top: which operation, what the cell does, the acts that move it, and who has the controls.
-import { useEffect } from "react";
+import { useLayoutEffect } from "react";
 import { Button, Menu, MenuTrigger, Popover, Separator, SubmenuTrigger, MenuItem } from "react-aria-components";
 import { Tool } from "../canvas/CanvasTools";
 import { Item } from "../canvas/IconMenu";
@@ -117,9 +117,9 @@ function SettingsMenu() {
   );
 }
 
-/** Ctrl+S and Ctrl+O are the page's, wherever the focus is. */
+/** Ctrl+S and Ctrl+O are the page's, wherever the focus is, as soon as it is drawn. */
 function useSaveKey(): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const pressed = (event: globalThis.KeyboardEvent) => {
       if (!(event.ctrlKey || event.metaKey)) return;
       const key = event.key.toLowerCase();

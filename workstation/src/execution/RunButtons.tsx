@@ -1,5 +1,5 @@
 // Run, pause, resume, step, stop. Stop is never switched off: any client may stop whatever runs.
-import { useEffect } from "react";
+import { useLayoutEffect } from "react";
 import { Button, Tooltip, TooltipTrigger } from "react-aria-components";
 import { pause, restart, resume, run, step, stop } from "../state/acts";
 import { useCell } from "../state/cell";
@@ -45,7 +45,7 @@ function useCan() {
 
 export function RunButtons() {
   const can = useCan();
-  useEffect(() => {
+  useLayoutEffect(() => {
     const pressed = (event: KeyboardEvent) => {
       if (event.key === "F5") void (can.halted ? resume() : can.run ? run() : undefined);
       else if (event.key === "F6") void (can.pause ? pause() : undefined);

@@ -22,6 +22,8 @@ export async function openPage(from: Browser, url: string, options: BrowserConte
   page.on("console", (message) => /content security policy/i.test(message.text()) && seen.push(message.text()));
   page.setDefaultTimeout(30000);
   await page.goto(url);
+  // Keys that are pressed before the page is drawn would be the browser's own.
+  if (url.startsWith("http")) await page.locator(".page, .no-token").first().waitFor();
   return page;
 }
 
