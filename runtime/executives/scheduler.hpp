@@ -7,18 +7,23 @@
 
 #include "pal/runtime/thread.hpp"
 #include "runtime/executives/event_queue.hpp"
+#include "runtime/executives/ready_queue.hpp"
 #include "runtime/kernel/journal.hpp"
 
 namespace pal::runtime {
 
 struct Processor {
-  const ProcessorSpec* spec = nullptr;
-  int index = 0;
+  Processor(const ProcessorSpec& its, int number, std::size_t threads)
+      : spec(&its), index(number), ready(threads) {
+    arrived.reserve(2 * threads);
+  }
+  const ProcessorSpec* spec;
+  int index;
   Thread* running = nullptr;
   bool working = false;  // `running` is at work on its statement, since `since`
   Time since{};
   std::uint64_t end = 0;         // names the event at which the work will be done
-  std::vector<Thread*> ready;    // in their order: the last one goes first
+  ReadyQueue ready;
   std::vector<Thread*> arrived;  // became ready since the last dispatch
   bool changed = false;          // a thread came or went
 };
