@@ -10,13 +10,13 @@ Scheduler::Scheduler(const Clock& clock, Journal& journal, EventQueue& queue, co
     : clock_(clock), journal_(journal), queue_(queue) {
   for (const ProcessorSpec& spec : wiring.processors)
     processors_.emplace_back(spec, static_cast<int>(processors_.size()), wiring.threads.size());
-  changed_.reserve(processors_.size());
+  changed_.resize(processors_.size());
 }
 
 void Scheduler::note_change(Processor& processor) {
   if (processor.changed) return;
   processor.changed = true;
-  changed_.push_back(&processor);
+  changed_[changes_++] = &processor;
 }
 
 void Scheduler::enqueue(Processor& processor, Thread& thread) {
@@ -99,7 +99,12 @@ void Scheduler::dispatch(Processor& processor) {
   } else if (!processor.working) {
     start(processor, *processor.running);
   }
-  if (!processor.arrived.empty()) announce(processor);
+  if (processor.arrived.empty()) return;
+  if (processor.ready.empty()) {
+    processor.arrived.clear();
+  } else {
+    announce(processor);
+  }
 }
 
 /// The trace learns which threads are ready without a processor, in the order of the threads.
@@ -118,21 +123,14 @@ void Scheduler::announce(Processor& processor) {
 }
 
 void Scheduler::dispatch() {
-  if (changed_.size() == 1) {
-    Processor& only = *changed_.front();
-    changed_.clear();
-    only.changed = false;
-    dispatch(only);
-    return;
-  }
-  if (changed_.size() > 1)
-    std::sort(changed_.begin(), changed_.end(),
+  if (changes_ > 1)
+    std::sort(changed_.begin(), changed_.begin() + static_cast<std::ptrdiff_t>(changes_),
               [](const Processor* a, const Processor* b) { return a->index < b->index; });
-  for (Processor* processor : changed_) {
-    processor->changed = false;
-    dispatch(*processor);
+  for (std::size_t i = 0; i < changes_; ++i) {
+    changed_[i]->changed = false;
+    dispatch(*changed_[i]);
   }
-  changed_.clear();
+  changes_ = 0;
 }
 
 }  // namespace pal::runtime

@@ -66,7 +66,8 @@ class Scheduler {
   Journal& journal_;
   EventQueue& queue_;
   std::vector<Processor> processors_;
-  std::vector<Processor*> changed_;
+  std::vector<Processor*> changed_;  // has room for all
+  std::size_t changes_ = 0;          // how many of it have changed
   std::int64_t back_ = 0;
   std::int64_t front_ = 0;
 };

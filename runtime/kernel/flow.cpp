@@ -6,8 +6,8 @@ using State = ThreadControl::State;
 
 Flow::Flow(Executive& executive, Journal& journal, Skill& skill)
     : executive_(executive), journal_(journal), skill_(skill) {
-  set_going_.reserve(skill.wiring().threads.size());
-  resuming_.reserve(skill.wiring().threads.size());
+  set_going_.resize(skill.wiring().threads.size());
+  resuming_.resize(skill.wiring().threads.size());
 }
 
 void Flow::begin(Thread& thread) {

@@ -21,7 +21,7 @@ class Flow {
   /// The effect of the thread's statement has taken place; its coroutine goes on at this instant.
   void proceed(Thread& thread) {
     thread.control.resuming = true;
-    set_going_.push_back(&thread);
+    set_going_[going_++] = &thread;
   }
 
   /// Lets the coroutines that may go on do so, one after the other: `go_on` resumes or stops one. Reaching a
@@ -30,10 +30,9 @@ class Flow {
   template <class GoOn>
   void settle(GoOn go_on) {
     while (!journal_.over()) {
-      for (; !set_going_.empty(); set_going_.pop_back()) resuming_.push_back(set_going_.back());
-      if (resuming_.empty()) return;
-      Thread& thread = *resuming_.back();
-      resuming_.pop_back();
+      while (going_ > 1) resuming_[waiting_++] = set_going_[--going_];
+      if (going_ == 0 && waiting_ == 0) return;
+      Thread& thread = going_ > 0 ? *set_going_[--going_] : *resuming_[--waiting_];
       thread.control.resuming = false;
       go_on(thread);
     }
@@ -43,9 +42,10 @@ class Flow {
   Executive& executive_;
   Journal& journal_;
   Skill& skill_;
-  // Each thread at most once.
+  // Each thread is there at most once, so each has room for all.
   std::vector<Thread*> set_going_;  // since a thread went on last, in this order
   std::vector<Thread*> resuming_;   // the last one goes on next
+  std::size_t going_ = 0, waiting_ = 0;  // how many there are
 };
 
 }  // namespace pal::runtime

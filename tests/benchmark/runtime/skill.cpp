@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pal/runtime/dispatcher.hpp"
+#include "pal/runtime/still_world.hpp"
 #include "tests/benchmark/runtime/rows.hpp"
 #include "tests/run/support/written_skill.hpp"
 
@@ -15,13 +16,8 @@ using runtime::from;
 using runtime::Task;
 using runtime::Thread;
 
-class Still final : public runtime::World {
- public:
-  void advance_to(runtime::Time) override {}
-};
-
 void run_to_end(test::WrittenSkill& skill, runtime::TraceMode trace) {
-  Still world;
+  runtime::StillWorld world;
   runtime::RunOptions options;
   options.trace = trace;
   if (trace == runtime::TraceMode::last) options.trace_capacity = 4096;
