@@ -562,16 +562,16 @@ TEST_CASE("real time: polling that was in vain is tried again after more and mor
     return waits;
   };
   CHECK(sleeps() == 0);
-  for (const int waits : {2, 4, 8, 16}) {
+  for (const int waits : {16, 32, 64}) {
     look_out.polled(false);
     CHECK(sleeps() == waits);
   }
-  for (int i = 0; i < 4; ++i) look_out.polled(true);
+  for (int i = 0; i < 63; ++i) look_out.polled(true);
+  look_out.polled(false);
+  CHECK(sleeps() == 128);
+  for (int i = 0; i < 5 * 64; ++i) look_out.polled(true);
   look_out.polled(false);
   CHECK(sleeps() == 16);
-  for (int i = 0; i < 10; ++i) look_out.polled(true);
-  look_out.polled(false);
-  CHECK(sleeps() == 2);
   for (int i = 0; i < 40; ++i) look_out.polled(false);
   CHECK(sleeps() == 4096);
 }
