@@ -193,7 +193,7 @@ void RequirementWatch::measured(const Watched& watched, Time value) {
   worst = spec(watched).measure == Measure::load ? value
           : has_least_only(spec(watched))        ? std::min(before, value)
                                                  : std::max(before, value);
-  if (margins_ != nullptr) margins_->set(watched.requirement, *worst);
+  if (margins_ != nullptr) margins_->set(watched.requirement, *worst, value);
 }
 
 void RequirementWatch::check(const Watched& watched, const std::optional<trace::Occurrence>& seen,
