@@ -32,23 +32,23 @@ function Icon({ part, idle }: { part: Part; idle: boolean }) {
   return (
     <div className="operator-icon" data-icon={part.path}>
       <h3>{part.path.replaceAll("/", " › ")}</h3>
-      <dl>
+      <ul className="operator-fields">
         {sorted.map((each) => {
           const parameter = skill?.parameters.find((one) => one.name === each.name), limits = each.operator, unit = parameter?.unit ?? "";
           if (limitsOf(each.name) === undefined)
-            return <div key={each.name} className="locked"><dt><Symbol name="lock" size={16} />{each.name}</dt><dd>{each.value === null ? t("operator.later") : amountText(each.value, unit)}</dd></div>;
+            return <li key={each.name} className="locked"><span><Symbol name="lock" size={16} />{each.name}</span><b>{each.value === null ? t("operator.later") : amountText(each.value, unit)}</b></li>;
           if (typeof each.value === "boolean")
-            return <div key={each.name}><Checkbox className="checkbox" isSelected={each.value} isDisabled={!idle} onChange={(now) => void set(part.path, each.name, now)}><span className="box"><Symbol name="tick" size={14} /></span>{each.name}</Checkbox></div>;
-          if (typeof each.value === "string") return <div key={each.name}><TextBox label={each.name} value={each.value} onChange={(now) => void set(part.path, each.name, now)} /></div>;
+            return <li key={each.name}><Checkbox className="checkbox" isSelected={each.value} isDisabled={!idle} onChange={(now) => void set(part.path, each.name, now)}><span className="box"><Symbol name="tick" size={14} /></span>{each.name}</Checkbox></li>;
+          if (typeof each.value === "string") return <li key={each.name}><TextBox label={each.name} value={each.value} onChange={(now) => void set(part.path, each.name, now)} /></li>;
           const low = limits?.low ?? parameter?.low, high = limits?.high ?? parameter?.high;
           return (
-            <div key={each.name} className="free">
+            <li key={each.name} className="free">
               <NumberBox label={each.name} value={typeof each.value === "number" ? each.value : undefined} unit={unit} low={low} high={high} isDisabled={!idle} hint={rangeText(low, high, unit)}
                 whole={parameter?.type === "integer"} onChange={(now) => now !== undefined && void set(part.path, each.name, now)} />
-            </div>
+            </li>
           );
         })}
-      </dl>
+      </ul>
     </div>
   );
 }

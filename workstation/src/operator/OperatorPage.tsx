@@ -16,6 +16,7 @@ import { clock, currentLanguage, languages, setLanguage, t, type Language } from
 import { FreeParameters } from "./FreeParameters";
 import { lookAsOperator } from "./mode";
 import { partsOf } from "./parts";
+import { Today } from "./Today";
 
 type Look = "idle" | "acting" | "halted" | "stopped" | "failed" | "ended" | "away";
 
@@ -76,6 +77,7 @@ export default function OperatorPage() {
           <Acts look={look} mayAct={snapshot.role !== "viewer"} loaded={snapshot.operation !== ""} running={running} />
           <Choices look={look} mayAct={snapshot.role !== "viewer"} />
           <Question />
+          {snapshot.operation !== "" && <Today name={snapshot.operation} />}
         </section>
         <section className="operator-side" aria-label={t("operator.parameters")}>
           <Operations current={snapshot.operation} idle={!running && link === "ready" && snapshot.role !== "viewer"} />
