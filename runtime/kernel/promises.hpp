@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pal/runtime/broken_promise.hpp"
@@ -47,7 +48,7 @@ class Promises final : public EventWatcher {
   void took(const Thread& thread, Time used);
 
   /// An event of the run.
-  void see(const trace::Event& event) override;
+  void see(const trace::Event& event, std::span<const std::uint32_t> meters) override;
   /// A thread comes to a loop that a phase names, and leaves it.
   void enter(int loop, int thread) { note(requirements_.enter(loop, thread, clock_.now)); }
   void leave(int loop, int thread) { note(requirements_.leave(loop, thread)); }
