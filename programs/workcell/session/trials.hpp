@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "pal/runtime/cost_policy.hpp"
 #include "programs/workcell/session/skills.hpp"
 #include "server/locations.hpp"
 #include "server/study.hpp"
