@@ -31,6 +31,8 @@ struct SkillResult {
   std::string reason;
   bool over_time = false;  // its time limit ended it, and kind and code count for nothing
   std::vector<Figure> figures{};
+  /// The worst of each of the skill's requirements in this run, in the requirement's unit.
+  std::vector<Figure> measured{};
 };
 
 /// The value of a sensor, in its unit; or why there is none; or stop() came first.

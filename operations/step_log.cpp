@@ -63,6 +63,7 @@ std::optional<Step> step_of(const Json& line) {
   step.answer = line.value("answer", "");
   step.readings = figures_of(line.value("readings", Json::object()));
   step.result.figures = figures_of(line.value("figures", Json::object()));
+  step.result.measured = figures_of(line.value("measured", Json::object()));
   const auto kind = std::find(kinds.begin(), kinds.end(), line.value("kind", "normal"));
   if (kind == kinds.end()) return std::nullopt;
   step.result.kind = static_cast<SkillResult::Kind>(kind - kinds.begin());
@@ -113,6 +114,7 @@ std::string log_line(const Step& step) {
     line["answer"] = step.answer;
   }
   if (!step.result.figures.empty()) line["figures"] = json_of(step.result.figures);
+  if (!step.result.measured.empty()) line["measured"] = json_of(step.result.measured);
   if (step.has_code() || step.result.kind == SkillResult::Kind::stopped) {
     line["kind"] = kinds[static_cast<std::size_t>(step.result.kind)];
     line["code"] = step.result.code;

@@ -2,6 +2,7 @@
 // and all else is done in the server's thread.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -19,6 +20,32 @@ struct ChannelField {
   std::string name, unit;
 };
 
+/// A parameter of a skill that is a limit on fields of a channel while the skill runs: at `factor` times its
+/// value, and at the negative of that with `both`. It counts from `around` times another parameter, if given.
+struct ShownLimit {
+  enum class Kind { band, target, stop, error };
+  struct Around {
+    std::string parameter;
+    double factor = 1;
+  };
+  std::string skill, parameter;
+  std::vector<std::string> fields;
+  double factor = 1;
+  bool both = false;
+  Kind kind = Kind::target;
+  std::optional<Around> around{};
+};
+
+/// What a logical sensor sees in a profile: one point, or a line between two. mm.
+struct ProfileMark {
+  std::string name;
+  std::vector<std::array<double, 2>> points;  // y, z
+  std::optional<double> value{};              // what the sensor gives, in `unit`
+  std::string unit{};
+};
+
+struct Profile;
+
 /// One channel. A record of the cell has the raw numbers of all channels.
 struct Channel {
   enum class Form { numbers, profile };
@@ -28,6 +55,9 @@ struct Channel {
   Form form = Form::numbers;
   /// Makes the fields of a raw record; of `numbers`. Called by the server's thread.
   std::function<void(std::span<const double> raw, std::span<double> shown)> show{};
+  std::vector<ShownLimit> limits{};
+  /// What is seen in a profile; of `profile`. Called by the server's thread.
+  std::function<std::vector<ProfileMark>(const Profile&)> marks{};
 };
 
 using Channels = std::vector<Channel>;

@@ -1,6 +1,7 @@
 // What a client may ask for. Both protocols make these, so that both mean the same.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -82,6 +83,7 @@ struct ClearBreakpoints {};
 struct TeachLocation {
   std::string location;
   std::optional<std::uint64_t> based_on{};
+  std::optional<std::array<double, 6>> pose{};  // as of Location; nothing: where the robot is
 };
 struct RenameLocation {
   std::string location, to;
@@ -91,6 +93,8 @@ struct DeleteLocation {
   std::string location;
   std::optional<std::uint64_t> based_on{};
 };
+/// The place of the tool and of the joints, while nothing moves.
+struct WhereIsRobot {};
 /// While nothing runs.
 struct ReadSensor {
   std::string sensor;
@@ -104,7 +108,7 @@ struct AnswerQuestion {
 using Command = std::variant<TakeControls, AskForControls, GiveControls, ReleaseControls, SetHold,
                              ReleaseHold, RunSkill, LoadOperation, RunOperation, Pause, Stop, PutToken,
                              SetParameter, SetBreakpoint, RemoveBreakpoint, ClearBreakpoints, AnswerQuestion,
-                             TeachLocation, RenameLocation, DeleteLocation, ReadSensor>;
+                             TeachLocation, RenameLocation, DeleteLocation, WhereIsRobot, ReadSensor>;
 
 /// How a command ended that was obeyed.
 struct Done {

@@ -14,6 +14,7 @@ struct LeastRole {
   Role operator()(const Pause&) const { return Role::viewer; }
   Role operator()(const Stop&) const { return Role::viewer; }
   Role operator()(const ReleaseControls&) const { return Role::viewer; }
+  Role operator()(const WhereIsRobot&) const { return Role::viewer; }
   Role operator()(const ReadSensor&) const { return Role::viewer; }
   Role operator()(const RunSkill&) const { return Role::programmer; }
   Role operator()(const TeachLocation&) const { return Role::programmer; }

@@ -111,6 +111,7 @@ struct Desk::Parts final : operations::StepObserver {
   Result obey(Asked& asked, TeachLocation& command);
   Result obey(Asked& asked, RenameLocation& command);
   Result obey(Asked& asked, DeleteLocation& command);
+  Result obey(Asked& asked, WhereIsRobot& command);
   Result obey(Asked& asked, ReadSensor& command);
   Result begin_service(Asked& asked, std::function<Served()> work);
   Result need_locations() const;

@@ -51,8 +51,13 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, TeachLocation& command) {
     return Refusal{Refusal::Why::wrong, problem, "choose another name"};
   give_controls(asked.client);
   return begin_service(asked, [this, command, by = name_of(asked.client)]() -> Served {
-    const Location taught =
-        options.book->teach(command.location, options.robot->here(), command.based_on, by);
+    Location place;
+    if (command.pose) {
+      place.pose = *command.pose;
+    } else {
+      place = options.robot->here();
+    }
+    const Location taught = options.book->teach(command.location, place, command.based_on, by);
     options.robot->teach(taught.name, taught.pose);
     Done done;
     done.location = std::make_shared<Location>(taught);
@@ -87,6 +92,17 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, DeleteLocation& command) {
     const std::uint64_t version = options.book->remove(command.location, command.based_on);
     options.robot->forget(command.location);
     return {Done{}, LocationChanged{command.location, LocationChanged::Change::deleted, version, {}, by}};
+  });
+}
+
+Desk::Parts::Result Desk::Parts::obey(Asked& asked, WhereIsRobot&) {
+  if (ending) return Refusal{Refusal::Why::ending, "the server ends"};
+  if (auto refusal = need_rest()) return refusal;
+  if (options.robot == nullptr) return Refusal{Refusal::Why::absent, "this cell tells no places"};
+  return begin_service(asked, [this]() -> Served {
+    Done done;
+    done.location = std::make_shared<Location>(options.robot->here());
+    return {done};
   });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -72,15 +73,40 @@ std::string spans_as_bytes(const std::string& channel, const std::vector<SampleS
   return bytes;
 }
 
+Json scan_json(const Profile& profile) {
+  Json json{{"scanned", profile.scanned}, {"missing", Json::array()}, {"marks", Json::array()}};
+  for (const auto& [from, to] : profile.missing) json["missing"].push_back({from, to});
+  for (const ProfileMark& mark : profile.marks) {
+    Json one{{"name", mark.name}, {"points", mark.points}};
+    if (mark.value) {
+      one["value"] = *mark.value;
+      one["unit"] = mark.unit;
+    }
+    json["marks"].push_back(std::move(one));
+  }
+  return json;
+}
+
+Json limit_json(const ShownLimit& limit) {
+  static constexpr std::array kinds{"band", "target", "stop", "error"};
+  Json json{{"skill", limit.skill},   {"parameter", limit.parameter}, {"fields", limit.fields},
+            {"factor", limit.factor}, {"both", limit.both},           {"kind", kinds[static_cast<std::size_t>(limit.kind)]}};
+  if (limit.around) json["around"] = {{"parameter", limit.around->parameter}, {"factor", limit.around->factor}};
+  return json;
+}
+
 std::string profile_as_text(Duration time, const Profile& profile, std::uint64_t dropped) {
-  return notification(
-      "profile", {{"time_s", seconds(time)}, {"y_mm", profile.y}, {"z_mm", profile.z}, {"dropped", dropped}});
+  Json params{{"time_s", seconds(time)}, {"y_mm", profile.y}, {"z_mm", profile.z}, {"dropped", dropped}};
+  params.update(scan_json(profile));
+  return notification("profile", std::move(params));
 }
 
 std::string profile_as_bytes(const std::string& channel, Duration time, const Profile& profile,
                              std::uint64_t dropped) {
-  std::string bytes = frame_head(
-      {{"channel", channel}, {"time_s", seconds(time)}, {"points", profile.y.size()}, {"dropped", dropped}});
+  Json head{
+      {"channel", channel}, {"time_s", seconds(time)}, {"points", profile.y.size()}, {"dropped", dropped}};
+  head.update(scan_json(profile));
+  std::string bytes = frame_head(head);
   add_numbers(bytes, profile.y);
   add_numbers(bytes, profile.z);
   return bytes;
@@ -201,6 +227,8 @@ Json describe(const Channel& channel) {
     json["fields"].push_back({{"name", field.name}, {"unit", field.unit}});
   json["rate_hz"] = channel.rate_hz;
   json["form"] = channel.form == Channel::Form::profile ? "profile" : "numbers";
+  json["limits"] = Json::array();
+  for (const ShownLimit& limit : channel.limits) json["limits"].push_back(limit_json(limit));
   return json;
 }
 

@@ -30,18 +30,20 @@ void requirements(const Call& call) {
     fail(Refusal::Why::absent, "the cell has no skill '" + skill.substr(0, 60) + "'");
   const auto measured =
       call.context().knowledge != nullptr ? call.context().knowledge->measured() : MeasuredRequirements();
+  const double time_s = seconds(call.context().desk.status(call.client()).time);
   Json json = Json::array();
   for (const auto& [name, known] : facts->skills) {
     if (!skill.empty() && name != skill) continue;
-    Json each{{"skill", name}, {"requirements", Json::array()}};
+    Json each{{"skill", name}, {"time_s", time_s}, {"requirements", Json::array()}};
     for (const KnownRequirement& requirement : known.requirements) {
       Json one = describe(requirement);
       const auto found = measured.find({name, requirement.name});
       if (found != measured.end()) {
-        one["measured"] = found->second;
+        const double worst = found->second.worst;
+        one["measured"] = worst;
+        one["now"] = found->second.now;
         if (requirement.limit)
-          one["margin"] =
-              requirement.at_least ? found->second - *requirement.limit : *requirement.limit - found->second;
+          one["margin"] = requirement.at_least ? worst - *requirement.limit : *requirement.limit - worst;
       }
       each["requirements"].push_back(std::move(one));
     }
@@ -87,6 +89,7 @@ Json snapshot_json(const SessionContext& context, ClientId client) {
   if (context.store != nullptr) json["offers"].push_back("store");
   if (context.knowledge != nullptr) json["offers"].push_back("requirements");
   if (context.runs != nullptr) json["offers"].push_back("history");
+  if (context.trials != nullptr) json["offers"].push_back("study");
   if (context.desk.locations() != nullptr) json["offers"].push_back("locations");
   if (context.channels != nullptr && !context.channels->empty()) json["offers"].push_back("channels");
   return json;

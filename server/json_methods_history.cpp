@@ -67,9 +67,33 @@ void read_run(const Call& call) {
               });
 }
 
+void list_steps(const Call& call) {
+  constexpr std::int64_t usual = 100, most = 1000;
+  const Members& members = call.members();
+  const auto before = members.may_be_whole("before", 1, greatest_run);
+  const auto limit = members.may_be_whole("limit", 1, most).value_or(usual);
+  call.beside(call.context().disk,
+              [&runs = history_of(call.context()), before, limit,
+               skill = members.text("skill")](const Workshop::Stop&) -> Json {
+                const StepPage page = with_store([&] {
+                  return runs.steps_of(skill, before ? std::optional<std::uint64_t>(*before) : std::nullopt,
+                                       static_cast<std::size_t>(limit));
+                });
+                Json json{{"rows", Json::array()}, {"more", page.more}};
+                for (const StepPage::Each& each : page.steps)
+                  json["rows"].push_back({{"run", each.run},
+                                          {"name", each.name},
+                                          {"begun", wall_text(each.begun)},
+                                          {"step", Json::parse(each.step.step)},
+                                          {"parameters", Json::parse(each.step.parameters)}});
+                return json;
+              });
+}
+
 constexpr std::array history_methods{
     Method{"history.list", Role::viewer, false, list_runs},
     Method{"history.read", Role::viewer, false, read_run},
+    Method{"history.steps", Role::viewer, false, list_steps},
 };
 
 }  // namespace

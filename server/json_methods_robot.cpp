@@ -1,5 +1,7 @@
 // The methods of the JSON protocol on the robot and its sensors between skills: locations, readings.
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "server/json_call.hpp"
 
@@ -11,6 +13,15 @@ constexpr std::int64_t greatest_of_locations = std::int64_t{1} << 53;
 std::optional<std::uint64_t> version_of(const Call& call) {
   const auto version = call.members().may_be_whole("based_on", 0, greatest_of_locations);
   return version ? std::optional<std::uint64_t>(*version) : std::nullopt;
+}
+
+std::optional<PoseFigures> pose_of(const Call& call) {
+  const Json* pose = call.members().find("pose");
+  if (pose == nullptr) return std::nullopt;
+  const auto fits = [](const Json& each) { return each.is_number() && std::abs(each.get<double>()) <= 1e5; };
+  if (!pose->is_array() || pose->size() != 6 || !std::ranges::all_of(*pose, fits))
+    fail(bad_parameters, "'pose' is x, y, z in mm, then O, A, T in degrees");
+  return pose->get<PoseFigures>();
 }
 
 Json location_json(const Done& done) {
@@ -41,10 +52,18 @@ void read_sensor(const Call& call) {
 
 constexpr std::array robot_methods{
     Method{"sensor.read", Role::viewer, true, read_sensor},
+    Method{"locations.here", Role::viewer, true,
+           [](const Call& call) {
+             call.ask(WhereIsRobot{}, [](const Done& done) -> Json {
+               if (!done.location || !done.location->joints) return Json::object();
+               return {{"pose", done.location->pose}, {"joints", *done.location->joints}};
+             });
+           }},
     Method{"locations.list", Role::viewer, false, list_locations},
     Method{"locations.teach", Role::programmer, true,
            [](const Call& call) {
-             call.ask(TeachLocation{call.members().text("location"), version_of(call)}, location_json);
+             call.ask(TeachLocation{call.members().text("location"), version_of(call), pose_of(call)},
+                      location_json);
            }},
     Method{"locations.rename", Role::programmer, true,
            [](const Call& call) {

@@ -41,8 +41,13 @@ struct Facts {
   operations::ProvedTimes times;
 };
 
-/// The worst of each requirement, by skill and name, in the requirement's unit.
-using MeasuredRequirements = std::map<std::pair<std::string, std::string>, double>;
+/// In the requirement's unit.
+struct MeasuredRequirement {
+  double worst = 0;  // since the server began; of a load that of the last run
+  double now = 0;    // the last value that was seen
+};
+/// By skill and name.
+using MeasuredRequirements = std::map<std::pair<std::string, std::string>, MeasuredRequirement>;
 
 /// For all threads.
 class Knowledge {
@@ -60,16 +65,18 @@ class Knowledge {
     const std::lock_guard lock(mutex_);
     return measured_;
   }
-  /// The longest that was seen, or the shortest of a limit from below. `last`: only the last one counts, as
-  /// of a load, which is of the run so far.
-  void measure(const std::string& skill, const std::string& requirement, double value, bool at_least,
-               bool last = false) {
+  /// `value` is the longest that a run has seen, or the shortest of a limit from below; `now` is what it saw
+  /// last. `last`: only the last one counts, as of a load, which is of the run so far.
+  void measure(const std::string& skill, const std::string& requirement, MeasuredRequirement value,
+               bool at_least, bool last = false) {
     const std::lock_guard lock(mutex_);
     const auto [found, fresh] = measured_.try_emplace({skill, requirement}, value);
-    if (!fresh)
-      found->second = last       ? value
-                      : at_least ? std::min(found->second, value)
-                                 : std::max(found->second, value);
+    if (fresh) return;
+    const double before = found->second.worst;
+    found->second = {last       ? value.worst
+                     : at_least ? std::min(before, value.worst)
+                                : std::max(before, value.worst),
+                     value.now};
   }
 
  private:

@@ -144,6 +144,7 @@ struct RunHistory::Parts {
             "CREATE INDEX IF NOT EXISTS runs_by_name ON runs (name, run);"
             "CREATE TABLE IF NOT EXISTS steps (run INTEGER, number INTEGER, step TEXT, parameters TEXT, "
             "PRIMARY KEY (run, number)) WITHOUT ROWID;"
+            "CREATE INDEX IF NOT EXISTS steps_by_skill ON steps (json_extract(step, '$.skill'), run, number);"
             "UPDATE runs SET state = 'broken off' WHERE state = 'running';");
     execute(database, fmt::format("PRAGMA user_version={}", history_format).c_str());
     Query last(database, "SELECT coalesce(max(run), 0) FROM runs");
@@ -355,6 +356,29 @@ RunSteps RunHistory::read(std::uint64_t run, std::uint64_t after, std::size_t li
   result.more = result.steps.size() > limit;
   if (result.more) result.steps.pop_back();
   return result;
+}
+
+StepPage RunHistory::steps_of(const std::string& skill, std::optional<std::uint64_t> before,
+                              std::size_t limit) const {
+  parts_->wait_until_written();
+  const std::lock_guard lock(parts_->on_database);
+  if (parts_->problem) throw StoreProblem{*parts_->problem};
+  StepPage page;
+  Query query(parts_->database,
+              "SELECT s.run, r.name, r.begun_ms, s.step, s.parameters FROM steps s JOIN runs r ON r.run = s.run "
+              "WHERE json_extract(s.step, '$.skill') = ?1 AND s.run < ?2 ORDER BY s.run DESC, s.number DESC "
+              "LIMIT ?3");
+  query.put(1, skill);
+  query.put(2, before ? static_cast<std::int64_t>(*before) : std::numeric_limits<std::int64_t>::max());
+  query.put(3, static_cast<std::int64_t>(limit) + 1);
+  while (query.next())
+    page.steps.push_back({static_cast<std::uint64_t>(query.number(0)),
+                          query.text(1),
+                          WallTime(std::chrono::milliseconds(query.number(2))),
+                          {query.text(3), query.text(4)}});
+  page.more = page.steps.size() > limit;
+  if (page.more) page.steps.pop_back();
+  return page;
 }
 
 }  // namespace pal::server

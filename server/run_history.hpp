@@ -45,6 +45,18 @@ struct RunSteps {
   bool more = false;  // there are later ones
 };
 
+/// Executions of one skill, the newest first.
+struct StepPage {
+  struct Each {
+    std::uint64_t run = 0;
+    std::string name;  // of the run
+    WallTime begun{};  // the run
+    RunSteps::Each step;
+  };
+  std::vector<Each> steps;
+  bool more = false;  // there are older ones
+};
+
 struct RunHistoryLimits {
   std::uint64_t most_runs = 100'000;
   std::uint64_t most_bytes = std::uint64_t{256} << 20;  // of the database; the oldest runs go first
@@ -74,6 +86,8 @@ class RunHistory {
   RunPage list(std::optional<std::uint64_t> before, std::size_t limit, const std::string& name) const;
   /// The run with its steps above `after`. Throws StoreProblem.
   RunSteps read(std::uint64_t run, std::uint64_t after, std::size_t limit) const;
+  /// Of all runs that began this skill, below the run `before`. Throws StoreProblem.
+  StepPage steps_of(const std::string& skill, std::optional<std::uint64_t> before, std::size_t limit) const;
 
  private:
   struct Parts;

@@ -51,7 +51,7 @@ tcp::acceptor listen_at(asio::io_context& io, const std::string& address, std::u
 struct Waiting {
   std::vector<Event> events;
   std::deque<std::shared_ptr<const Telemetry>> telemetry;
-  std::deque<std::pair<Duration, std::shared_ptr<const Profile>>> profiles;
+  std::deque<std::pair<Duration, std::shared_ptr<Profile>>> profiles;
   std::deque<std::shared_ptr<const SampleBlock>> blocks;
   std::uint64_t lost = 0;  // samples of all these
 };
@@ -82,6 +82,7 @@ struct Server::Parts {
     checks.emplace(true);
     disk.emplace(true);
     reading.emplace(true);
+    studies.emplace(true);
     context.emplace(
         SessionContext{the_desk, history, options.tokens,
                        [this](std::function<void()> action) { asio::post(io, std::move(action)); }, *checks,
@@ -91,6 +92,8 @@ struct Server::Parts {
     context->version = options.version;
     context->channels = &options.channels;
     context->runs = options.runs;
+    context->studies = &*studies;
+    context->trials = options.trials;
     context->full = [this] {
       return count_of([](Session& each) { return !each.extra(); }) >= options.most_clients;
     };
@@ -133,6 +136,7 @@ struct Server::Parts {
     checks.reset();
     disk.reset();
     reading.reset();
+    studies.reset();
     clients.clear();
   }
   void wait_for_farewells() {
@@ -232,8 +236,11 @@ struct Server::Parts {
     for (const ConnectionPointer& client : clients) client->lose(taken.lost);
     for (const auto& telemetry : taken.telemetry)
       for_each([&](Session& session) { session.show(telemetry); });
-    for (const auto& [time, profile] : taken.profiles)
+    for (const auto& [time, profile] : taken.profiles) {
+      for (const Channel& channel : options.channels)
+        if (channel.marks) profile->marks = channel.marks(*profile);
       for_each([&, when = time, what = profile](Session& session) { session.show(when, what); });
+    }
   }
   /// The first ones; the others come behind what else waits for this thread.
   void show_blocks(std::deque<std::shared_ptr<const SampleBlock>>& blocks) {
@@ -290,7 +297,7 @@ struct Server::Parts {
   PageFiles page_files;
   Desk* desk = nullptr;
   History history;
-  std::optional<Workshop> checks, disk, reading;
+  std::optional<Workshop> checks, disk, reading, studies;
   std::optional<SessionContext> context;
   std::optional<ConnectionContext> connection_context;
   std::vector<ConnectionPointer> clients;

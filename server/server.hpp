@@ -39,6 +39,7 @@ struct ServerOptions {
   Store* store = nullptr;            // operations on the disk; null: none
   Knowledge* knowledge = nullptr;    // of skills; null: none
   const RunHistory* runs = nullptr;  // null: no history is kept
+  Trials* trials = nullptr;          // null: nothing can be tried aside
   Channels channels;                 // of live data
   std::string version;               // of the program
 };

@@ -14,6 +14,7 @@
 #include "server/knowledge.hpp"
 #include "server/outbox.hpp"
 #include "server/store.hpp"
+#include "server/study.hpp"
 #include "server/telemetry.hpp"
 #include "server/workshop.hpp"
 
@@ -43,6 +44,8 @@ struct SessionContext {
   std::string version{};               // of the program
   const RunHistory* runs = nullptr;    // null: no history is kept
   const Channels* channels = nullptr;  // null: this cell has none
+  Workshop* studies = nullptr;         // of trials
+  Trials* trials = nullptr;            // null: nothing can be tried aside
   /// Whether the places for clients that may do anything are taken. The next one may look, pause and stop.
   std::function<bool()> full{};
   /// A session asks for live data, or for others, from now on: a skill that its client begins next is seen from its

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "pal/support/time.hpp"
@@ -10,9 +12,14 @@
 
 namespace pal::server {
 
-/// The range finder's last profile: points in the tool's YZ plane, mm; only those that have a range.
+/// The range finder's last profile: points in the tool's YZ plane, mm; only those that have a range, in the
+/// order of the scan.
 struct Profile {
   std::vector<double> y, z;
+  std::size_t scanned = 0;  // points of the scan
+  /// Stretches [from, to) of the scan that had no range.
+  std::vector<std::pair<std::size_t, std::size_t>> missing{};
+  std::vector<ProfileMark> marks{};  // filled in by the server's thread
 };
 
 struct Telemetry {

@@ -26,9 +26,10 @@ constexpr runtime::Time rests_after = std::chrono::milliseconds(500);
 using FaultListener = std::function<void(const ArmFault&)>;
 using SampleListener = std::function<void(const Sample&)>;
 
-Joints start_joints(const Physics& physics, double raise) {
+Joints start_joints(const Physics& physics, const WorkcellOptions& options) {
+  if (options.start) return *options.start;
   Start start = physics.loaded().start;
-  start.tool.translation().z() += raise * 1e-3;
+  start.tool.translation().z() += options.raise * 1e-3;
   const InverseSolution solution =
       inverse_tool(start.tool, flange_to_tip_of(physics.loaded().tool), start.configuration, Joints::Zero());
   if (solution.problem != InverseProblem::none)
@@ -78,7 +79,7 @@ struct Workcell::Parts {
   Parts(const Scene& scene, const WorkcellOptions& options)
       : physics(scene),
         tool(flange_to_tip_of(physics.loaded().tool)),
-        motion(start_joints(physics, options.raise), alter_period, tool),
+        motion(start_joints(physics, options), alter_period, tool),
         trail(tool),
         machine(machine_of(options, physics)),
         sensing(machine),

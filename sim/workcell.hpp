@@ -51,6 +51,8 @@ struct Sample {
 struct WorkcellOptions {
   /// Raises the tool's start by this much along the vertical, mm.
   double raise = 0;
+  /// Where the joints start, rad; not given: as the scene says.
+  std::optional<Joints> start = std::nullopt;
   /// Pause after loading, in which the servos take up the load, before time 0.
   runtime::Time settle = std::chrono::milliseconds(300);
   /// How long a run the log has room for without allocating.

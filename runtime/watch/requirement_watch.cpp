@@ -187,11 +187,6 @@ void RequirementWatch::route(std::size_t index, const trace::Trace& tables) {
 
 // What is measured.
 
-void RequirementWatch::worse(const Watched& watched, Time value) {
-  worst_[watched.requirement] = value;
-  if (margins_ != nullptr) margins_->set(watched.requirement, value);
-}
-
 void RequirementWatch::check(const Watched& watched, const trace::Occurrence& seen, bool noted) {
   const Time length(seen.length_ns());
   measured(watched, length);
@@ -215,7 +210,9 @@ void RequirementWatch::check_load(const Watched& watched, Load& load, std::int64
     greatest = std::max(greatest, static_cast<double>(meter.work(now_ns)));
   if (now_ns <= 0) return;
   const auto now = static_cast<double>(now_ns);
-  worse(watched, Time(static_cast<std::int64_t>(greatest / now * second)));  // of the run so far
+  const Time so_far(static_cast<std::int64_t>(greatest / now * second));
+  worst_[watched.requirement] = so_far;
+  tell(watched, so_far);
   if (spec(watched).most == Time::max()) return;
   const double limit = static_cast<double>(spec(watched).most.count()) / second;
   const bool over =

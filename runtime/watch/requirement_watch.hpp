@@ -113,10 +113,12 @@ class RequirementWatch {
   void check_load(const Watched& watched, Load& load, std::int64_t now_ns);
   void measured(const Watched& watched, Time value) {
     std::optional<Time>& worst = worst_[watched.requirement];
-    if (worst && (watched.shortest ? value >= *worst : value <= *worst)) return;
-    worse(watched, value);
+    if (!worst || (watched.shortest ? value < *worst : value > *worst)) worst = value;
+    tell(watched, value);
   }
-  void worse(const Watched& watched, Time value);
+  void tell(const Watched& watched, Time latest) {
+    if (margins_ != nullptr) margins_->set(watched.requirement, *worst_[watched.requirement], latest);
+  }
   void may_be_due(const Watched& watched, std::int64_t since_ns) {
     if (spec(watched).most != Time::max())
       soonest_ = std::min(soonest_, Time(since_ns) + spec(watched).most + Time(1));

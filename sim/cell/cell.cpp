@@ -94,7 +94,7 @@ struct Cell::Parts {
       : fixed_noise(options.seed, 7),
         workcell(
             scene,
-            {.raise = options.raise, .machine_seed = options.machine_seed, .keep_log = options.keep_log}),
+            {.raise = options.raise, .start = options.start, .machine_seed = options.machine_seed, .keep_log = options.keep_log}),
         world(watched(options, workcell)),
         station(physics(world, workcell), options.pace),
         arm(workcell),

@@ -22,6 +22,8 @@ namespace pal::sim {
 struct CellOptions {
   /// How much higher than in the scene the tool starts, mm.
   double raise = 0;
+  /// Where the joints start, rad; not given: as the scene says.
+  std::optional<Joints> start;
   /// The seed of everything that devices draw.
   std::uint64_t seed = 1;
   /// The seed of the machine, if it is not the scene's (MachineOptions::seed).

@@ -55,6 +55,15 @@ Figures val_joints(const Joints& q) {
   return shown;
 }
 
+Joints joints_of(const Figures& shown) {
+  Figures turned = shown;
+  turned[1] += 180;
+  turned[2] -= 180;
+  Joints q;
+  for (std::size_t i = 0; i < joint_count; ++i) q[static_cast<Eigen::Index>(i)] = radians(turned[i]);
+  return q;
+}
+
 std::string columns(const Figures& figures) {
   std::string text;
   for (std::size_t i = 0; i < figures.size(); ++i) text += column(figures[i], i < 3 ? 2 : 3);

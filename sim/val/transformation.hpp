@@ -26,6 +26,8 @@ Figures shown_figures(const Pose& pose);
 /// The joint angles that VAL shows, degrees: those of docs/workcell/model.md plus (0, 180, 180, 0, 0, 0).
 /// They are within the ranges of the machine's own manual (joint 2: -225 to 45, joint 3: -45 to 225).
 Figures val_joints(const Joints& q);
+/// The angles that VAL shows so.
+Joints joints_of(const Figures& shown);
 
 /// Six figures in columns of nine: X Y Z with two decimals, angles with three.
 std::string columns(const Figures& figures);

@@ -7,6 +7,13 @@ import "./look/base.css";
 import "./look/controls.css";
 import "./look/page.css";
 import "./storage/storage.css";
+// Of windows that are loaded later: their style comes with the page, for their program alone is large.
+import "uplot/dist/uPlot.min.css";
+import "./live/live.css";
+import "./tuning/tuning.css";
+import "./operator/operator.css";
+import "./teaching/teaching.css";
+import "./production/production.css";
 import { keepBreakpoints } from "./state/breakpoints";
 import { keepBackup, restore, restoreFromDisk } from "./state/backup";
 import { useCell } from "./state/cell";

@@ -16,6 +16,7 @@
 #include "programs/workcell/session/margin_meter.hpp"
 #include "programs/workcell/session/skill_facts.hpp"
 #include "programs/workcell/session/taught_robot.hpp"
+#include "programs/workcell/session/trials.hpp"
 #include "runtime/drivers/streams/outside.hpp"
 #include "server/announcement.hpp"
 #include "server/disk_file.hpp"
@@ -118,10 +119,12 @@ void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const 
   if (!server.terminal().empty()) out << fmt::format("  lines at {}\n", server.terminal());
   if (!command.line_serial.empty()) out << fmt::format("  lines at {}\n", command.line_serial);
   out << fmt::format("  the token is in {}\n", announcement);
-  if (command.open)
-    out << fmt::format("  a browser shows the cell at http://{}:{}/#token={}\n",
-                       command.address == "localhost" ? "127.0.0.1" : command.address, server.port(),
-                       tokens.programmer);
+  if (command.open) {
+    const std::string page = fmt::format(
+        "http://{}:{}/#token=", command.address == "localhost" ? "127.0.0.1" : command.address, server.port());
+    out << fmt::format("  a browser shows the cell at {}{}\n", page, tokens.programmer)
+        << fmt::format("  an operator's page is at {}{}\n", page, tokens.operating);
+  }
   if (!server::is_loopback(command.address))
     out << "  warning: others can reach this address, and nothing is encrypted, not even the token\n";
   check_told(out);
@@ -151,6 +154,8 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   const SkillPictures pictures;
   offered.pages.push_back({"/files/", pictures.folder()});
   offered.runs = &runs;
+  SimulatedTrials trials(scene, known, times_named(command.times));
+  offered.trials = &trials;
   offered.channels = live_channels(sim::tool_of(scene));
   const auto server = open_server(offered);
 
@@ -183,6 +188,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   CellRobot robot(cell);
   server::Locations book = open_locations(command, robot, folder);
   robot.teach_all(book.list());
+  trials.know(book);
   MarginMeter margins(knowledge);
   ProfileWatcher profiles(*server, [&cell] { return cell.station().now(); });
   CellRunner runner(cell, known, options.times, command.seed, OnInterrupt::leave, &profiles);

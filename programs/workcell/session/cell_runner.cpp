@@ -49,6 +49,7 @@ pan::Template template_of(const runtime::SkillDescription& description) {
     pan::Parameter parameter;
     parameter.name = spec.name;
     parameter.type = type_of(spec.type);
+    parameter.location = spec.location;
     parameter.unit = spec.unit;
     parameter.low = spec.low;
     parameter.high = spec.high;
@@ -199,11 +200,11 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   if (limit) options.horizon = std::min(options.horizon, *limit);
   options.trace_capacity = 1U << 14U;
   options.on_broken_promise = on_broken_promise_;
-  figures_.begin();
+  figures_.begin(cell_.workcell());
   if (margins_ != nullptr) options.margins = margins_->begin(*skill);
   const runtime::Outcome outcome = cell_.run(*skill, values, options);
-  if (margins_ != nullptr) margins_->end();
   SkillResult result{kind_of(*skill, outcome), outcome.code, reason_of(outcome)};
+  if (margins_ != nullptr) result.measured = margins_->end();
   const auto longest =
       operations::declared_longest(templates_.at(name), outcome.code, parameters, nullptr, longest_);
   if (longest && outcome.duration > *longest)

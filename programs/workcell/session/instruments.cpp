@@ -33,8 +33,13 @@ void ProfileWatcher::passed(runtime::Time, const runtime::Device& device, std::s
       device.ports()[port].message != "profile" || fields.size() != 3 * count + 1)
     return;
   server::Profile profile;
+  profile.scanned = count;
   for (std::size_t i = 0; i < count; ++i) {
-    if (fields[2 * count + i] == 0) continue;
+    if (fields[2 * count + i] == 0) {
+      if (profile.missing.empty() || profile.missing.back().second != i) profile.missing.emplace_back(i, i);
+      ++profile.missing.back().second;
+      continue;
+    }
     profile.y.push_back(fields[i]);
     profile.z.push_back(fields[count + i]);
   }

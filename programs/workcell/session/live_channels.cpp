@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "programs/workcell/session/profile_marks.hpp"
+#include "runtime/drivers/force_torque/codec.hpp"
 #include "sim/val/transformation.hpp"
 
 namespace pal::workcell {
@@ -56,6 +58,36 @@ void put_pose(Shown raw, const Eigen::Vector3d& place, const Eigen::Quaterniond&
   raw[3] = turn.x(), raw[4] = turn.y(), raw[5] = turn.z(), raw[6] = turn.w();
 }
 
+using Limit = server::ShownLimit;
+
+// Pressing is negative along z (docs/workcell/force-torque.md).
+constexpr double pressing = -1, a_count = 1 / runtime::drivers::force_torque::counts_per_newton;
+
+/// What the parameters of the skills mean for the force. A skill that is not here has no lines in its charts.
+std::vector<Limit> force_limits() {
+  using Kind = Limit::Kind;
+  const std::vector<std::string> along_z{"fz"}, each_axis{"fx", "fy", "fz"};
+  return {{"touch", "threshold", along_z, pressing, false, Kind::target},
+          {"rub", "greatest-force", along_z, a_count, false, Kind::band},
+          {"rub", "least-force", along_z, a_count, false, Kind::band},
+          {"rub", "stop-force", each_axis, a_count, true, Kind::stop},
+          {"rub", "error-force", each_axis, a_count, true, Kind::error},
+          {"press", "force", along_z, pressing, false, Kind::target},
+          {"press", "band", along_z, 1, true, Kind::band, Limit::Around{"force", pressing}},
+          {"press", "stop-force", each_axis, 1, true, Kind::stop}};
+}
+
+/// Distances from the range finder.
+std::vector<Limit> profile_limits() {
+  using Kind = Limit::Kind;
+  constexpr double mm_of_cm = 10;
+  const std::vector<std::string> depth{"z"};
+  return {{"standoff", "distance", depth, 1, false, Kind::target},
+          {"standoff", "tolerance", depth, 1, true, Kind::band, Limit::Around{"distance", 1}},
+          {"align", "standoff", depth, 1, false, Kind::target},
+          {"follow-edge", "standoff", depth, mm_of_cm, false, Kind::target}};
+}
+
 }  // namespace
 
 server::Channels live_channels(sim::ToolKind tool) {
@@ -74,7 +106,8 @@ server::Channels live_channels(sim::ToolKind tool) {
        {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"tx", "N*m"}, {"ty", "N*m"}, {"tz", "N*m"}},
        each_step,
        numbers,
-       show_as_it_is<wrench_at>},
+       show_as_it_is<wrench_at>,
+       force_limits()},
       {"pose", "where the tool's tip is", pose_fields(), each_step, numbers, pose_from(tool_at)},
       {"set-point", "where the tip has been told to be", pose_fields(), each_step, numbers,
        pose_from(set_point_at)},
@@ -100,7 +133,10 @@ server::Channels live_channels(sim::ToolKind tool) {
                       "what the range finder gives to the skill that runs",
                       {{"y", "mm"}, {"z", "mm"}},
                       0,
-                      Channel::Form::profile});
+                      Channel::Form::profile,
+                      {},
+                      profile_limits(),
+                      profile_marks});
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace pal::workcell {
 namespace {
@@ -45,14 +46,18 @@ runtime::Margins* MarginMeter::begin(const runtime::Skill& skill) {
   return margins_.get();
 }
 
-void MarginMeter::end() {
+std::vector<operations::Figure> MarginMeter::end() {
   const std::lock_guard lock(mutex_);
   tell();
+  std::vector<operations::Figure> result;
+  for (Measured& each : measured()) result.push_back({std::move(each.name), each.value.worst});
   wiring_ = nullptr;
+  return result;
 }
 
-void MarginMeter::tell() {
-  if (wiring_ == nullptr) return;
+std::vector<MarginMeter::Measured> MarginMeter::measured() const {
+  std::vector<Measured> result;
+  if (wiring_ == nullptr) return result;
   for (std::size_t i = 0; i < wiring_->requirements.size(); ++i) {
     const runtime::RequirementSpec& spec = wiring_->requirements[i];
     const auto worst = margins_->worst(i);
@@ -61,9 +66,18 @@ void MarginMeter::tell() {
     std::string_view name = spec.name;
     if (name.ends_with(".least")) continue;
     if (name.ends_with(".most")) name.remove_suffix(std::string_view(".most").size());
-    knowledge_.measure(std::string(wiring_->skill), std::string(name), in_unit(spec.measure, *worst),
-                       spec.most == runtime::Time::max(), spec.measure == Measure::load);
+    const runtime::Time latest = margins_->latest(i).value_or(*worst);
+    result.push_back({std::string(name),
+                      {in_unit(spec.measure, *worst), in_unit(spec.measure, latest)},
+                      spec.most == runtime::Time::max(),
+                      spec.measure == Measure::load});
   }
+  return result;
+}
+
+void MarginMeter::tell() {
+  for (const Measured& each : measured())
+    knowledge_.measure(std::string(wiring_->skill), each.name, each.value, each.at_least, each.is_load);
 }
 
 void MarginMeter::work() {

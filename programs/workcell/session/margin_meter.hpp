@@ -4,8 +4,11 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include "operations/executor.hpp"
 #include "pal/runtime/margins.hpp"
 #include "pal/runtime/skill.hpp"
 #include "server/knowledge.hpp"
@@ -24,11 +27,17 @@ class MarginMeter {
   /// The skill, which outlives the run, is about to run. Where its run puts what it measures; null: it has no
   /// requirement.
   runtime::Margins* begin(const runtime::Skill& skill);
-  /// Its run is over.
-  void end();
+  /// Its run is over. The worst of each requirement in it, in the requirement's unit.
+  std::vector<operations::Figure> end();
 
  private:
   void work();
+  struct Measured {
+    std::string name;
+    server::MeasuredRequirement value;
+    bool at_least = false, is_load = false;
+  };
+  std::vector<Measured> measured() const;
   void tell();
 
   server::Knowledge& knowledge_;

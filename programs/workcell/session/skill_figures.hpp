@@ -22,7 +22,7 @@ class SkillFigures final : public runtime::MessageObserver {
   /// `next`: sees the messages, too; may be null, else outlives this.
   explicit SkillFigures(runtime::MessageObserver* next) : next_(next) {}
 
-  void begin();
+  void begin(const sim::Workcell& workcell);
   void passed(runtime::Time when, const runtime::Device& device, std::size_t port,
               std::span<const double> fields) override;
   void forgotten(const runtime::Device& device, std::size_t port) override;
@@ -32,6 +32,9 @@ class SkillFigures final : public runtime::MessageObserver {
  private:
   runtime::MessageObserver* next_;
   std::optional<double> force_, greatest_force_;  // N, pressing is positive
+  double sum_ = 0, squares_ = 0;                  // of the readings, N and N^2
+  std::size_t readings_ = 0;
+  Eigen::Vector3d from_ = Eigen::Vector3d::Zero();  // m, of the tool's tip
 };
 
 }  // namespace pal::workcell

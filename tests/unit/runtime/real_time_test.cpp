@@ -32,8 +32,8 @@ RunOptions real_time() {
 
 // CLIENT asks SERVER `rounds` times; each has a processor of its own, unless `together`. WITNESS, which is
 // more urgent, is told of every round.
-struct Talk {
-  explicit Talk(int rounds, bool together = false) {
+struct TalkInRealTime {
+  explicit TalkInRealTime(int rounds, bool together = false) {
     const int p = skill.processor("P");
     const int q = together ? p : skill.processor("Q");
     const int request = skill.channel("CLIENT", "request x", "SERVER");
@@ -101,8 +101,8 @@ ScriptedDevice sensor() {
 }
 
 // A asks the sensor for x and ends; with code 1 if there is no answer within 20 ms.
-struct Asker {
-  explicit Asker(bool within = false) {
+struct AskerInRealTime {
+  explicit AskerInRealTime(bool within = false) {
     const int p = skill.processor("P");
     skill.devices = {"sensor"};
     const int request = skill.channel("A", "request x", "sensor");
@@ -136,7 +136,7 @@ struct Asker {
 
 TEST_CASE("real time: where causes fix the order, messages come as in virtual time") {
   const bool together = GENERATE(false, true);
-  Talk in_virtual_time(200, true), in_real_time(200, together);
+  TalkInRealTime in_virtual_time(200, true), in_real_time(200, together);
   if (!together) {  // the witness hears of a round at any time of the next one
     in_virtual_time.skill.threads[2].priority = in_real_time.skill.threads[2].priority = 3;
     in_virtual_time.skill.threads[0].processor = 0;
@@ -221,7 +221,7 @@ TEST_CASE("real time: a processor that is not preemptive interrupts no thread") 
 }
 
 TEST_CASE("real time: an exception of an activity or a device ends the skill, devices closed") {
-  Asker asker;
+  AskerInRealTime asker;
   ScriptedDevice device = sensor();
   std::string place;
   SECTION("an activity") {
@@ -254,13 +254,13 @@ TEST_CASE("real time: an exception of an activity or a device ends the skill, de
 TEST_CASE("real time: WITHIN, or the run's limit, gives up a device that never answers") {
   ScriptedDevice device = sensor();
   SECTION("WITHIN") {
-    Asker asker(true);
+    AskerInRealTime asker(true);
     const auto outcome = run(asker.skill, {&device}, real_time());
     CHECK_FALSE(outcome.fault);
     CHECK(outcome.code == 1);
   }
   SECTION("the limit") {
-    Asker asker;
+    AskerInRealTime asker;
     auto options = real_time();
     options.horizon = 200ms;  // long before, A waits: also on busy processors
     const auto outcome = run(asker.skill, {&device}, options);
@@ -271,7 +271,7 @@ TEST_CASE("real time: WITHIN, or the run's limit, gives up a device that never a
 }
 
 TEST_CASE("real time: a device with a thread of its own posts into the run") {
-  Asker asker;
+  AskerInRealTime asker;
   ScriptedDevice device = sensor();
   std::thread own;
   device.on_receive = [&own](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
@@ -283,7 +283,7 @@ TEST_CASE("real time: a device with a thread of its own posts into the run") {
 }
 
 TEST_CASE("real time: a stop from another thread ends the skill") {
-  Asker asker;
+  AskerInRealTime asker;
   ScriptedDevice device = sensor();
   runtime::RunControl control;
   auto options = real_time();
@@ -314,7 +314,7 @@ TEST_CASE("real time: a stop from another thread ends the skill") {
 }
 
 TEST_CASE("real time: a run cannot be held, says so, and goes on") {
-  Asker asker(true);
+  AskerInRealTime asker(true);
   ScriptedDevice device = sensor();
   runtime::RunControl control;
   auto options = real_time();
@@ -370,7 +370,7 @@ TEST_CASE("real time: an exception of the world ends the skill") {
     std::atomic<int> steps = 0;
     bool breaks = false;
   } world;
-  Asker asker;
+  AskerInRealTime asker;
   asker.work = [&world] {
     while (world.steps < 10 && !world.breaks) continue;
   };
@@ -386,7 +386,7 @@ TEST_CASE("real time: an exception of the world ends the skill") {
 }
 
 TEST_CASE("real time: nothing is allocated between the first and the last message") {
-  Talk talk(500);
+  TalkInRealTime talk(500);
   talk.first = [] {
     reset_allocations();
     count_allocations(true);
@@ -422,7 +422,7 @@ TEST_CASE("real time: a world that only advances is driven") {
 }
 
 TEST_CASE("real time: threads of the system have names") {
-  Talk talk(1);
+  TalkInRealTime talk(1);
   std::array<char, 16> name{};
   talk.first = [&name] { ::pthread_getname_np(::pthread_self(), name.data(), name.size()); };
   NoWorld world;

@@ -42,6 +42,7 @@ export function IconMenu() {
     const refused = (why: string | undefined) => why !== undefined && notice("error", why);
     if (key === "open") openIcon(operation.name, icon.id);
     if (key === "enter") popOpen(icon.id);
+    if (key === "tune") openWindow("tuning", `${operation.name}/${icon.id}`);
     if (key === "help" && icon.skill) openWindow("skill", icon.skill);
     if (key === "connect") useView.setState({ connecting: { icon: icon.id, port: undefined } });
     if (key === "run") void runFrom(path);
@@ -61,6 +62,7 @@ export function IconMenu() {
           <Menu className="menu" autoFocus="first" aria-label={t("menu.label", { icon: icon.id })} onAction={(key) => act(String(key))} onClose={close}>
             <Item id="open" symbol="settings" word="menu.open" keys="Enter" />
             {icon.kind === "operation" && !icon.file && <Item id="enter" symbol="enter" word="menu.enter" keys="Ctrl+↓" />}
+            {icon.kind === "skill" && <Item id="tune" symbol="settings" word="menu.tune" />}
             {icon.kind === "skill" && <Item id="help" symbol="help" word="menu.help" />}
             {outputs(icon).length > 0 && <Item id="connect" symbol="link" word="menu.connect" keys="Ctrl+K" />}
             <Separator />

@@ -12,11 +12,13 @@ interface Props {
   window: OpenWindow;
   title: string;
   wide?: boolean;
+  /** Its corner can be drawn. */
+  sizable?: boolean;
   footer?: ReactNode;
   children: ReactNode;
 }
 
-export function FloatWindow({ window: own, title, wide = false, footer, children }: Props) {
+export function FloatWindow({ window: own, title, wide = false, sizable = false, footer, children }: Props) {
   const id = useId();
   const box = useRef<HTMLElement>(null);
   const before = useRef<Element | null>(null);
@@ -50,7 +52,7 @@ export function FloatWindow({ window: own, title, wide = false, footer, children
     moveWindow(own.id, x, Math.min(innerHeight - 48, Math.max(0, event.clientY - grip.current.y)));
   };
   return (
-    <section ref={box} className={wide ? "window wide" : "window"} role="dialog" aria-labelledby={id} tabIndex={-1} data-window={own.kind}
+    <section ref={box} className={wide ? "window wide" : "window"} role="dialog" aria-labelledby={id} tabIndex={-1} data-window={own.kind} data-about={own.about} data-sizable={sizable || undefined}
       style={{ left: own.x, top: own.y, maxHeight: `calc(100vh - ${Math.min(own.y, innerHeight - 240) + 12}px)` }} onKeyDown={pressed} onPointerDownCapture={() => raise(own.id)}>
       <div className="window-head" onPointerDown={held} onPointerMove={dragged} onPointerUp={() => (grip.current = undefined)}>
         <h2 id={id}>{title}</h2>

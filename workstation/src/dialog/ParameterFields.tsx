@@ -10,11 +10,13 @@ import { useCell } from "../state/cell";
 import { useChecks } from "../state/checks";
 import { useDrawing } from "../state/drawing";
 import { change } from "../state/edits";
+import { HereButtons } from "../teaching/HereButtons";
 import { Symbol } from "../symbols/Symbol";
 import { t } from "../words/words";
 import { AmountBox } from "./AmountBox";
 import { Choose } from "./Choose";
 import { rangeText } from "./NumberBox";
+import { OperatorField } from "./OperatorField";
 import { TextBox } from "./TextBox";
 
 function parametersOf(icon: Icon, skills: ReturnType<typeof useCell.getState>["skills"]): Parameter[] {
@@ -61,6 +63,7 @@ function Field({ icon, operation, parameter, findings }: FieldProps) {
   return (
     <div className="parameter" data-changed={changed || undefined}>
       <Control {...{ parameter, value, set, hint, operation, locations: locations?.map((each) => each.location), ...(refusal ? { refusal } : {}) }} />
+      <OperatorField icon={icon} operation={operation} parameter={parameter} />
       {changed && (
         <Button className="button quiet small reset" onPress={() => set(undefined)}>
           <Symbol name="undo" size={14} /><span className="hidden">{parameter.name}</span>{t("parameters.default", { value: amountText(parameter.default, parameter.unit) })}
@@ -92,7 +95,12 @@ function Control({ parameter, value, set, hint, operation, locations, refusal }:
       </div>
     );
   if (parameter.type === "text" && parameter.location && locations && !isSource(value))
-    return <Choose label={parameter.name} value={String(value ?? parameter.default)} onChange={set} hint={refusal ?? hint} options={locations.map((id) => ({ id, name: id }))} />;
+    return (
+      <div className="field">
+        <Choose label={parameter.name} value={String(value ?? parameter.default)} onChange={set} hint={refusal ?? hint} options={locations.map((id) => ({ id, name: id }))} />
+        <HereButtons name={parameter.name} onTaught={set} />
+      </div>
+    );
   if (parameter.type === "text" && !isSource(value))
     return <TextBox label={parameter.name} value={String(value ?? parameter.default)} onChange={set} hint={refusal ?? hint} />;
   return (

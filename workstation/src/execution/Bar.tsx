@@ -4,6 +4,7 @@ import { Button, Menu, MenuTrigger, Popover, Separator, SubmenuTrigger, MenuItem
 import { Tool } from "../canvas/CanvasTools";
 import { Item } from "../canvas/IconMenu";
 import { useFollow } from "../canvas/Follow";
+import { lookAsOperator } from "../operator/mode";
 import { isChanged, useDrawing } from "../state/drawing";
 import { redoSaid, undoSaid } from "../state/edits";
 import { exportFile, importFile, newDrawing, save } from "../state/keep";
@@ -14,6 +15,7 @@ import { currentLanguage, languages, setLanguage, t, type Language } from "../wo
 import { ControlsButton } from "./ControlsButton";
 import { RunButtons } from "./RunButtons";
 import { StateBlock } from "./StateBlock";
+import { ViewsMenu } from "./ViewsMenu";
 import "./bar.css";
 
 export function Bar() {
@@ -35,6 +37,7 @@ export function Bar() {
       <StateBlock />
       <div className="bar-part">
         <ControlsButton />
+        <ViewsMenu />
         <Tool symbol="help" text={t("bar.help")} keys="F1" onPress={() => openWindow("keys")} />
         <SettingsMenu />
         <Button className="button quiet only flip" aria-label={t("bar.inspector")} data-selected={inspector || undefined} onPress={() => useWindows.setState({ inspector: !inspector, ...(innerWidth < 900 && !inspector ? { palette: false } : {}) })}><Symbol name="panel" /></Button>
@@ -89,6 +92,7 @@ function SettingsMenu() {
     if (what === "theme") setTheme(value as Theme);
     if (what === "language") setLanguage(value as Language);
     if (what === "follow") useFollow.setState({ on: !follow });
+    if (what === "operator") lookAsOperator(true);
     if (what === "breaks") openWindow("breakpoints");
   };
   return (
@@ -97,6 +101,7 @@ function SettingsMenu() {
       <Popover className="popover" placement="bottom end">
         <Menu className="menu" onAction={(key) => act(String(key))}>
           <Item id="breaks" symbol="breakpoint" word="settings.breakpoints" />
+          <Item id="operator" symbol="person" word="settings.operator" />
           <Item id="follow" symbol={follow ? "tick" : "target"} word={follow ? "settings.followOff" : "settings.followOn"} />
           <Separator />
           <SubmenuTrigger>

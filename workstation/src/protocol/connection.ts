@@ -25,6 +25,8 @@ export interface Listener {
   /** `again`: when the next attempt is made, in ms. */
   closed(again: number): void;
   notified(method: string, params: unknown): void;
+  /** A message that is bytes. */
+  bytes(bytes: ArrayBuffer): void;
 }
 
 interface Waiting {
@@ -48,8 +50,9 @@ export class Connection {
     clearTimeout(this.#timer);
     const socket = new WebSocket(this.address);
     this.#socket = socket;
+    socket.binaryType = "arraybuffer";
     socket.onopen = () => this.listener.opened();
-    socket.onmessage = (message) => this.#received(String(message.data));
+    socket.onmessage = ({ data }) => (data instanceof ArrayBuffer ? this.listener.bytes(data) : this.#received(String(data)));
     socket.onclose = () => this.#lost(socket);
   }
 

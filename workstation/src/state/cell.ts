@@ -36,6 +36,12 @@ export function onEvent(listener: Seen): () => void {
   return () => seen.delete(listener);
 }
 
+/** Live data, of whoever asked for it; nobody does before its windows are opened. */
+let framed: ((bytes: ArrayBuffer) => void) | undefined;
+export function onFrame(listener: (bytes: ArrayBuffer) => void): void {
+  framed = listener;
+}
+
 let connection: Connection | undefined;
 let token = "";
 
@@ -138,6 +144,7 @@ export function connect(): void {
       if (useCell.getState().link !== "no-token") useCell.setState({ link: "away", again: Date.now() + again });
     },
     notified,
+    bytes: (bytes) => framed?.(bytes),
   });
   connection.open();
 }

@@ -1,7 +1,8 @@
 // Which windows are open, in what order they lie, and which panels are shown.
 import { create } from "zustand";
 
-export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways";
+export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways"
+  | "channel" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "production";
 
 export interface OpenWindow {
   id: string;

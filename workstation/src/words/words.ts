@@ -75,6 +75,12 @@ export function t(word: Word, values: Values = {}): string {
 
 export const isWord = (text: string): text is Word => text in english;
 
+/** A channel of the cell by its word, if this page has one. */
+export function channelName(channel: string): string {
+  const word = `channel.${channel}`;
+  return isWord(word) ? t(word) : channel;
+}
+
 export function number(value: number, digits?: number): string {
   return numberFormat(`${language}:${digits ?? ""}`).format(value);
 }

@@ -23,7 +23,7 @@ export async function openPage(from: Browser, url: string, options: BrowserConte
   page.setDefaultTimeout(30000);
   await page.goto(url);
   // Keys that are pressed before the page is drawn would be the browser's own.
-  if (url.startsWith("http")) await page.locator(".page, .no-token").first().waitFor();
+  if (url.startsWith("http")) await page.locator(".page, .no-token, .operator").first().waitFor();
   return page;
 }
 
