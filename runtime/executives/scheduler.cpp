@@ -90,9 +90,14 @@ void Scheduler::interrupt(Processor& processor) {
 }
 
 void Scheduler::dispatch(Processor& processor) {
+  if (processor.ready.empty()) {  // the usual case
+    processor.arrived.clear();
+    if (processor.running != nullptr && !processor.working) start(processor, *processor.running);
+    return;
+  }
   if (processor.running == nullptr) {
-    if (!processor.ready.empty()) start_first(processor);
-  } else if (processor.spec->preemptive && !processor.ready.empty() &&
+    start_first(processor);
+  } else if (processor.spec->preemptive &&
              processor.ready.first().control.spec->priority > processor.running->control.spec->priority) {
     interrupt(processor);
     start_first(processor);

@@ -54,7 +54,10 @@ class Journal {
     if (over_) return;
     watcher_ = watcher;
     routes_ = routes;
+    routes_changed();
   }
+  /// The routes may want other kinds than before.
+  void routes_changed() { wanted_ = kept_ | routes_->kinds(); }
   /// A promise that was broken, in words; they are numbered from 0.
   void name_promise(const std::string& promise) { recorder_.add_promise(promise); }
   /// Actor, statement and channel may be -1.
@@ -94,13 +97,11 @@ class Journal {
     return event;
   }
   /// Whether anybody wants events of the kind.
-  bool is_wanted(trace::Kind kind) const { return ((kept_ | routes_->kinds()) & EventRoutes::bit(kind)) != 0; }
+  bool is_wanted(trace::Kind kind) const { return (wanted_ & EventRoutes::bit(kind)) != 0; }
   // Apart from what records, which stays small where nothing is recorded.
   [[gnu::noinline]] void add(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
     if (kept_ != 0) write(kind, actor, statement, subject, value);
-    if ((routes_->kinds() & EventRoutes::bit(kind)) != 0) tell(kind, actor, statement, subject, value);
-  }
-  [[gnu::noinline]] void tell(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+    if ((routes_->kinds() & EventRoutes::bit(kind)) == 0) return;
     const auto meters = routes_->of(kind, actor, statement, subject);
     if (!meters.empty() || routes_->wants_everything())
       watcher_->see({clock_.now.count(), kind, actor, statement, subject, value}, meters);
@@ -109,6 +110,7 @@ class Journal {
     over_ = true;
     kept_ = 0;
     routes_ = &EventRoutes::none();
+    routes_changed();
   }
   int error_code() const;
 
@@ -120,6 +122,7 @@ class Journal {
   EventWatcher* watcher_ = nullptr;
   const EventRoutes* routes_ = &EventRoutes::none();
   Outcome outcome_;
+  std::uint32_t wanted_;  // the kinds that are kept, or that the routes want
   bool over_ = false;
 };
 

@@ -91,7 +91,7 @@ void Mail::look(WaitOperation& wait) {
   thread.control.waiting = &wait;
   for (const Target& target : targets) {
     std::vector<Thread*>& queue = at(target.channel).waiting;
-    if (queue.empty() || queue.back() != &thread) queue.push_back(&thread);
+    if (targets.size() == 1 || queue.empty() || queue.back() != &thread) queue.push_back(&thread);
   }
   flow_.block(thread, targets.front().channel);
   if (wait.within())
@@ -277,8 +277,9 @@ void Mail::empty(Slot& slot) {
   }
   slot.full = slot.answers = false;
   slot.claimed = nullptr;
-  for (Ticket& arrival : slot.arrivals) {
-    if (arrival.number != 0) executive_.cancel(std::exchange(arrival, {}));
+  if (!at_once_ || slot.spec->to_device) {
+    for (Ticket& arrival : slot.arrivals)
+      if (arrival.number != 0) executive_.cancel(std::exchange(arrival, {}));
   }
   if (slot.sending.empty()) return;
   SendOperation& longest = *slot.sending.front()->control.sending;

@@ -68,6 +68,7 @@ void Promises::took(const Thread& thread, Time used) {
 
 void Promises::see(const trace::Event& event, std::span<const std::uint32_t> meters) {
   const std::vector<Exceeded>& exceeded = requirements_.see(event, meters);
+  journal_.routes_changed();
   if (!exceeded.empty()) note(exceeded);
   next_ = std::min(next_, requirements_.soonest());
 }

@@ -100,6 +100,7 @@ class RequirementWatch {
   Watched watched(std::size_t requirement, const trace::Trace& tables) const;
   void route(std::size_t index, const trace::Trace& tables);
   trace::Kept kept() const;
+  [[gnu::always_inline]] bool see_usual(Watched& watched, const trace::Event& event);
   void look(Watched& watched, const trace::Event& event, std::int32_t parent);
   void begin_phase(Watched& watched, std::int64_t now_ns);
   void end_phase(Watched& watched);

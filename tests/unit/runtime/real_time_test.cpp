@@ -482,15 +482,19 @@ TEST_CASE("real time: a request reaches an idle device at the instant at which i
 TEST_CASE("real time: an activity that waits holds its processor, and is late") {
   Asker asker;
   asker.skill.times = {{}};
-  std::binary_semaphore released(0);
-  asker.work = [&released] { released.acquire(); };  // longer than the millisecond that it may take
+  std::binary_semaphore begun(0), released(0);
+  asker.work = [&] {
+    begun.release();
+    released.acquire();  // longer than the millisecond that it may take
+  };
   ScriptedDevice device = sensor();
   device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
     host.deliver(1, {});
   };
-  std::thread other([&released] {
-    const auto begun = std::chrono::steady_clock::now();
-    while (std::chrono::steady_clock::now() - begun < 30ms) continue;
+  std::thread other([&] {
+    begun.acquire();
+    const auto from = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - from < 30ms) continue;
     released.release();
   });
   runtime::Measurement measurement(asker.skill.wiring());

@@ -43,7 +43,11 @@ Refusal::Why why(const Use& use) {
 
 /// A robot that counts what it is taught.
 struct Robot final : TaughtRobot {
-  Location here() const override { return at(x); }
+  Location here() const override {
+    Location place = at(x);
+    place.joints = {1, 2, 3, 4, 5, 6};
+    return place;
+  }
   void teach(const std::string& name, const PoseFigures& pose) override { known[name] = pose; }
   void forget(const std::string& name) override { known.erase(name); }
   std::string problem_of_name(const std::string& name) const override {
@@ -154,6 +158,10 @@ TEST_CASE("the robot is taught through the protocol, from where it is") {
   CHECK(cell.desk.cell()->locations->contains("SIDE"));
   CHECK(cell.call("locations.teach", {{"location", "SIDE"}, {"based_on", 0}})["why"] == "newer");
   CHECK(cell.call("locations.teach", {{"location", "bad name"}})["why"] == "wrong");
+  CHECK(cell.call("locations.teach", {{"location", "THERE"}, {"pose", {1, 2}}})["why"] == "bad-parameters");
+  CHECK(cell.call("locations.teach", {{"location", "THERE"}, {"pose", {1, 2, 3, 4, 5, 6}}})["pose"][5] == 6);
+  CHECK(robot.known.at("THERE")[0] == 1);
+  CHECK(cell.call("locations.here", Json::object())["pose"][0] == 7);
   CHECK(cell.call("locations.rename", {{"location", "SIDE"}, {"to", "LEFT"}, {"based_on", 1}})["location"] ==
         "LEFT");
   CHECK_FALSE(robot.known.contains("SIDE"));

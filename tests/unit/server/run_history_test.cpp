@@ -46,6 +46,33 @@ operations::Step step_of(std::size_t number, std::size_t length = 0) {
 
 }  // namespace
 
+TEST_CASE("the executions of a skill are told over all runs, the newest first") {
+  RunHistory history("");
+  for (int i = 0; i < 3; ++i) {
+    const auto run = history.begin(run_of("all"));
+    for (std::size_t number = 1; number <= 2; ++number) {
+      operations::Step step = step_of(number);
+      step.skill = number == 1 ? "quick" : "slow";
+      step.result.measured = {{"fresh", 0.01}};
+      history.step(run, step, {{"code", 3.0, {}, {}}});
+    }
+  }
+  const StepPage first = history.steps_of("slow", std::nullopt, 2);
+  REQUIRE(first.steps.size() == 2);
+  CHECK(first.more);
+  CHECK(first.steps[0].run == 3);
+  CHECK(first.steps[0].name == "all");
+  const Json step = Json::parse(first.steps[0].step.step);
+  CHECK(step["skill"] == "slow");
+  CHECK(step["step"] == 2);
+  CHECK(step["measured"]["fresh"] == 0.01);
+  CHECK(Json::parse(first.steps[0].step.parameters)["code"] == 3);
+  const StepPage rest = history.steps_of("slow", first.steps.back().run, 10);
+  CHECK(rest.steps.size() == 1);
+  CHECK_FALSE(rest.more);
+  CHECK(history.steps_of("none", std::nullopt, 10).steps.empty());
+}
+
 TEST_CASE("runs are told by page, the newest first, and by name") {
   RunHistory history("");
   for (int i = 0; i < 7; ++i) {

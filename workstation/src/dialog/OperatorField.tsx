@@ -18,7 +18,6 @@ export function OperatorField({ icon, operation, parameter }: { icon: Icon; oper
       return setField(each, "operator", Object.keys(all).length > 0 ? (all as NonNullable<Icon["operator"]>) : undefined);
     }, `${operation}/${icon.id}/operator/${parameter.name}`);
   const numeric = parameter.type === "real" || parameter.type === "integer";
-  const label = t(free ? "operator.lock" : "operator.free", { name: parameter.name });
   const range = { ...(parameter.low === undefined ? {} : { low: parameter.low }), ...(parameter.high === undefined ? {} : { high: parameter.high }) };
   const limit = (end: "from" | "to", value: number | undefined) => {
     const { [end]: _, ...other } = (free ?? {}) as { from?: number; to?: number };
@@ -27,8 +26,8 @@ export function OperatorField({ icon, operation, parameter }: { icon: Icon; oper
   const { from, to } = (free ?? {}) as { from?: number; to?: number };
   return (
     <div className="operator-field" data-free={free !== undefined || undefined}>
-      <Button className="button quiet small" aria-label={label} aria-pressed={free !== undefined} onPress={() => put(free ? undefined : {})}>
-        <Symbol name={free ? "person" : "lock"} size={14} />{t(free ? "operator.isFree" : "operator.isLocked")}
+      <Button className="button quiet small" aria-pressed={free !== undefined} onPress={() => put(free ? undefined : {})}>
+        <Symbol name={free ? "person" : "lock"} size={14} /><span><span className="hidden">{parameter.name}: </span>{t(free ? "operator.isFree" : "operator.isLocked")}</span>
       </Button>
       {free && numeric && (
         <div className="operator-limits">

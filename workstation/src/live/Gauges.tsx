@@ -45,10 +45,9 @@ function Gauge({ skill, requirement }: { skill: string; requirement: Requirement
   const at = (value: number) => `${Math.min(100, Math.max(0, (value / most) * 100))}%`;
   const text = (value: number | null | undefined) => (typeof value === "number" ? `${number(value * factor, digitsOf(factor))} ${unit}` : "–");
   const broken = typeof requirement.margin === "number" && requirement.margin < 0;
-  const label = t("gauges.label", { name: requirement.name, now: text(values.now), worst: text(values.worst), bound: text(values.bound), limit: text(values.limit) });
   return (
-    <Button className="gauge" data-broken={broken || undefined} aria-label={label} onPress={() => openWindow("requirement", `${skill}/${requirement.name}`)}>
-      <span className="gauge-head"><b>{requirement.name}</b>{broken && <span className="gauge-broken"><Symbol name="warning" size={14} />{t("gauges.broken")}</span>}<span className="gauge-now">{text(values.now)}</span></span>
+    <Button className="gauge" data-broken={broken || undefined} onPress={() => openWindow("requirement", `${skill}/${requirement.name}`)}>
+      <span className="gauge-head"><b>{requirement.name}</b>{broken && <span className="gauge-broken"><Symbol name="warning" size={14} />{t("gauges.broken")}</span>}<span className="gauge-now"><span className="hidden">{t("gauges.now")}</span> {text(values.now)}</span></span>
       <span className="gauge-bar">
         {typeof values.limit === "number" && <i data-mark="beyond" style={{ left: at(values.limit) }} />}
         {typeof values.now === "number" && <i data-mark="now" style={{ width: at(values.now) }} />}

@@ -76,7 +76,7 @@ function Picture({ profile, channel, drawn }: { profile: ProfileFrame; channel: 
       {ticks(z[0], z[1]).map((each) => <g key={each}><path className="profile-grid" d={`M${left} ${pz(each)}H${width - right}`} /><text x={left - 8} y={pz(each)} textAnchor="end" dominantBaseline="middle">{number(each)}</text></g>)}
       {ticks(y[0], y[1]).map((each) => <g key={each}><path className="profile-grid" d={`M${px(each)} ${top}V${height - bottom}`} /><text x={px(each)} y={height - 10} textAnchor="middle">{number(each)}</text></g>)}
       <text x={6} y={top - 14} dominantBaseline="middle">{t("profile.depth")}</text>
-      <text x={width - right} y={height - 10} textAnchor="end">{t("profile.across")}</text>
+      <text x={6} y={height - 10}>{t("profile.across")}</text>
       <Scan profile={profile} />
       {limits.map((each, i) => <g key={i} className="profile-limit" data-kind={each.kind}><path d={`M${left} ${pz(each.value)}H${width - right}`} /><text x={width - right - 4} y={pz(each.value) - 5} textAnchor="end">{each.parameter}</text></g>)}
       <path className="profile-points" d={points} />

@@ -88,6 +88,7 @@ export function makePlot(host: HTMLElement, track: Track, shown: readonly Shown[
     ctx.clip();
     ctx.lineWidth = 1.5 * scale;
     ctx.font = `500 ${11 * scale}px "Inter Variable", sans-serif`;
+    ctx.textAlign = "left";
     ctx.textBaseline = "bottom";
     const written = new Set<string>();
     for (const each of limits()) {

@@ -69,17 +69,17 @@ function Cycles({ shift, name }: { shift: Shift; name: string }) {
   const result = useChecks((state) => state.result);
   const drawn = useDrawing((state) => state.drawing.name);
   const good = shift.cycles.filter((each) => each.code === 0), spread = spreadOf(good);
-  const proved = result && drawn === name && result.ways.length > 0 ? { shortest: result.shortest_s, longest: result.longest_s } : undefined;
+  const proved = result && drawn === name && result.ways.length > 0 ? { shortest: result.shortest_s, longest: result.longest_s, declared: result.ways.some((way) => way.declared) } : undefined;
   if (!spread) return null;
   const cell = (value: number | null | undefined) => (typeof value === "number" && value >= 0.005 ? duration(value) : "–");
   return (
     <section>
       <h3 className="section-title">{t("production.cycles")}</h3>
       <table className="cycles">
-        <thead><tr><th /><th>{t("production.shortest")}</th><th>{t("production.median")}</th><th>{t("production.longest")}</th></tr></thead>
+        <thead><tr><th>{t("production.cycle")}</th><th>{t("production.shortest")}</th><th>{t("production.median")}</th><th>{t("production.longest")}</th></tr></thead>
         <tbody>
           <tr><th>{t("production.measured", { count: good.length })}</th><td>{cell(spread.shortest)}</td><td>{cell(spread.median)}</td><td>{cell(spread.longest)}</td></tr>
-          <tr><th>{t("production.proved")}</th><td>{cell(proved?.shortest)}</td><td>–</td><td>{cell(proved?.longest)}</td></tr>
+          <tr><th>{t(proved?.declared ? "production.declared" : "production.proved")}</th><td>{cell(proved?.shortest)}</td><td>–</td><td>{cell(proved?.longest)}</td></tr>
         </tbody>
       </table>
       <Bars cycles={good.slice(-60)} longest={proved?.longest ?? undefined} />

@@ -40,7 +40,7 @@ async function prepare(page: Page): Promise<void> {
   await imported(page, example);
   await icon(page, "find").dblclick({ position: { x: 90, y: 12 } });
   const dialog = page.locator('[data-window="icon"]');
-  await dialog.getByRole("button", { name: "Let an operator set approach-speed" }).click();
+  await dialog.getByRole("button", { name: "approach-speed: locked for operators" }).click();
   await field(page, "approach-speed, at least").fill("5");
   await field(page, "approach-speed, at most").fill("15");
   await page.keyboard.press("Tab");

@@ -34,7 +34,7 @@ async function within(scene: string, pace: readonly string[], operation: string,
 
 async function view(page: Page, name: string): Promise<void> {
   await page.getByRole("button", { name: "Windows on the cell" }).click();
-  await page.getByRole("menuitem", { name }).click();
+  await page.locator(".menu-item", { has: page.locator(".name", { hasText: new RegExp(`^${name}$`) }) }).click();
 }
 
 const windowOf = (page: Page, kind: string, about = "") => page.locator(`[data-window="${kind}"]${about === "" ? "" : `[data-about="${about}"]`}`);
@@ -62,37 +62,35 @@ async function forces(page: Page, name: string): Promise<void> {
   await force.locator(".chart-tools").waitFor();
   await view(page, "Requirements");
   const gauges = windowOf(page, "gauges");
+  // The newest lies on top, and may hide the other's head.
+  await put(page, gauges, 720, 76);
   await put(page, force, 8, 76);
-  if ((page.viewportSize()?.width ?? 0) > 1200) await put(page, gauges, 720, 76);
   await act(page, "run").click();
   // Rubbing presses: the chart's value of fz says so while it comes.
   await page.waitForFunction(() => Number(document.querySelector('[data-about="force"] [data-field="fz"] b')?.textContent?.replace("−", "-")) < -2);
+  await force.getByRole("button", { name: "Hold still" }).click();
+  await force.locator(".chart[data-held]").waitFor();
   await gauges.locator(".gauge", { hasText: "stops" }).waitFor();
   await page.waitForFunction(() => [...document.querySelectorAll('[data-window="gauges"] .gauge-now')].some((each) => /\d/.test(each.textContent ?? "")));
   await shot(page, `${name}-force-and-gauges`);
   if (name !== "tablet") await noViolation(page, `${name}, force and gauges`);
 }
 
-test("force against time with the limits that parameters set, held, zoomed, saved", () => within("touch", ["--paced", "6"], "rub_in_square", { bypassCSP: true }, async (page) => {
+test("force against time with the limits that parameters set, held, zoomed, saved", () => within("touch", ["--paced", "1"], "rub_in_square", { bypassCSP: true }, async (page) => {
   await forces(page, "light");
-  await untilState(page, "Ended", 60000);
   const force = windowOf(page, "channel", "force");
-  await force.getByRole("button", { name: "See more time" }).click();
-  await force.getByRole("button", { name: "See more time" }).click();
-  await force.getByRole("button", { name: "Hold still" }).click();
-  await force.locator(".chart[data-held]").waitFor();
   // A stretch is drawn out with the mouse: the chart shows less time then.
   const over = (await force.locator(".u-over").first().boundingBox())!;
   const span = () => force.locator(".chart-span").textContent();
   const before = await span();
-  await page.mouse.move(over.x + over.width * 0.3, over.y + 40);
+  await page.mouse.move(over.x + over.width * 0.08, over.y + 40);
   await page.mouse.down();
-  await page.mouse.move(over.x + over.width * 0.6, over.y + 40, { steps: 4 });
+  await page.mouse.move(over.x + over.width * 0.98, over.y + 40, { steps: 4 });
   await page.mouse.up();
   await page.waitForFunction((was) => document.querySelector('[data-about="force"] .chart-span')?.textContent !== was, before);
   await shot(page, "light-force-zoomed");
   const svg = await saved(page, force, "Picture (SVG)");
-  for (const each of ["greatest-force", "least-force", "stop-force", "fz"]) assert.ok(svg.includes(each), `${each} is in the picture`);
+  for (const each of ["greatest-force", "least-force", "fz"]) assert.ok(svg.includes(each), `${each} is in the picture`);
   const rows = (await saved(page, force, "Numbers (CSV)")).trim().split("\n");
   assert.equal(rows[0]!.split(",").length, 19);
   assert.ok(rows.length > 20, `${rows.length} rows`);
@@ -106,15 +104,20 @@ test("force against time with the limits that parameters set, held, zoomed, save
   assert.ok(at > Number(rows[1]!.split(",")[0]) && at < Number(rows.at(-1)!.split(",")[0]), `${at} s`);
   await force.getByRole("button", { name: "Follow again" }).click();
   await force.locator(".chart:not([data-held])").waitFor();
+  await untilState(page, "Ended", 60000);
 }));
 
 test("a gauge shows what is measured beside what is proved, and opens its chart", () => within("touch", ["--paced", "6"], "rub_in_square", { bypassCSP: true, colorScheme: "dark" }, async (page, served) => {
   await forces(page, "dark");
-  // Proofs come while the server serves.
-  await page.waitForFunction(() => [...document.querySelectorAll('[data-window="gauges"] .gauge')].some((each) => /stops: now [\d.]+ ms, worst so far [\d.]+ ms, proved [\d.]+ ms, limit 45/.test(each.getAttribute("aria-label") ?? "")), undefined, { timeout: 90000 });
-  const label = (await windowOf(page, "gauges").locator(".gauge", { hasText: "fresh-force" }).getAttribute("aria-label"))!;
-  const [now, worst, bound, limit] = [...label.matchAll(/([\d.]+) ms/g)].map((each) => Number(each[1]));
-  assert.ok(now! <= worst! && worst! <= bound! && bound! <= limit!, label);
+  await windowOf(page, "gauges").locator(".select-button").click();
+  await page.getByRole("option", { name: /^rub/ }).click();
+  await page.waitForFunction(() => [...document.querySelectorAll('[data-window="gauges"] .gauge')].some((each) => /^stops.*now [\d.]+ ms.*worst so far [\d.]+ ms.*limit 45/.test(each.textContent ?? "")));
+  // Proofs come while the server serves: the bound is there, or is told as being proved.
+  const text = (await windowOf(page, "gauges").locator(".gauge", { hasText: "fresh-force" }).textContent())!;
+  const figure = (name: string) => Number(new RegExp(`${name} ([\\d.]+) ms`).exec(text)?.[1]);
+  const [now, worst, bound, limit] = ["now", "worst so far", "proved", "limit"].map(figure) as [number, number, number, number];
+  assert.ok(now <= worst && worst <= limit && limit === 10, text);
+  assert.ok(Number.isNaN(bound) ? text.includes("being proved") : worst <= bound && bound <= limit, text);
   await windowOf(page, "gauges").locator(".gauge", { hasText: "fresh-force" }).click();
   const chart = windowOf(page, "requirement", "rub/fresh-force");
   await chart.locator(".u-over").first().waitFor();

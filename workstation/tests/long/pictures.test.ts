@@ -78,3 +78,36 @@ test("the cell delivery", () => at("delivery-middle", ["--fast"], async (page) =
   await imported(page, example("pick_and_place"));
   await shot(page, "figure-4-13-pick-and-place");
 }));
+
+const view = async (page: Page, name: string): Promise<void> => {
+  await page.getByRole("button", { name: "Windows on the cell" }).click();
+  await page.getByRole("menuitem", { name }).click();
+};
+
+test("what the sensors see", () => at("seam", ["--paced", "3"], async (page) => {
+  await imported(page, example("follow_edge_again"));
+  await shot(page, "figure-5-29-follow-edge");
+  await icon(page, "follow").dblclick({ position: { x: 60, y: 8 } });
+  await part(page.locator('[data-window="icon"]'), "figure-5-28-dialog");
+  await page.locator('[data-window="icon"] .window-head button').click();
+  await view(page, "Range profile");
+  const profile = page.locator('[data-about="profile"]');
+  await act(page, "run").click();
+  await profile.locator('[data-mark="edge"]').first().waitFor();
+  await profile.getByRole("button", { name: "Hold still" }).click();
+  await part(profile, "figure-5-22-profile");
+  await act(page, "stop").click();
+  await untilState(page, "Stopped");
+}));
+
+test("forces and requirements", () => at("touch", ["--paced", "4"], async (page) => {
+  await imported(page, example("rub_in_square"));
+  await view(page, "Force");
+  await page.locator('[data-about="force"] .chart-tools').waitFor();
+  await view(page, "Requirements");
+  await page.locator(".gauge").first().waitFor();
+  await act(page, "run").click();
+  await untilState(page, "Ended", 90000);
+  await part(page.locator('[data-about="force"]'), "force");
+  await part(page.locator('[data-window="gauges"]'), "requirements");
+}));

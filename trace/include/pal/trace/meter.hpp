@@ -78,6 +78,27 @@ class ResponseMeter {
         return see_loss(event);
     }
   }
+  // The same for a message that is put or taken, by an actor that inherits nothing at this event.
+  [[gnu::always_inline]] void put(const Event& event) {
+    const Actor& by = actor(event);
+    Birth carried = by.device ? answered_request(event) : by.carried;
+    if (channel(event).is_source) {
+      carried = {++births_, event.time_ns};
+      if (awaiting_.size() == awaiting_.capacity()) forget_what_nobody_carries();
+      awaiting_.push_back(carried);
+    }
+    channel(event).on_message = carried;
+  }
+  /// An event that was answered is carried no further: the thread keeps the one that it has.
+  [[gnu::always_inline]] void take(const Event& event) {
+    Actor& by = actor(event);
+    const Channel& taken = channel(event);
+    if (by.device) {
+      if (taken.asks) serving_[static_cast<std::size_t>(event.subject)].push_back(taken.on_message);
+    } else if (is_awaiting(taken.on_message)) {
+      by.carried = taken.on_message;
+    }
+  }
   /// Whether the event puts a message that counts.
   bool counts(const Event& event) const { return is_source(event) && counts_from_ != none_counts; }
 
@@ -96,26 +117,6 @@ class ResponseMeter {
 
  private:
   static constexpr std::int64_t none_counts = std::numeric_limits<std::int64_t>::max();
-  void put(const Event& event) {
-    const Actor& by = actor(event);
-    Birth carried = by.device ? answered_request(event) : by.carried;
-    if (channel(event).is_source) {
-      carried = {++births_, event.time_ns};
-      if (awaiting_.size() == awaiting_.capacity()) forget_what_nobody_carries();
-      awaiting_.push_back(carried);
-    }
-    channel(event).on_message = carried;
-  }
-  /// An event that was answered is carried no further: the thread keeps the one that it has.
-  void take(const Event& event) {
-    Actor& by = actor(event);
-    const Channel& taken = channel(event);
-    if (by.device) {
-      if (taken.asks) serving_[static_cast<std::size_t>(event.subject)].push_back(taken.on_message);
-    } else if (is_awaiting(taken.on_message)) {
-      by.carried = taken.on_message;
-    }
-  }
   Reading see_loss(const Event& event);
   void drop(const Event& event);
   Reading answer(const Event& event) {
