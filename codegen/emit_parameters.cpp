@@ -107,7 +107,7 @@ std::string parameters_source(const Plan& plan) {
              literal(pal.unit) + ", " + value(pal.low) + ", " + value(pal.high) + ", " +
              value(pal.default_value) + ",");
     out.line(" " + literal(pal.description) + (is_text(parameter) ? ", " + literal(pal.default_text) : "") +
-             "},");
+             (pal.location ? ", true" : "") + "},");
   }
   out.close("}};").line();
   if (plan.parameters.empty()) {

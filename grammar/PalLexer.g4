@@ -78,6 +78,7 @@ JITTER        : J I T T E R ;
 LATENCY       : L A T E N C Y ;
 LEAST         : L E A S T ;
 LOAD          : L O A D ;
+LOCATION      : L O C A T I O N ;
 LOSS          : L O S S ;
 METHOD        : M E T H O D ;
 MODEL         : M O D E L ;

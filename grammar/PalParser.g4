@@ -33,6 +33,9 @@ fieldGroup : name ( COMMA name )* COLON type ;
 // REAL mm; REAL[255] mm. What may have a size, and what a unit, is checked where the tree is built.
 type : ( REAL | INTEGER | BOOLEAN | TEXT ) size? physicalUnit? ;
 
+// A location is a text: the name of one that is taught.
+parameterType : type | LOCATION ;
+
 size : LEFT_BRACKET NUMBER RIGHT_BRACKET ;
 
 physicalUnit : unitFactor ( ( STAR | SLASH ) unitFactor )* | PERCENT ;
@@ -156,7 +159,7 @@ slot
   | MODEL DATA strings                                                                # modelDataSlot
   | SKILL METHOD names                                                                # skillMethodSlot
   | CONTINGENCY NUMBER STRING ( METHOD name )?                                        # contingencySlot
-  | PARAMETER name COLON type ( DEFAULT literal )? ( RANGE literal TO literal )? STRING?      # parameterSlot
+  | PARAMETER name COLON parameterType ( DEFAULT literal )? ( RANGE literal TO literal )? STRING?  # parameterSlot
   | COMPLETION NUMBER ( NORMAL | CONTINGENCY NUMBER | ERROR ) STRING?                 # completionSlot
   | REQUIREMENT name COLON measure phase?                                             # requirementSlot
   ;
@@ -257,7 +260,7 @@ name
 contextual
   : ACTIVITY | AFTER | AGE | ANSWER | AT | BETWEEN | BOOLEAN | BUSY | COLLECTING | COMPLETION | CONTROLLER
   | COORDINATOR | COST | DATA | DEFAULT | DESCRIPTION | DRIVER | DURATION | DURING | EACH | ERROR | EVENT | EVERY
-  | FIRST | FOREVER | FRAMES | GENERIC | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOSS | METHOD
+  | FIRST | FOREVER | FRAMES | GENERIC | IN | INTEGER | INTERVAL | JITTER | LATENCY | LEAST | LOAD | LOCATION | LOSS | METHOD
   | MODEL | MODULE | MOST | NEVER | NONPREEMPTIVE | NORMAL | NOTHING | OF | ON | PARAMETER | PERIOD | PHASE | PLACE
   | POSTCONDITION | PRECONDITION | PRIORITY | PROCESSOR | PROCESSORS | PROTOCOL | RANGE | REACTION | READ
   | READS | REAL | RECEIVE | REQUIREMENT | RESPONSE | RETURNS | SEND | SET | SIGNAL | SPORADIC | TEST | TEXT | TIME | WITHIN

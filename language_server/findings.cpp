@@ -181,11 +181,13 @@ std::vector<Diagnostic> Session::causes(const Known& known, const std::string& p
       made.where = each.cause;
       made.message = "'" + each.name + "' fails here: " + each.cause_text;
       made.fix.clear();
+      bool cured = false;
       const bool advised = known.advice != nullptr && known.proved == known.analysis;
       for (std::size_t i = 0; advised && i < known.advice->size(); ++i) {
         const auto& advice = (*known.advice)[i];
         for (const auto& cure : advice.cures) {
-          if (advice.skill != proof.skill || cure.edits.empty() || made.hint.starts_with("cure: ")) continue;
+          if (advice.skill != proof.skill || cure.edits.empty() || cured) continue;
+          cured = true;
           made.hint = "cure: " + cure.title;
         }
       }
@@ -452,10 +454,9 @@ Json Session::code_action(const Json& params) {
       for (const auto& cure : advice.cures) {
         Json told = Json::array();
         for (const auto& finding : found) {
-          const bool meant =
-              std::any_of(cure.requirements.begin(), cure.requirements.end(),
-                          [&](const auto& name) { return finding.message.starts_with("'" + name + "'"); });
-          if (meant && finding.where.end >= begin && finding.where.begin <= end)
+          const auto& of = cure.requirements;
+          if (std::find(of.begin(), of.end(), finding.requirement) != of.end() &&
+              finding.where.end >= begin && finding.where.begin <= end)
             told.push_back(diagnostic(finding, *here.analysis, workspace_, options_.documentation));
         }
         if (!told.empty())

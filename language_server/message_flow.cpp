@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "language_server/session.hpp"
+#include "language_server/text.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/syntax/text_tokens.hpp"
 
@@ -17,12 +18,6 @@ namespace {
 
 using check::SymbolKind;
 using syntax::TextToken;
-
-std::string capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-  return result;
-}
 
 /// A TXM or WTM whose parenthesis is open at the end of a line's beginning.
 struct OpenStatement {

@@ -1,11 +1,11 @@
 // What a file is made of: symbols, folds, links, colours.
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <string>
 
 #include "language_server/semantic_legend.hpp"
 #include "language_server/session.hpp"
+#include "language_server/text.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/syntax/text_tokens.hpp"
 
@@ -83,12 +83,6 @@ std::string shown_name(const Symbol& symbol) {
   if (symbol.kind == SymbolKind::contingency) return "contingency " + symbol.name;
   if (symbol.kind == SymbolKind::completion) return "completion " + symbol.name;
   return symbol.name;
-}
-
-std::string capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "language_server/session.hpp"
+#include "language_server/text.hpp"
 #include "pal/syntax/text_tokens.hpp"
 
 namespace pal::language_server {
@@ -76,12 +77,6 @@ class Holding {
   std::uint32_t offset_;
   std::set<Span> spans_;
 };
-
-std::string capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-  return result;
-}
 
 /// The ENDs that a text lacks: one for each line that opens something, in the order of the text.
 struct Opened {

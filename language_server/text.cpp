@@ -15,6 +15,12 @@ std::uint32_t units(char32_t code_point) {
 
 }  // namespace
 
+std::string capitals(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  return result;
+}
+
 Text::Text(std::string content) : content_(std::move(content)) {
   find_lines();
 }

@@ -15,6 +15,9 @@ struct Position {
   friend auto operator<=>(const Position&, const Position&) = default;
 };
 
+/// The text with its ASCII letters in capitals.
+std::string capitals(std::string_view text);
+
 class Text {
  public:
   Text() : Text(std::string()) {}

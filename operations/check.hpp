@@ -65,9 +65,6 @@ bool check_cell(const Program& program, const Cell& cell, Diagnostics& diagnosti
 void check_parameters(const Graph& graph, Place at, const Icon& changed, const Cell& cell,
                       Diagnostics& diagnostics);
 
-/// Whether a parameter names a place that is taught.
-bool is_location(const pan::Parameter& parameter);
-
 /// The names of all skills that the operation and its sub-operations run.
 std::set<std::string> skills_of(const Program& program);
 

@@ -20,11 +20,6 @@ std::vector<std::string> names_of(const std::vector<pan::Parameter>& parameters)
 
 }  // namespace
 
-bool is_location(const pan::Parameter& parameter) {
-  return parameter.type == pan::ScalarType::text &&
-         parameter.description.find("location") != std::string::npos;
-}
-
 SkillChecks::SkillChecks(const Graph& graph, const Cell& cell, Diagnostics& diagnostics)
     : graph_(graph),
       cell_(cell),
@@ -50,7 +45,7 @@ bool SkillChecks::names_location(Place at, const Icon& icon, const Parameter& gi
   const auto skill = cell_.skills->find(icon.skill);
   if (skill == cell_.skills->end()) return false;
   for (const pan::Parameter& each : skill->second.parameters)
-    if (each.name == given.name) return is_location(each);
+    if (each.name == given.name) return each.location;
   return false;
 }
 
@@ -117,7 +112,7 @@ void SkillChecks::check(Place at, const Icon& icon) {
   if (refused.empty()) check_together(icon);
   if (!cell_.locations) return;
   for (const pan::Parameter& parameter : skill.parameters)
-    if (is_location(parameter) && !refused.contains(parameter.name)) check_location(icon, parameter);
+    if (parameter.location && !refused.contains(parameter.name)) check_location(icon, parameter);
 }
 
 void SkillChecks::check_together(const Icon& icon) {

@@ -31,7 +31,7 @@ Json describe_parameter(const pan::Parameter& parameter) {
     one["high"] = parameter.high;
   }
   one["description"] = parameter.description;
-  one["location"] = operations::is_location(parameter);
+  one["location"] = parameter.location;
   return one;
 }
 

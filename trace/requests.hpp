@@ -15,10 +15,6 @@ std::vector<std::int32_t> answers_of(const std::vector<std::int32_t>& request_of
 /// By actor.
 std::vector<bool> devices_of(const Trace& tables);
 
-inline bool has_effect_at(const Event& event, const Marks& marks) {
-  return event.kind == Kind::done && event.statement >= 0 && marks[static_cast<std::size_t>(event.statement)];
-}
-
 /// A block begins with what its parent has.
 template <class Value>
 void inherit(const Event& event, std::int32_t parent, std::vector<Value>& of_actor) {

@@ -47,8 +47,7 @@ void judge(const Bound& bound, const Requirement& requirement, bool half_open, V
     return;
   }
   verdict.bound = Duration(bound.sum.value());
-  const bool kept = verdict.at_least ? *verdict.bound >= verdict.limit : *verdict.bound <= verdict.limit;
-  verdict.state = kept ? Is::holds : Is::undecided;
+  verdict.state = verdict.allowed().broken_by(*verdict.bound) ? Is::undecided : Is::holds;
   verdict.explanation = std::string("Compositional bound: no run ") +
                         (verdict.at_least ? "falls below" : "exceeds") + " it, but no run need come near it.";
   if (half_open)
@@ -94,13 +93,8 @@ Analysis analyze(const Problem& skill, const Options& options, bool half_open) {
   const Problem problem = clone_shared_blocks(skill);
   Analysis analysis;
   for (const Requirement& requirement : problem.requirements) {
-    Verdict& verdict = analysis.verdicts.emplace_back();
-    verdict.requirement = requirement.name;
-    verdict.measure = requirement.measure;
-    verdict.method = Method::compositional;
-    verdict.limit = Duration(requirement.limit);
-    verdict.at_least = requirement.at_least;
-    verdict.where = requirement.where;
+    analysis.verdicts.push_back(open_verdict(requirement));
+    analysis.verdicts.back().method = Method::compositional;
   }
   const Forest forest = forest_of(problem, options.stop);
   std::string refusal = forest.refusal;

@@ -24,7 +24,7 @@ class Analyzer {
     memory();
     for (const Requirement& requirement : problem_.requirements) {
       const double begun = now();
-      Verdict& verdict = analysis_.verdicts.emplace_back(blank(requirement));
+      Verdict& verdict = analysis_.verdicts.emplace_back(open_verdict(requirement));
       if (!fits_exploration(problem_)) {
         verdict.explanation = "The skill has too many threads or channels for the exact analysis.";
       } else if (requirement.measure == Requirement::Measure::load) {
@@ -52,16 +52,6 @@ class Analyzer {
 
   Limits limits() { return {options_.max_states, options_.stop, {}, &workers_}; }
 
-  static Verdict blank(const Requirement& requirement) {
-    Verdict verdict;
-    verdict.requirement = requirement.name;
-    verdict.measure = requirement.measure;
-    verdict.limit = Duration(requirement.limit);
-    verdict.at_least = requirement.at_least;
-    verdict.where = requirement.where;
-    return verdict;
-  }
-
   void timed(const Requirement& requirement, const Watch& watch, Verdict& verdict) {
     const Machine machine(problem_, watch);
     Nanoseconds cap = cap_of(problem_, requirement.limit);
@@ -74,7 +64,8 @@ class Analyzer {
       // A greater cap may find a bound; of what fails already it is asked only where there is likely to be
       // one.
       const bool measured = graph.peak().value >= 0;
-      const bool broken = (measured && breaks(requirement, graph.peak().value)) || graph.growing();
+      const bool broken =
+          (measured && requirement.allowed().broken_by(graph.peak().value)) || graph.growing();
       const bool decided =
           graph.failure() || graph.stuck() >= 0 || (broken && watch.kind != Watch::Kind::age);
       if (complete && beyond && !decided && attempt < 2) continue;
@@ -90,7 +81,7 @@ class Analyzer {
     bool bounded = true;
     Duration most(0);
     for (const ProcessorId processor : requirement.processors) {
-      Verdict each = blank(requirement);
+      Verdict each = open_verdict(requirement);
       timed(requirement, watch_of(problem_, requirement, processor), each);
       statistics += each.statistics;
       bounded = bounded && each.bound;
@@ -112,16 +103,12 @@ class Analyzer {
     return !a.bound || (b.bound && *a.bound > *b.bound);
   }
 
-  static bool breaks(const Requirement& requirement, Nanoseconds value) {
-    return requirement.at_least ? value < requirement.limit : value > requirement.limit;
-  }
-
   void judge(const Requirement& requirement, const Machine& machine, const ZoneGraph& graph, bool complete,
              Nanoseconds cap, Verdict& verdict) {
     if (graph.failure()) return judge_failure(requirement, machine, graph, verdict);
     const bool any = graph.peak().value >= 0;
     if (any) verdict.witness = witness_of(machine, graph, graph.peak(), options_.stop);
-    const bool shown = verdict.witness && breaks(requirement, verdict.witness->measured.value);
+    const bool shown = verdict.witness && requirement.allowed().broken_by(verdict.witness->measured.value);
     GrowthSearch grown;
     if (!shown) grown = growth_of(machine, graph, complete, cap);
     verdict.statistics += grown.statistics;
@@ -132,7 +119,7 @@ class Analyzer {
     if (!verdict.witness && certain.value >= 0)
       verdict.witness = witness_of(machine, graph, certain, options_.stop);
     if (verdict.witness) verdict.reasons = reasons(problem_, requirement, *verdict.witness);
-    const bool broken = verdict.witness && breaks(requirement, verdict.witness->measured.value);
+    const bool broken = verdict.witness && requirement.allowed().broken_by(verdict.witness->measured.value);
     verdict.gave_up = !complete;
     if (!complete) {
       verdict.state = broken ? Is::fails : Is::undecided;
@@ -153,7 +140,7 @@ class Analyzer {
                                                      : 0;
     verdict.bound = Duration(bound);
     verdict.exact = (verdict.witness && verdict.witness->measured.value == bound) || (!any && !beyond);
-    verdict.state = !breaks(requirement, bound) ? Is::holds : broken ? Is::fails : Is::undecided;
+    verdict.state = !requirement.allowed().broken_by(bound) ? Is::holds : broken ? Is::fails : Is::undecided;
     verdict.explanation = explanation(problem_, requirement, verdict);
   }
 

@@ -13,11 +13,11 @@ namespace pal::analyzer {
 namespace {
 
 bool within(const Requirement& requirement, Nanoseconds value) {
-  return requirement.at_least ? value >= requirement.limit : value <= requirement.limit;
+  return !requirement.allowed().broken_by(value);
 }
 
 bool nearer(const Requirement& requirement, Nanoseconds value, const std::optional<Nanoseconds>& than) {
-  return !than || (requirement.at_least ? value > *than : value < *than);
+  return !than || requirement.allowed().worse(*than, value);
 }
 
 struct Attempt {

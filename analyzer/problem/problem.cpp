@@ -30,6 +30,17 @@ const std::string& party(const Problem& problem, DeviceId device, ModuleId modul
 
 }  // namespace
 
+Limit Requirement::allowed() const {
+  return {at_least ? Limit::Sense::at_least : Limit::Sense::at_most, {unit_of(measure), limit}};
+}
+
+Figure::Unit unit_of(Requirement::Measure measure) {
+  using Measure = Requirement::Measure;
+  return measure == Measure::load   ? Figure::Unit::share
+         : measure == Measure::loss ? Figure::Unit::count
+                                    : Figure::Unit::time;
+}
+
 bool Requirement::is_event(ChannelId channel) const {
   return std::find(events.begin(), events.end(), channel) != events.end();
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analyzer/problem/ids.hpp"
+#include "analyzer/problem/limit.hpp"
 #include "pal/pan/environment.hpp"
 #include "pal/pan/network.hpp"
 #include "pal/support/diagnostic.hpp"
@@ -160,9 +161,15 @@ struct Requirement {
   Nanoseconds limit = 0;                // loss: a number
   SourceSpan where;
 
+  /// What is allowed, with its unit.
+  Limit allowed() const;
+
   /// Response: whether the messages of the channel are what is responded to.
   bool is_event(ChannelId channel) const;
 };
+
+/// The unit of what is measured.
+Figure::Unit unit_of(Requirement::Measure measure);
 
 /// The threads that set a condition.
 struct Setters {

@@ -61,14 +61,11 @@ Simulation steady_run(const Machine& machine, std::uint64_t seed, std::size_t ev
   return long_run(machine, times, seldom_in_steady_runs, seed, events, stop);
 }
 
-bool is_beyond(const Requirement& requirement, const Measurement& made) {
-  return requirement.at_least ? made.value < requirement.limit : made.value > requirement.limit;
-}
-
 /// The first value that is measured beyond the limit.
 auto first_beyond(const Requirement& requirement, const Simulation& run) {
-  return std::find_if(run.measured.begin(), run.measured.end(),
-                      [&requirement](const Measurement& made) { return is_beyond(requirement, made); });
+  return std::find_if(run.measured.begin(), run.measured.end(), [&requirement](const Measurement& made) {
+    return requirement.allowed().broken_by(made.value);
+  });
 }
 
 Break break_in(const Requirement& requirement, const Simulation& run) {
@@ -106,7 +103,7 @@ std::optional<Witness> witness_of(const Requirement& requirement, const Machine&
   if (beyond != run.measured.end())
     run.script.resize(run.measured_after[static_cast<std::size_t>(beyond - run.measured.begin())]);
   auto made = replay(machine, run.script);
-  const bool breaks = made && (made->failed || is_beyond(requirement, made->measured));
+  const bool breaks = made && (made->failed || requirement.allowed().broken_by(made->measured.value));
   return breaks ? std::move(made) : std::nullopt;
 }
 

@@ -217,9 +217,8 @@ std::optional<Witness> search_runs(const Problem& problem, const Requirement& re
     const Machine machine(problem, watch);
     auto found = RunSearch(machine, options).run();
     if (!found) continue;
-    const bool more = !worst || found->failed ||
-                      (requirement.at_least ? found->measured.value < worst->measured.value
-                                            : found->measured.value > worst->measured.value);
+    const bool more =
+        !worst || found->failed || requirement.allowed().worse(found->measured.value, worst->measured.value);
     if (more && !(worst && worst->failed)) worst = std::move(found);
   }
   return worst;

@@ -9,15 +9,13 @@ namespace pal::analyzer {
 namespace {
 
 bool beyond(const Requirement& requirement, const Witness& witness) {
-  const Nanoseconds value = witness.measured.value;
-  return witness.failed || (requirement.at_least ? value < requirement.limit : value > requirement.limit);
+  return witness.failed || requirement.allowed().broken_by(witness.measured.value);
 }
 
 bool says_more(const Requirement& requirement, const Witness& found, const std::optional<Witness>& known) {
   if (!known || found.failed) return true;
   if (known->failed || known->grows) return false;
-  return requirement.at_least ? found.measured.value < known->measured.value
-                              : found.measured.value > known->measured.value;
+  return requirement.allowed().worse(found.measured.value, known->measured.value);
 }
 
 }  // namespace

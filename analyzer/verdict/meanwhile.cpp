@@ -36,7 +36,7 @@ std::vector<Reason> Narrator::meanwhile(const trace::Slice& wait, Nanoseconds fr
 
 /// Whether it is a wait for room.
 bool Narrator::is_send(const trace::Slice& wait) const {
-  return wait.statement >= 0 && statement(wait.statement).text.rfind("TXM", 0) == 0;
+  return wait.statement >= 0 && sends_[StatementId::of(wait.statement)];
 }
 
 /// The party that is to send what a wait is for, if that is one thread or device.

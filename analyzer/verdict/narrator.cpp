@@ -34,10 +34,14 @@ Narrator::Narrator(const Problem& problem, const trace::Trace& run)
     : problem_(problem),
       run_(run),
       slices_(trace::slices(run)),
+      sends_(problem.statements.size()),
       running_(running_on(problem, slices_)),
       of_actor_(by_actor(run, slices_)),
       takes_(run.actors.size()),
       puts_(run.actors.size()) {
+  for (const Step& step : problem.steps) {
+    if (step.kind == Step::Kind::send && step.statement.valid()) sends_[step.statement] = true;
+  }
   std::map<std::pair<int, int>, std::size_t> under_way;  // by channel and serial number
   for (std::size_t e = 0; e < run.events.size(); ++e) {
     const trace::Event& event = run.events[e];
@@ -54,10 +58,13 @@ Narrator::Narrator(const Problem& problem, const trace::Trace& run)
 }
 
 Reason Narrator::reason(Nanoseconds from, Nanoseconds to, int actor, std::string what, int of) const {
-  Reason made{
-      from, to, actor < 0 ? "" : run_.actors[static_cast<std::size_t>(actor)].name, std::move(what), "",
-      0,    {}};
+  Reason made;
+  made.from = from;
+  made.to = to;
+  if (actor >= 0) made.actor = run_.actors[static_cast<std::size_t>(actor)].name;
+  made.what = std::move(what);
   if (of >= 0) {
+    made.statement = statement(of).text;
     made.file = statement(of).file;
     made.line = statement(of).line;
   }
@@ -124,6 +131,8 @@ void Narrator::tell(ThreadId thread, Nanoseconds from, Nanoseconds to, std::vect
       interference(slice, begin, end, out);
     } else {
       out.push_back(reason(begin, end, thread.value, doing(slice), slice.statement));
+      if (slice.state == trace::State::waiting && slice.statement >= 0)
+        out.back().kind = is_send(slice) ? Reason::Kind::waits_for_room : Reason::Kind::waits_for_message;
       if (slice.state == trace::State::waiting && depth > 0)
         out.back().inside = meanwhile(slice, begin, end, depth - 1);
     }

@@ -65,6 +65,7 @@ class Narrator {
   const Problem& problem_;
   const trace::Trace& run_;
   std::vector<trace::Slice> slices_;
+  Table<StatementId, bool> sends_;
   Table<ProcessorId, std::vector<trace::Slice>> running_;  // by processor: two do not run on it at one time
   std::vector<std::vector<trace::Slice>> of_actor_;        // by thread and device, in order
   std::vector<std::vector<std::size_t>> takes_;            // events, by the taker, in order

@@ -5,14 +5,10 @@
 namespace pal::analyzer {
 namespace {
 
-bool is_beyond(const Verdict& verdict, Duration value, Duration limit) {
-  return verdict.at_least ? value < limit : value > limit;
-}
-
 bool broken(const Verdict& verdict) {
   if (verdict.witness && verdict.witness->failed) return true;
   const std::optional<Duration> value = attained(verdict);
-  return value && is_beyond(verdict, *value, verdict.limit);
+  return value && verdict.allowed().broken_by(*value);
 }
 
 /// `by`: the requirement for which a run was found.
@@ -34,7 +30,7 @@ bool is_refuted(const Verdict& verdict) {
   const std::optional<Duration> value = attained(verdict);
   if (verdict.state == VerdictState::never) return unanswered || value;
   if (verdict.state == VerdictState::holds && broken(verdict)) return true;
-  return verdict.bound && (unanswered || (value && is_beyond(verdict, *value, *verdict.bound)));
+  return verdict.bound && (unanswered || (value && verdict.allowed().worse(*value, *verdict.bound)));
 }
 
 void withdraw_refuted(const std::vector<Verdict>& proofs, std::vector<Verdict>& verdicts) {

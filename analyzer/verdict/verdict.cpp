@@ -12,6 +12,20 @@ Statistics& Statistics::operator+=(const Statistics& other) {
   return *this;
 }
 
+Limit Verdict::allowed() const {
+  return {at_least ? Limit::Sense::at_least : Limit::Sense::at_most, {unit_of(measure), limit.count()}};
+}
+
+Verdict open_verdict(const Requirement& requirement) {
+  Verdict verdict;
+  verdict.requirement = requirement.name;
+  verdict.measure = requirement.measure;
+  verdict.limit = Duration(requirement.limit);
+  verdict.at_least = requirement.at_least;
+  verdict.where = requirement.where;
+  return verdict;
+}
+
 std::optional<Duration> attained(const Verdict& verdict) {
   if (verdict.measure == Requirement::Measure::load) return verdict.attained_load;
   if (!verdict.witness || verdict.witness->failed) return std::nullopt;

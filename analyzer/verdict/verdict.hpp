@@ -21,15 +21,20 @@ enum class Method { exact, compositional };
 
 /// A piece of the time that a bound is made of.
 struct Reason {
+  enum class Kind { other, waits_for_message, waits_for_room };
   Nanoseconds from = 0;
   Nanoseconds to = 0;
-  std::string actor;  // thread or device
-  std::string what;   // "waits at WTM( motion request from MC1 )"
+  Kind kind = Kind::other;
+  std::string actor;      // thread or device
+  std::string what;       // "waits at WTM( motion request from MC1 )"
+  std::string statement;  // "WTM( motion request from MC1 )"; empty: none
   std::string file;
   int line = 0;  // 0: no place in a text
   /// For a wait: what those waited for did meanwhile, without gaps from its beginning to its end, each with
   /// what is inside it. Empty: there is nothing to tell.
   std::vector<Reason> inside;
+
+  bool waits() const { return kind != Kind::other; }
 };
 
 /// A number of the addition that makes up a bound.
@@ -95,12 +100,18 @@ struct Verdict {
   /// They add up to the bound, to the nanosecond. Empty if there is no bound, or if it is a number (of
   /// losses). Also empty if the bound was found by looking at all runs and none is known to attain it.
   std::vector<Addend> addends;
-  /// Of a verdict that holds: events that get lost in some runs, and so delay nobody. Where they are kept, the
-  /// bound may be greater.
+  /// Of a verdict that holds: events that get lost in some runs, and so delay nobody. Where they are kept,
+  /// the bound may be greater.
   std::vector<LostEvents> taken_as_lost = {};
   SourceSpan where;
   Statistics statistics;
+
+  /// What is allowed, with its unit. `worse` compares bounds and values.
+  Limit allowed() const;
 };
+
+/// Undecided, with nothing known yet.
+Verdict open_verdict(const Requirement& requirement);
 
 /// The greatest value (the least, of a requirement that says at least) that a run was shown to attain, if the
 /// verdict knows one. Load: nanoseconds of work in a second, rounded up.

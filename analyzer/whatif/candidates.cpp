@@ -16,7 +16,7 @@ class Candidates {
   Candidates(const Problem& problem, const pan::Environment& environment)
       : problem_(problem), environment_(environment) {}
 
-  std::vector<ChangeTexts> all() {
+  std::vector<Changes> all() {
     for (const Thread& thread : problem_.threads) reorder(thread);
     for (const Thread& thread : problem_.threads) move(thread);
     for (const Device& device : problem_.devices) slow_down(device);
@@ -42,9 +42,11 @@ class Candidates {
       least = std::min(least, other->priority);
       greatest = std::max(greatest, other->priority);
     }
-    const std::string name = thread.name + ".priority = ";
-    if (thread.priority <= greatest) found_.push_back({name + std::to_string(greatest + 1)});
-    if (thread.priority >= least && least > 0) found_.push_back({name + std::to_string(least - 1)});
+    const auto give = [&](int priority) {
+      found_.push_back({{Change::Kind::priority, thread.name, std::to_string(priority)}});
+    };
+    if (thread.priority <= greatest) give(greatest + 1);
+    if (thread.priority >= least && least > 0) give(least - 1);
   }
 
   bool is_used(const pan::Processor& processor) const {
@@ -54,7 +56,9 @@ class Candidates {
   }
 
   void move(const Thread& thread) {
-    const std::string name = thread.name + ".processor = ";
+    const auto on = [&](const std::string& processor) {
+      return Change{Change::Kind::processor, thread.name, processor};
+    };
     const std::string& own = problem_.processors[thread.processor].name;
     const bool alone = beside(thread).empty();
     bool free = false;
@@ -64,11 +68,11 @@ class Candidates {
       // there.
       if (processor.name == own || (!used && (free || alone))) continue;
       free = free || !used;
-      found_.push_back({name + processor.name});
+      found_.push_back({on(processor.name)});
     }
     if (free || alone) return;
     const std::string more = new_processor();
-    found_.push_back({"PROCESSOR " + more, name + more});
+    found_.push_back({{Change::Kind::new_processor, more, ""}, on(more)});
   }
 
   std::string new_processor() const {
@@ -85,17 +89,45 @@ class Candidates {
     if (const auto* frames = std::get_if<pan::FrameDevice>(&device.behaviour)) period = frames->period;
     if (!period) return;
     for (const Nanoseconds times : quarters)
-      found_.push_back({device.name + ".period = " + to_text(Duration(period->count() * times / 4))});
+      found_.push_back({{Change::Kind::period, device.name, to_text(Duration(period->count() * times / 4))}});
   }
 
   const Problem& problem_;
   const pan::Environment& environment_;
-  std::vector<ChangeTexts> found_;
+  std::vector<Changes> found_;
 };
 
 }  // namespace
 
-std::vector<ChangeTexts> candidates_for(const Problem& problem, const pan::Environment& environment) {
+std::string text(const Change& change) {
+  switch (change.kind) {
+    case Change::Kind::new_processor:
+      return "PROCESSOR " + change.of;
+    case Change::Kind::priority:
+      return change.of + ".priority = " + change.value;
+    case Change::Kind::processor:
+      return change.of + ".processor = " + change.value;
+    case Change::Kind::period:
+      break;
+  }
+  return change.of + ".period = " + change.value;
+}
+
+std::string words(const Change& change) {
+  switch (change.kind) {
+    case Change::Kind::new_processor:
+      return "add processor " + change.of;
+    case Change::Kind::priority:
+      return "give " + change.of + " priority " + change.value;
+    case Change::Kind::processor:
+      return "place " + change.of + " on " + change.value;
+    case Change::Kind::period:
+      break;
+  }
+  return "make the period of " + change.of + " " + change.value;
+}
+
+std::vector<Changes> candidates_for(const Problem& problem, const pan::Environment& environment) {
   return Candidates(problem, environment).all();
 }
 

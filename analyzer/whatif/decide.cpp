@@ -5,6 +5,7 @@
 
 #include "analyzer/exact/slice_bound.hpp"
 #include "analyzer/load/load.hpp"
+#include "analyzer/problem/budgets.hpp"
 #include "analyzer/runs/quick_runs.hpp"
 #include "analyzer/runs/run_search.hpp"
 #include "analyzer/verdict/unread.hpp"
@@ -14,17 +15,6 @@ namespace {
 
 using Measure = Requirement::Measure;
 using Is = Verdict::State;
-
-/// Where more is to be done than there is time a skill has mostly too many classes to be explored, unless it
-/// ends soon.
-constexpr std::size_t overloaded_classes = 20'000;
-
-/// Single runs that are looked at for a loss, first and later.
-constexpr std::size_t few_runs = 16;
-constexpr std::size_t many_runs = 400;
-
-/// Of the runs that are made again after one of them broke a requirement.
-constexpr std::size_t events_of_witness = 150'000;
 
 /// Requirements that one watch decides, and for which growing beyond the limit is failing.
 bool has_cap(const Requirement& requirement) {
@@ -67,9 +57,7 @@ bool one_run(const Requirement& requirement) {
 }
 
 bool broken(const Requirement& requirement, const Witness& witness) {
-  if (witness.failed) return true;
-  const Nanoseconds value = witness.measured.value;
-  return requirement.at_least ? value < requirement.limit : value > requirement.limit;
+  return witness.failed || requirement.allowed().broken_by(witness.measured.value);
 }
 
 /// Looks at what an exploration found so far for a run that breaks the requirement.
@@ -179,7 +167,7 @@ Options limited(const Options& given, const Problem& problem, RequirementId id) 
 
 std::size_t classes_for(const Problem& problem, RequirementId id, std::size_t allowed) {
   const bool overloaded = is_overloaded(problem, requirement_of(problem, id));
-  return overloaded ? std::min(allowed, overloaded_classes) : allowed;
+  return overloaded ? std::min(allowed, budget::overloaded_classes) : allowed;
 }
 
 Decision decide_quickly(const Problem& problem, RequirementId id, const Verdict& bound,
@@ -187,14 +175,16 @@ Decision decide_quickly(const Problem& problem, RequirementId id, const Verdict&
   const Requirement& requirement = requirement_of(problem, id);
   if (is_unread(problem, requirement)) return {Is::holds, {}, {}};
   if (bound.state == Is::holds) return held_by(requirement, bound);
-  if (requirement.measure == Measure::loss) return by_search(problem, requirement, few_runs, stop);
+  if (requirement.measure == Measure::loss)
+    return by_search(problem, requirement, budget::few_runs_for_loss, stop);
   const Break simulated = simulated_break(problem, requirement, stop);
   if (simulated == Break::none) return {};
   Decision decision{Is::fails, {}, {}, simulated == Break::grown};
   // The run is kept. One that is overloaded is too long to be played again.
   if (simulated == Break::measured && one_run(requirement) && problem.overloaded.empty())
     decision.witness =
-        decision_of(requirement, simulated_witness(problem, requirement, stop, events_of_witness)).witness;
+        decision_of(requirement, simulated_witness(problem, requirement, stop, budget::events_of_witness))
+            .witness;
   return decision;
 }
 
@@ -205,7 +195,7 @@ Decision decide_by_runs(const Problem& problem, RequirementId id, std::size_t cl
   Decision decision =
       decision_of(requirement, simulated_witness(problem, requirement, stop, events_for(classes)));
   if (decision.state == Is::fails) return decision;
-  return by_search(problem, requirement, many_runs, stop);
+  return by_search(problem, requirement, budget::many_runs_for_what_if, stop);
 }
 
 Decision decide_by_slice(const Problem& problem, RequirementId id, const Options& options) {
@@ -214,9 +204,7 @@ Decision decide_by_slice(const Problem& problem, RequirementId id, const Options
   const Options here = limited(options, problem, id);
   const SliceBound found = slice_bound(problem, requirement, here, here.max_states);
   if (!found.bound) return {};
-  const bool within =
-      requirement.at_least ? *found.bound >= requirement.limit : *found.bound <= requirement.limit;
-  return within ? Decision{Is::holds, {}, {}} : Decision{};
+  return requirement.allowed().broken_by(*found.bound) ? Decision{} : Decision{Is::holds, {}, {}};
 }
 
 Decision decide_by_exploration(const Problem& problem, RequirementId id, const Options& given,

@@ -5,7 +5,9 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
+#include "analyzer/problem/budgets.hpp"
 #include "analyzer/whatif/figures.hpp"
 #include "analyzer/whatif/requirement_checker.hpp"
 #include "analyzer/whatif/trial.hpp"
@@ -14,9 +16,6 @@ namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
-
-/// For how short each time must become; the rest is for other changes.
-constexpr double seconds_of_short_enough = 15;
 
 /// So many of those that help are tried in twos, and in threes.
 constexpr std::size_t most_in_twos = 10;
@@ -32,13 +31,13 @@ class RemedySearch {
       : network_(network), environment_(environment), network_of_(network_of), options_(options), how_(how) {}
 
   Remedies run(const Problem& problem, std::size_t programs) {
-    made_.before = verdicts_on(problem, options_, options_.max_states, seconds_of_verdicts);
+    made_.before = verdicts_on(problem, options_, options_.max_states, budget::seconds_of_verdicts);
     if (missed(made_.before, made_.before) == 0) return std::move(made_);
-    made_.short_enough =
-        short_enough_times(network_, environment_, made_.before, within(options_, seconds_of_short_enough));
+    made_.short_enough = short_enough_times(network_, environment_, made_.before,
+                                            within(options_, budget::seconds_of_short_enough));
     for (std::size_t number = 0; number < programs; ++number)
       made_.candidates.push_back({{}, ProgramChangeId(number)});
-    for (ChangeTexts& changes : candidates_for(problem, environment_))
+    for (Changes& changes : candidates_for(problem, environment_))
       made_.candidates.push_back({std::move(changes), {}});
     std::vector<CandidateId> all;
     for (std::size_t c = 0; c < made_.candidates.size(); ++c) all.emplace_back(c);
@@ -55,11 +54,11 @@ class RemedySearch {
 
   /// Two changes of one thing are none together.
   bool exclude_each_other(const std::vector<CandidateId>& together) const {
-    std::set<std::string> names;
+    std::set<std::pair<Change::Kind, std::string>> changed;
     for (const CandidateId id : together) {
-      for (const std::string& change : made_.candidates[id.index()].changes) {
-        const bool names_new = change.find('=') == std::string::npos;
-        if (!names_new && !names.insert(change.substr(0, change.find('='))).second) return true;
+      for (const Change& change : made_.candidates[id.index()].changes) {
+        const bool is_new = change.kind == Change::Kind::new_processor;
+        if (!is_new && !changed.emplace(change.kind, change.of).second) return true;
       }
     }
     return false;
@@ -70,9 +69,10 @@ class RemedySearch {
     pan::Environment environment = environment_;
     std::set<std::string> done;
     for (const CandidateId id : together) {
-      for (const std::string& text : made_.candidates[id.index()].changes) {
+      for (const Change& each : made_.candidates[id.index()].changes) {
+        const std::string made = text(each);
         // Two threads may share a processor that is added.
-        if (done.insert(text).second && !change(environment, text).empty()) return std::nullopt;
+        if (done.insert(made).second && !change(environment, made).empty()) return std::nullopt;
       }
     }
     return environment;
@@ -109,11 +109,13 @@ class RemedySearch {
     const auto problem = problem_with(together, network);
     if (!problem) return;
     ++made_.tried;
-    const Options trial = within(options_, seconds_of_trial);
-    const Ruling ruling = judge_of(*network).ask(*problem, requirements_of(*problem),
-                                                 {std::min(classes_of_trial, trial.max_states), trial.stop});
+    const Options trial = within(options_, budget::seconds_of_trial);
+    const Ruling ruling =
+        judge_of(*network).ask(*problem, requirements_of(*problem),
+                               {std::min(budget::classes_of_trial, trial.max_states), trial.stop});
     if (ruling.state != Is::holds) return;
-    Remedy remedy{together, verdicts_on(*problem, options_, options_.max_states, seconds_of_verdicts)};
+    Remedy remedy{together,
+                  verdicts_on(*problem, options_, options_.max_states, budget::seconds_of_verdicts)};
     if (missed(remedy.after, made_.before) == 0) made_.found.push_back(std::move(remedy));
   }
 
@@ -139,7 +141,8 @@ class RemedySearch {
       if (stopped()) break;
       const auto problem = problem_with({id}, network_with({id}));
       if (!problem) continue;
-      std::vector<Verdict> after = verdicts_on(*problem, options_, classes_of_trial, seconds_of_trial);
+      std::vector<Verdict> after =
+          verdicts_on(*problem, options_, budget::classes_of_trial, budget::seconds_of_trial);
       const double score = missed(after, made_.before);
       if (score >= as_it_is * helpful) continue;
       if (score == 0) {

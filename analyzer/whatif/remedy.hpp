@@ -15,7 +15,7 @@ namespace pal::analyzer::whatif {
 
 /// One change that was tried, alone or with others: of the environment, or of the program.
 struct Candidate {
-  ChangeTexts changes;
+  Changes changes;
   ProgramChangeId program;  // valid: this one, and `changes` is empty
 };
 

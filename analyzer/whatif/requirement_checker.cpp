@@ -4,14 +4,12 @@
 
 #include "analyzer/compositional/compositional.hpp"
 #include "analyzer/exact/zeno_run.hpp"
+#include "analyzer/problem/budgets.hpp"
 
 namespace pal::analyzer::whatif {
 namespace {
 
 using Is = Verdict::State;
-
-/// So many classes decide most skills at once; of larger ones cheaper answers are asked first.
-constexpr std::size_t few_classes = 20'000;
 
 /// They cost next to nothing, and often suffice.
 std::vector<Verdict> bounds_of(const Problem& problem, const RequirementIds& requirements, Options options) {
@@ -81,9 +79,9 @@ void RequirementChecker::explore(const Problem& problem, Progress& progress, con
 void RequirementChecker::explore(const Problem& problem, Progress& progress, const Effort& effort) {
   Options options = options_;
   options.stop = effort.stop;
-  options.max_states = std::min(effort.classes, few_classes);
+  options.max_states = std::min(effort.classes, budget::few_classes);
   explore(problem, progress, options);
-  if (effort.classes <= few_classes) return;
+  if (effort.classes <= budget::few_classes) return;
   options.max_states = effort.classes;
   for (std::size_t k = 0; k < progress.order.size() && !progress.failing(); ++k) {
     if (effort.over()) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "analyzer/problem/budgets.hpp"
 #include "analyzer/whatif/requirement_checker.hpp"
 #include "analyzer/whatif/trial.hpp"
 
@@ -66,15 +67,15 @@ class ShortEnoughSearch {
   bool holds(const std::string& figure, const Interval& time) {
     const auto problem = problem_with(figure, time);
     if (!problem) return false;
-    const Options trial = within(options_, seconds_of_trial);
-    const std::size_t classes = std::min(classes_of_trial, trial.max_states);
+    const Options trial = within(options_, budget::seconds_of_trial);
+    const std::size_t classes = std::min(budget::classes_of_trial, trial.max_states);
     return checker_.ask(*problem, asked_, {classes, trial.stop}).state == Is::holds;
   }
 
   bool confirmed(const std::string& figure, const Interval& time) const {
     const auto problem = problem_with(figure, time);
     if (!problem || problem->requirements.size() != before_.size()) return false;
-    const auto after = verdicts_on(*problem, options_, options_.max_states, seconds_of_verdicts);
+    const auto after = verdicts_on(*problem, options_, options_.max_states, budget::seconds_of_verdicts);
     return std::all_of(asked_.begin(), asked_.end(),
                        [&after](RequirementId r) { return after[r.index()].state == Is::holds; });
   }

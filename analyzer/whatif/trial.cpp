@@ -16,7 +16,7 @@ double missed_by(const Verdict& verdict) {
   const auto value = verdict.state == Is::fails ? attained(verdict) : verdict.bound;
   if (!value) return far_off;
   const double limit = std::max<double>(1, static_cast<double>(verdict.limit.count()));
-  const double over = static_cast<double>((*value - verdict.limit).count()) * (verdict.at_least ? -1 : 1);
+  const auto over = -static_cast<double>(verdict.allowed().margin(value->count()));
   return std::clamp(over / limit, 0.001, far_off);
 }
 

@@ -8,14 +8,6 @@
 
 namespace pal::analyzer::whatif {
 
-/// A trial explores so many classes: most changes either do it at once or break something at once.
-constexpr std::size_t classes_of_trial = 20'000;
-
-/// Seconds of one trial, and of the verdicts on what was found: classes end most trials, time only where
-/// others have the processors.
-constexpr double seconds_of_trial = 4;
-constexpr double seconds_of_verdicts = 15;
-
 /// The options, for so many seconds from now at most.
 Options within(const Options& given, double seconds);
 

@@ -184,10 +184,10 @@ class Writer {
     for (const auto& p : network_.skill.parameters) {
       const bool boolean = p.type == pan::ScalarType::boolean;
       if (p.type == pan::ScalarType::text) {
-        table.rows.push_back({text("P" + std::to_string(++count)), code(p.name), text(type_text(p.type, {})),
-                              code("\"" + p.default_text + "\""),
-                              text("up to " + std::to_string(pan::longest_text) + " characters"),
-                              text(p.description)});
+        table.rows.push_back(
+            {text("P" + std::to_string(++count)), code(p.name),
+             text(p.location ? "LOCATION" : type_text(p.type, {})), code("\"" + p.default_text + "\""),
+             text("up to " + std::to_string(pan::longest_text) + " characters"), text(p.description)});
         continue;
       }
       const auto figure = [&](double value) {

@@ -45,7 +45,8 @@ void dump_template(const Network& network, std::ostream& out) {
   dump_texts("model data", skill.model_data, out);
   if (network.main.valid()) out << "  main " << network.modules[network.main.index()].name << '\n';
   for (const auto& p : skill.parameters) {
-    out << "  parameter " << p.name << " : " << declared_type(p.type, p.unit) << " default ";
+    out << "  parameter " << p.name << " : " << (p.location ? "LOCATION" : declared_type(p.type, p.unit))
+        << " default ";
     if (p.type == ScalarType::text) {
       out << quoted(p.default_text);
     } else {

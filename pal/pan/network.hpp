@@ -105,6 +105,7 @@ struct Device {
 struct Parameter {
   std::string name;
   ScalarType type = ScalarType::real;
+  bool location = false;  // a text: a name of a location that is taught
   std::string unit;
   double low = 0;
   double high = 0;

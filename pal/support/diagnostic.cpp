@@ -18,9 +18,28 @@ struct Row {
 };
 
 constexpr std::array rows{
+#define PAL_FAMILY(family)
 #define PAL_DIAGNOSTIC(code, severity, title) Row{#code, Severity::severity, title},
 #include "pal/support/diagnostic_code.def"
 #undef PAL_DIAGNOSTIC
+#undef PAL_FAMILY
+};
+
+/// The number of each row, and of the first one of each family.
+enum RowNumber : int {
+#define PAL_FAMILY(family) first_##family, before_##family = first_##family - 1,
+#define PAL_DIAGNOSTIC(code, severity, title) row_##code,
+#include "pal/support/diagnostic_code.def"
+#undef PAL_DIAGNOSTIC
+#undef PAL_FAMILY
+};
+
+constexpr std::array first_rows{
+#define PAL_FAMILY(family) static_cast<int>(first_##family),
+#define PAL_DIAGNOSTIC(code, severity, title)
+#include "pal/support/diagnostic_code.def"
+#undef PAL_DIAGNOSTIC
+#undef PAL_FAMILY
 };
 
 const Row& row(Code code) {
@@ -38,6 +57,10 @@ std::string_view name(Code code) {
 }
 Severity severity(Code code) {
   return row(code).severity;
+}
+Family family(Code code) {
+  const auto after = std::upper_bound(first_rows.begin(), first_rows.end(), static_cast<int>(code));
+  return static_cast<Family>(after - first_rows.begin() - 1);
 }
 std::string_view title(Code code) {
   return row(code).title;
@@ -69,6 +92,14 @@ Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message
   if (follows || full) dropped_.clear();
   return (follows || full ? dropped_ : all_)
       .emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
+}
+
+Diagnostic& Diagnostics::report(const Diagnostic& found) {
+  Diagnostic& finding = report(found.code, found.where, found.message, found.hint);
+  finding.notes = found.notes;
+  finding.fix = found.fix;
+  finding.requirement = found.requirement;
+  return finding;
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

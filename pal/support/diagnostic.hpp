@@ -39,6 +39,7 @@ struct Diagnostic {
   std::vector<Note> notes;
   std::string hint;
   std::vector<Edit> fix;
+  std::string requirement = {};  // the name of the one it is about; empty: none
 };
 
 /// Numbers of findings.
@@ -59,6 +60,9 @@ class Diagnostics {
 
   /// Reports with the severity that the table gives the code.
   Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
+
+  /// Reports what was found elsewhere.
+  Diagnostic& report(const Diagnostic& found);
 
   /// Later findings that begin in `place` are consequences of a reported one, and are dropped.
   void distrust(SourceSpan place) { distrusted_.push_back(place); }

@@ -10,15 +10,28 @@ namespace pal {
 enum class Severity;
 
 enum class Code : std::uint16_t {
+#define PAL_FAMILY(family)
 #define PAL_DIAGNOSTIC(code, severity, title) code,
 #include "pal/support/diagnostic_code.def"
 #undef PAL_DIAGNOSTIC
+#undef PAL_FAMILY
+};
+
+/// The subject of findings, each a hundred of codes.
+enum class Family {
+#define PAL_FAMILY(family) family,
+#define PAL_DIAGNOSTIC(code, severity, title)
+#include "pal/support/diagnostic_code.def"
+#undef PAL_DIAGNOSTIC
+#undef PAL_FAMILY
 };
 
 /// "PAL0101".
 std::string_view name(Code code);
 /// The severity that the table gives.
 Severity severity(Code code);
+/// The family in the table.
+Family family(Code code);
 /// The table's short title, lower case.
 std::string_view title(Code code);
 /// How many rows the table has; a code is its row's number.

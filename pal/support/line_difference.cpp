@@ -21,7 +21,7 @@ Lines lines_to_compare(std::string_view text) {
 }
 
 /// One line of the shortest way from one text to the other; `mark` as in a diff.
-struct Edit {
+struct MarkedLine {
   char mark = ' ';
   std::string_view line;
 };
@@ -29,15 +29,15 @@ struct Edit {
 /// The texts differ in many lines: all of the one, then all of the other. A diff of them would be no shorter.
 constexpr std::ptrdiff_t most_differences = 2000;
 
-std::vector<Edit> replaced(const Lines& before, const Lines& after) {
-  std::vector<Edit> edits;
+std::vector<MarkedLine> replaced(const Lines& before, const Lines& after) {
+  std::vector<MarkedLine> edits;
   for (const auto line : before) edits.push_back({'-', line});
   for (const auto line : after) edits.push_back({'+', line});
   return edits;
 }
 
 /// Myers, An O(ND) difference algorithm and its variations (1986), figure 2.
-std::vector<Edit> shortest_edits(const Lines& before, const Lines& after) {
+std::vector<MarkedLine> shortest_edits(const Lines& before, const Lines& after) {
   const auto n = static_cast<std::ptrdiff_t>(before.size());
   const auto m = static_cast<std::ptrdiff_t>(after.size());
   const auto most = std::min(n + m, most_differences);
@@ -63,7 +63,7 @@ std::vector<Edit> shortest_edits(const Lines& before, const Lines& after) {
   }
   if (steps < 0) return replaced(before, after);
 
-  std::vector<Edit> edits;
+  std::vector<MarkedLine> edits;
   auto x = n;
   auto y = m;
   for (auto d = steps; d >= 0; --d) {
@@ -76,8 +76,8 @@ std::vector<Edit> shortest_edits(const Lines& before, const Lines& after) {
       edits.push_back({' ', before[static_cast<std::size_t>(x - 1)]});
     }
     if (d == 0) break;
-    edits.push_back(down ? Edit{'+', after[static_cast<std::size_t>(from_y)]}
-                         : Edit{'-', before[static_cast<std::size_t>(from_x)]});
+    edits.push_back(down ? MarkedLine{'+', after[static_cast<std::size_t>(from_y)]}
+                         : MarkedLine{'-', before[static_cast<std::size_t>(from_x)]});
     x = from_x;
     y = from_y;
   }
@@ -86,8 +86,8 @@ std::vector<Edit> shortest_edits(const Lines& before, const Lines& after) {
 }
 
 /// One piece of the diff with its head: edits [first, last), which begin in these lines of the texts, from 0.
-std::string piece(const std::vector<Edit>& edits, std::size_t first, std::size_t last, std::size_t old_line,
-                  std::size_t new_line) {
+std::string piece(const std::vector<MarkedLine>& edits, std::size_t first, std::size_t last,
+                  std::size_t old_line, std::size_t new_line) {
   std::size_t olds = 0;
   std::size_t news = 0;
   std::string body;
@@ -105,6 +105,25 @@ std::string piece(const std::vector<Edit>& edits, std::size_t first, std::size_t
 }
 
 }  // namespace
+
+std::vector<LineChange> line_changes(std::string_view before, std::string_view after) {
+  std::vector<LineChange> changes;
+  if (before == after) return changes;
+  std::size_t at = 0;
+  bool goes_on = false;
+  for (const MarkedLine& edit : shortest_edits(lines_to_compare(before), lines_to_compare(after))) {
+    const bool differs = edit.mark != ' ';
+    if (differs && !goes_on) changes.push_back({at, at, {}});
+    goes_on = differs;
+    if (edit.mark == '+') {
+      changes.back().text += edit.line;
+      continue;
+    }
+    at += edit.line.size();
+    if (differs) changes.back().end = at;
+  }
+  return changes;
+}
 
 std::string line_difference(const std::string& old_name, std::string_view before, const std::string& new_name,
                             std::string_view after) {

@@ -86,11 +86,15 @@ Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
   Parameter result;
   result.name = name(context->name());
   result.where = span(context);
-  auto written = type(context->type());
+  auto* declared = context->parameterType();
+  result.location = declared != nullptr && declared->LOCATION() != nullptr;
+  auto written = result.location       ? TypeOf{pan::ScalarType::text, {}, 0}
+                 : declared != nullptr ? type(declared->type())
+                                       : TypeOf{};
   result.type = written.type;
   result.unit = std::move(written.unit);
   if (written.size != 0) {
-    diagnostics_.report(Code::PAL0616, span(context->type()), "a parameter is one value, not an array",
+    diagnostics_.report(Code::PAL0616, span(declared), "a parameter is one value, not an array",
                         "declare a parameter for each value");
   }
   const auto literals = context->literal();

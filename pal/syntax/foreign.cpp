@@ -169,7 +169,8 @@ std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* a
       break;
   }
   const bool payload = rule == Parser::RuleFieldGroup || rule == Parser::RulePayload ||
-                       rule == Parser::RuleType || rule == Parser::RuleMessageUnit;
+                       rule == Parser::RuleType || rule == Parser::RuleParameterType ||
+                       rule == Parser::RuleMessageUnit;
   // Behind a unit the declaration may be over already: then it is the file that has no use for a bracket.
   const bool declared = payload || rule == Parser::RulePhysicalUnit || rule == Parser::RuleUnitFactor ||
                         rule == Parser::RuleFile;

@@ -159,7 +159,8 @@ class Printer {
       if (value.digits.empty()) return std::string(value.value != 0 ? "TRUE" : "FALSE");
       return value.digits + (value.unit.empty() ? "" : " " + value.unit);
     };
-    auto text = "PARAMETER " + p.name.text + " : " + pan::declared_type(p.type, p.unit);
+    auto text =
+        "PARAMETER " + p.name.text + " : " + (p.location ? "LOCATION" : pan::declared_type(p.type, p.unit));
     if (p.default_value) text += " DEFAULT " + literal(*p.default_value);
     if (p.low && p.high) text += " RANGE " + literal(*p.low) + " TO " + literal(*p.high);
     line(text + with_text(p.description));

@@ -81,12 +81,6 @@ bool adds_sign(const Change& change) {
          change.added.front() < Parser::NAME;
 }
 
-void report(Diagnostic told, Diagnostics& diagnostics) {
-  auto& finding = diagnostics.report(told.code, told.where, std::move(told.message), std::move(told.hint));
-  finding.notes = std::move(told.notes);
-  finding.fix = std::move(told.fix);
-}
-
 /// Reports one mistake after the other. Each is mended before the next is looked for, or else its line is
 /// left out. Returns whether one was, or may have another meaning now, or the text behind one was left out.
 bool report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
@@ -103,12 +97,12 @@ bool report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
       return true;
     }
     if (auto line = is_long ? std::nullopt : unfinished_line(*mistake, tokens)) {
-      report(std::move(line->finding), diagnostics);
+      diagnostics.report(line->finding);
       tokens.apply(line->change);
       continue;
     }
     auto change = is_long ? std::nullopt : repair_of(*mistake, tokens);
-    report(change ? told_by(*change, *mistake, tokens) : mistake->finding, diagnostics);
+    diagnostics.report(change ? told_by(*change, *mistake, tokens) : mistake->finding);
     lost = lost || !change || !adds_sign(*change);
     if (!change) change = without_line(*mistake, tokens);
     if (!change || is_long) return true;

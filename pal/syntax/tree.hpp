@@ -100,6 +100,7 @@ struct Literal {
 struct Parameter {
   Name name;
   pan::ScalarType type = pan::ScalarType::real;
+  bool location = false;  // a text: a name of a location that is taught
   std::string unit;
   std::optional<Literal> default_value;
   std::optional<Literal> low;
@@ -268,7 +269,7 @@ using Unit =
 struct Tree {
   FileId file{};
   bool complete = true;
-  bool lost = false;  // after syntax errors: lines may be missing, or have another meaning
+  bool lost = false;        // after syntax errors: lines may be missing, or have another meaning
   std::vector<Unit> units;  // in the order of the text
 };
 

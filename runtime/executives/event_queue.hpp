@@ -38,6 +38,14 @@ class EventQueue {
   /// Contract: not empty.
   const Event& next() const { return held_ ? next_ : heap_.front(); }
   Event pop();
+  /// The same without the event.
+  void drop_next() {
+    if (held_) {
+      held_ = false;
+    } else {
+      pop();
+    }
+  }
 
   /// The number that names the event.
   std::uint64_t push(Time time, Event::Kind kind, std::int32_t subject) {

@@ -8,39 +8,22 @@ using State = ThreadControl::State;
 
 Scheduler::Scheduler(const Clock& clock, Journal& journal, EventQueue& queue, const Wiring& wiring)
     : clock_(clock), journal_(journal), queue_(queue) {
-  for (const ProcessorSpec& spec : wiring.processors) {
-    processors_.emplace_back();
-    Processor& processor = processors_.back();
-    processor.spec = &spec;
-    processor.index = static_cast<int>(processors_.size()) - 1;
-    processor.ready.reserve(wiring.threads.size());
-    processor.arrived.reserve(2 * wiring.threads.size());
-  }
-  changed_.reserve(processors_.size());
+  for (const ProcessorSpec& spec : wiring.processors)
+    processors_.emplace_back(spec, static_cast<int>(processors_.size()), wiring.threads.size());
+  changed_.resize(processors_.size());
 }
 
 void Scheduler::note_change(Processor& processor) {
   if (processor.changed) return;
   processor.changed = true;
-  changed_.push_back(&processor);
+  changed_[changes_++] = &processor;
 }
 
 void Scheduler::enqueue(Processor& processor, Thread& thread) {
   ThreadControl& control = thread.control;
   control.state = State::ready;
-  const auto goes_before = [&control](const Thread* other) {
-    const ThreadControl& of = other->control;
-    return control.spec->priority != of.spec->priority ? control.spec->priority > of.spec->priority
-                                                       : control.queue_key < of.queue_key;
-  };
   if (!control.announced) processor.arrived.push_back(&thread);
-  if (processor.ready.empty() || goes_before(processor.ready.back())) {
-    processor.ready.push_back(&thread);
-    return;
-  }
-  auto at = processor.ready.end();
-  while (at != processor.ready.begin() && !goes_before(*(at - 1))) --at;
-  processor.ready.insert(at, &thread);
+  processor.ready.add(thread);
 }
 
 void Scheduler::need_processor(Thread& thread, Time time) {
@@ -58,7 +41,7 @@ void Scheduler::need_processor(Thread& thread, Time time) {
 void Scheduler::leave(Thread& thread) {
   Processor& processor = processor_of(thread);
   if (processor.running != &thread) {
-    if (!processor.ready.empty()) std::erase(processor.ready, &thread);
+    processor.ready.remove(thread);
     return;
   }
   if (processor.working) queue_.cancel(processor.end);
@@ -86,9 +69,7 @@ void Scheduler::start(Processor& processor, Thread& thread) {
 }
 
 void Scheduler::start_first(Processor& processor) {
-  Thread& first = *processor.ready.back();
-  processor.ready.pop_back();
-  start(processor, first);
+  start(processor, processor.ready.take_first());
 }
 
 void Scheduler::interrupt(Processor& processor) {
@@ -109,16 +90,26 @@ void Scheduler::interrupt(Processor& processor) {
 }
 
 void Scheduler::dispatch(Processor& processor) {
+  if (processor.ready.empty()) {  // the usual case
+    processor.arrived.clear();
+    if (processor.running != nullptr && !processor.working) start(processor, *processor.running);
+    return;
+  }
   if (processor.running == nullptr) {
-    if (!processor.ready.empty()) start_first(processor);
-  } else if (processor.spec->preemptive && !processor.ready.empty() &&
-             processor.ready.back()->control.spec->priority > processor.running->control.spec->priority) {
+    start_first(processor);
+  } else if (processor.spec->preemptive &&
+             processor.ready.first().control.spec->priority > processor.running->control.spec->priority) {
     interrupt(processor);
     start_first(processor);
   } else if (!processor.working) {
     start(processor, *processor.running);
   }
-  if (!processor.arrived.empty()) announce(processor);
+  if (processor.arrived.empty()) return;
+  if (processor.ready.empty()) {
+    processor.arrived.clear();
+  } else {
+    announce(processor);
+  }
 }
 
 /// The trace learns which threads are ready without a processor, in the order of the threads.
@@ -137,21 +128,14 @@ void Scheduler::announce(Processor& processor) {
 }
 
 void Scheduler::dispatch() {
-  if (changed_.size() == 1) {
-    Processor& only = *changed_.front();
-    changed_.clear();
-    only.changed = false;
-    dispatch(only);
-    return;
-  }
-  if (changed_.size() > 1)
-    std::sort(changed_.begin(), changed_.end(),
+  if (changes_ > 1)
+    std::sort(changed_.begin(), changed_.begin() + static_cast<std::ptrdiff_t>(changes_),
               [](const Processor* a, const Processor* b) { return a->index < b->index; });
-  for (Processor* processor : changed_) {
-    processor->changed = false;
-    dispatch(*processor);
+  for (std::size_t i = 0; i < changes_; ++i) {
+    changed_[i]->changed = false;
+    dispatch(*changed_[i]);
   }
-  changed_.clear();
+  changes_ = 0;
 }
 
 }  // namespace pal::runtime

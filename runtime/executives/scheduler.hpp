@@ -7,18 +7,23 @@
 
 #include "pal/runtime/thread.hpp"
 #include "runtime/executives/event_queue.hpp"
+#include "runtime/executives/ready_queue.hpp"
 #include "runtime/kernel/journal.hpp"
 
 namespace pal::runtime {
 
 struct Processor {
-  const ProcessorSpec* spec = nullptr;
-  int index = 0;
+  Processor(const ProcessorSpec& its, int number, std::size_t threads)
+      : spec(&its), index(number), ready(threads) {
+    arrived.reserve(2 * threads);
+  }
+  const ProcessorSpec* spec;
+  int index;
   Thread* running = nullptr;
   bool working = false;  // `running` is at work on its statement, since `since`
   Time since{};
   std::uint64_t end = 0;         // names the event at which the work will be done
-  std::vector<Thread*> ready;    // in their order: the last one goes first
+  ReadyQueue ready;
   std::vector<Thread*> arrived;  // became ready since the last dispatch
   bool changed = false;          // a thread came or went
 };
@@ -61,7 +66,8 @@ class Scheduler {
   Journal& journal_;
   EventQueue& queue_;
   std::vector<Processor> processors_;
-  std::vector<Processor*> changed_;
+  std::vector<Processor*> changed_;  // has room for all
+  std::size_t changes_ = 0;          // how many of it have changed
   std::int64_t back_ = 0;
   std::int64_t front_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pal/runtime/broken_promise.hpp"
+#include "pal/runtime/still_world.hpp"
 #include "runtime/kernel/thrown.hpp"
 
 namespace pal::runtime {
@@ -22,6 +23,8 @@ VirtualExecutive::VirtualExecutive(Clock& clock, Journal& journal, World& world,
       journal_(journal),
       world_(world),
       options_(options),
+      straight_(options.control == nullptr && options.slow.empty() &&
+                dynamic_cast<const StillWorld*>(&world) != nullptr),
       costs_(options.costs, options.seed),
       queue_(queue_capacity),
       scheduler_(clock, journal, queue_, wiring),
@@ -70,7 +73,36 @@ void VirtualExecutive::take_posted() {
 void VirtualExecutive::run(Kernel& kernel) {
   kernel.start();
   if (!journal_.over()) scheduler_.dispatch();
-  while (!journal_.over()) step(kernel);
+  while (!journal_.over()) {
+    if (!straight_ || !go_straight_on(kernel)) step(kernel);
+  }
+}
+
+/// Coroutines go on one after the other; then the processors are given to the threads that should have them.
+void VirtualExecutive::settle(Kernel& kernel) {
+  kernel.settle();
+  if (!journal_.over()) scheduler_.dispatch();
+}
+
+/// The usual case of step(): the next event is the end of a statement, and nothing can come before it. False:
+/// it is not so, and nothing has happened.
+bool VirtualExecutive::go_straight_on(Kernel& kernel) {
+  if (queue_.empty() || something_posted_.load(std::memory_order_acquire)) return false;
+  const Event& next = queue_.next();
+  const Time when = next.time;
+  if (next.kind != Event::Kind::work_done || kernel.promises.next() < when) return false;
+  if (when != now()) {
+    if (when > options_.horizon) return false;
+    set(when);
+    events_now_ = 0;
+  } else if (++events_now_ > most_events_at_one_instant) {
+    return false;
+  }
+  Thread& thread = scheduler_.finish_work(next.subject);
+  queue_.drop_next();
+  if (kernel.compute(thread)) kernel.finish(thread);
+  settle(kernel);
+  return true;
 }
 
 void VirtualExecutive::fail(const char* reason, const Kernel& kernel) {
@@ -145,8 +177,7 @@ void VirtualExecutive::step(Kernel& kernel) {
   const Time in_world = world_.next_event();
   const Time next = std::min(own, in_world);
   if (kernel.promises.next() < next && note_overdue(next, kernel)) {
-    kernel.settle();
-    if (!journal_.over()) scheduler_.dispatch();
+    settle(kernel);
     return;
   }
   if (next == Time::max()) {
@@ -167,9 +198,7 @@ void VirtualExecutive::step(Kernel& kernel) {
       happen(event, kernel);
     }
   }
-  // Coroutines go on one after the other; then the processors are given to the threads that should have them.
-  kernel.settle();
-  if (!journal_.over()) scheduler_.dispatch();
+  settle(kernel);
 }
 
 void VirtualExecutive::work_done(int processor, Kernel& kernel) {

@@ -38,7 +38,9 @@ class VirtualExecutive final : public Executive {
   void post(int device, std::function<void()> action) override;
 
  private:
+  bool go_straight_on(Kernel& kernel);
   void step(Kernel& kernel);
+  void settle(Kernel& kernel);
   bool note_overdue(Time next, Kernel& kernel);
   Time slowed(const Thread& thread, Time cost);
   void obey(RunControl& control, Kernel& kernel);
@@ -53,6 +55,7 @@ class VirtualExecutive final : public Executive {
   Journal& journal_;
   World& world_;
   RunOptions options_;
+  bool straight_;  // only events of the queue, and what is overdue, move the run
   CostDraw costs_;
   EventQueue queue_;
   Scheduler scheduler_;

@@ -1,6 +1,6 @@
 #include "runtime/kernel/blocks.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace pal::runtime {
 
@@ -10,9 +10,13 @@ void Blocks::start(ConcurrentOperation& concurrent) {
   Thread& parent = concurrent.thread();
   parent.control.forked = &concurrent;
   flow_.block(parent, -1);
+  parent.control.blocks_alive = concurrent.blocks().size();
+  parent.control.blocks_ending = 0;
+  parent.control.blocks_told = false;
   for (const int block : concurrent.blocks()) {
     Thread& thread = this->thread(block);
     thread.control.parent = &parent;
+    if (thread.control.spec->can_end) ++parent.control.blocks_ending;
     flow_.begin(thread);
   }
 }
@@ -22,23 +26,24 @@ void Blocks::ended(Thread& thread) {
   thread.control.operation = nullptr;
   executive_.leave(thread);
   if (thread.control.parent == nullptr) return;
-  mail_.hand_over(thread, *thread.control.parent);
-  child_ended(*thread.control.parent);
+  Thread& parent = *thread.control.parent;
+  mail_.hand_over(thread, parent);
+  --parent.control.blocks_alive;
+  if (thread.control.spec->can_end) --parent.control.blocks_ending;
+  child_ended(parent);
 }
 
 void Blocks::child_ended(Thread& parent) {
   ThreadControl& control = parent.control;
   if (control.forked == nullptr) return;  // a stopped child was the last, see below
-  const auto blocks = control.forked->blocks();
-  const auto alive = [this](int block) { return this->thread(block).control.state != State::ended; };
-  const bool goes_on = std::any_of(blocks.begin(), blocks.end(), [&](int block) {
-    return alive(block) && this->thread(block).control.spec->can_end;
-  });
-  if (goes_on && !control.cancelled) return;
-  for (const int block : blocks) {
-    if (alive(block) && !this->thread(block).control.cancelled) cancel(this->thread(block));
+  if (control.blocks_ending > 0 && !control.cancelled) return;
+  if (!std::exchange(control.blocks_told, true)) {
+    for (const int block : control.forked->blocks()) {
+      Thread& each = thread(block);
+      if (each.control.state != State::ended && !each.control.cancelled) cancel(each);
+    }
   }
-  if (control.forked == nullptr || std::any_of(blocks.begin(), blocks.end(), alive)) return;
+  if (control.forked == nullptr || control.blocks_alive > 0) return;
   control.forked = nullptr;
   flow_.proceed(parent);
 }

@@ -1,18 +1,13 @@
 #include "runtime/kernel/flow.hpp"
 
-#include <algorithm>
-
 namespace pal::runtime {
 
 using State = ThreadControl::State;
 
 Flow::Flow(Executive& executive, Journal& journal, Skill& skill)
     : executive_(executive), journal_(journal), skill_(skill) {
-  resuming_.reserve(skill.wiring().threads.size());
-}
-
-void Flow::put_last(std::size_t others) {
-  std::rotate(resuming_.begin(), resuming_.begin() + static_cast<std::ptrdiff_t>(others), resuming_.end());
+  set_going_.resize(skill.wiring().threads.size());
+  resuming_.resize(skill.wiring().threads.size());
 }
 
 void Flow::begin(Thread& thread) {

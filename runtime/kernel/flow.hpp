@@ -21,7 +21,7 @@ class Flow {
   /// The effect of the thread's statement has taken place; its coroutine goes on at this instant.
   void proceed(Thread& thread) {
     thread.control.resuming = true;
-    resuming_.push_back(&thread);
+    set_going_[going_++] = &thread;
   }
 
   /// Lets the coroutines that may go on do so, one after the other: `go_on` resumes or stops one. Reaching a
@@ -29,27 +29,23 @@ class Flow {
   /// others do.
   template <class GoOn>
   void settle(GoOn go_on) {
-    while (!resuming_.empty() && !journal_.over()) {
-      Thread& thread = *resuming_.front();
-      const std::size_t others = resuming_.size() - 1;
-      if (others == 0) {
-        resuming_.clear();
-      } else {
-        resuming_.erase(resuming_.begin());
-      }
+    while (!journal_.over()) {
+      while (going_ > 1) resuming_[waiting_++] = set_going_[--going_];
+      if (going_ == 0 && waiting_ == 0) return;
+      Thread& thread = going_ > 0 ? *set_going_[--going_] : *resuming_[--waiting_];
       thread.control.resuming = false;
       go_on(thread);
-      if (others > 0) put_last(others);
     }
   }
 
  private:
-  void put_last(std::size_t others);
-
   Executive& executive_;
   Journal& journal_;
   Skill& skill_;
-  std::vector<Thread*> resuming_;  // each thread at most once
+  // Each thread is there at most once, so each has room for all.
+  std::vector<Thread*> set_going_;  // since a thread went on last, in this order
+  std::vector<Thread*> resuming_;   // the last one goes on next
+  std::size_t going_ = 0, waiting_ = 0;  // how many there are
 };
 
 }  // namespace pal::runtime

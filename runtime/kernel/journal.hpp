@@ -1,6 +1,8 @@
 // The trace of a run, and its end.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "pal/runtime/executive.hpp"
@@ -16,7 +18,8 @@ namespace pal::runtime {
 /// Is shown the events of a run, as the trace has them.
 class EventWatcher {
  public:
-  virtual void see(const trace::Event& event) = 0;
+  /// `meters`: those that the event concerns, by the watcher's routes.
+  virtual void see(const trace::Event& event, std::span<const std::uint32_t> meters) = 0;
 
  protected:
   ~EventWatcher() = default;
@@ -32,15 +35,15 @@ class Journal {
 
   // The trace. A thread's event names the statement that it has come to.
   void record(trace::Kind kind, const Thread& thread, int subject = -1, std::int32_t value = 0) {
-    if (!shown_) return;
+    if (!is_wanted(kind)) return;
     const Operation* operation = thread.control.operation;
     add(kind, thread.control.index, operation == nullptr ? -1 : operation->statement(), subject, value);
   }
   void record_device(trace::Kind kind, int device, int subject = -1, std::int32_t value = 0) {
-    if (shown_) add(kind, actor_of_device(device), -1, subject, value);
+    if (is_wanted(kind)) add(kind, actor_of_device(device), -1, subject, value);
   }
   void record_drop(int channel, std::int32_t serial) {
-    if (shown_) add(trace::Kind::drop, -1, -1, channel, serial);
+    if (is_wanted(trace::Kind::drop)) add(trace::Kind::drop, -1, -1, channel, serial);
   }
   void overrun(int device, int channel);
 
@@ -48,10 +51,13 @@ class Journal {
   const trace::Trace& tables() const { return recorder_.tables(); }
   /// Shows the events from now on that `routes` name to `watcher`. Both outlive the run.
   void watch(EventWatcher* watcher, const EventRoutes* routes) {
+    if (over_) return;
     watcher_ = watcher;
     routes_ = routes;
-    shown_ = !over_;
+    routes_changed();
   }
+  /// The routes may want other kinds than before.
+  void routes_changed() { wanted_ = kept_ | routes_->kinds(); }
   /// A promise that was broken, in words; they are numbered from 0.
   void name_promise(const std::string& promise) { recorder_.add_promise(promise); }
   /// Actor, statement and channel may be -1.
@@ -90,17 +96,21 @@ class Journal {
     if (live_ != nullptr) live_->put(event);
     return event;
   }
-  void add(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
-    const bool concerns = routes_ != nullptr && routes_->concerns(kind, actor, statement, subject);
-    if (!kept_ && !concerns) return;
-    const trace::Event& event = write(kind, actor, statement, subject, value);
-    if (concerns) show(event);
+  /// Whether anybody wants events of the kind.
+  bool is_wanted(trace::Kind kind) const { return (wanted_ & EventRoutes::bit(kind)) != 0; }
+  // Apart from what records, which stays small where nothing is recorded.
+  [[gnu::noinline]] void add(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+    if (kept_ != 0) write(kind, actor, statement, subject, value);
+    if ((routes_->kinds() & EventRoutes::bit(kind)) == 0) return;
+    const auto meters = routes_->of(kind, actor, statement, subject);
+    if (!meters.empty() || routes_->wants_everything())
+      watcher_->see({clock_.now.count(), kind, actor, statement, subject, value}, meters);
   }
-  /// A copy: what is noted of it may move the events.
-  void show(trace::Event event) { watcher_->see(event); }
   void end() {
     over_ = true;
-    shown_ = false;
+    kept_ = 0;
+    routes_ = &EventRoutes::none();
+    routes_changed();
   }
   int error_code() const;
 
@@ -108,12 +118,12 @@ class Journal {
   const Skill& skill_;
   Recorder recorder_;
   TraceRing* live_;
-  bool kept_;  // events go to the trace, or to somebody who follows the run
+  std::uint32_t kept_;  // the kinds that go to the trace, or to somebody who follows the run
   EventWatcher* watcher_ = nullptr;
-  const EventRoutes* routes_ = nullptr;
+  const EventRoutes* routes_ = &EventRoutes::none();
   Outcome outcome_;
+  std::uint32_t wanted_;  // the kinds that are kept, or that the routes want
   bool over_ = false;
-  bool shown_ = false;  // events are wanted, and the skill is not over
 };
 
 }  // namespace pal::runtime

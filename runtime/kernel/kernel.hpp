@@ -17,7 +17,7 @@
 #include "runtime/kernel/journal.hpp"
 #include "runtime/kernel/mail.hpp"
 #include "runtime/kernel/promises.hpp"
-#include "runtime/watch/processor_time.hpp"
+#include "runtime/watch/held_time.hpp"
 
 namespace pal::runtime {
 
@@ -57,9 +57,10 @@ class Kernel {
         operation.compute();
         return true;
       }
-      const Time before = processor_time();
+      HeldTime time;
       operation.compute();
-      work_->worked(operation.statement(), processor_time() - before);
+      time.end();
+      work_->worked(operation.statement(), time.held());
       return true;
     } catch (...) {
       journal.fail_by_exception(thread);

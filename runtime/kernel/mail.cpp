@@ -91,7 +91,7 @@ void Mail::look(WaitOperation& wait) {
   thread.control.waiting = &wait;
   for (const Target& target : targets) {
     std::vector<Thread*>& queue = at(target.channel).waiting;
-    if (queue.empty() || queue.back() != &thread) queue.push_back(&thread);
+    if (targets.size() == 1 || queue.empty() || queue.back() != &thread) queue.push_back(&thread);
   }
   flow_.block(thread, targets.front().channel);
   if (wait.within())
@@ -105,7 +105,7 @@ void Mail::stop_waiting(Thread& thread) {
   for (const Target& target : control.waiting->targets()) {
     std::vector<Thread*>& waiting = at(target.channel).waiting;
     if (waiting.size() == 1 && waiting.front() == &thread) {
-      waiting.clear();
+      waiting.pop_back();
     } else {
       std::erase(waiting, &thread);
     }
@@ -166,13 +166,12 @@ bool Mail::finish(WaitOperation& wait) {
 
 void Mail::message_available(int channel) {
   const Slot& slot = at(channel);
-  if (slot.waiting.empty()) return;
   for (Thread* thread : slot.waiting) {
     if (!available(slot, *thread)) continue;
     const auto targets = thread->control.waiting->targets();
-    const auto found = std::find_if(targets.begin(), targets.end(),
-                                    [&](const Target& candidate) { return candidate.channel == channel; });
-    claim(*thread->control.waiting, static_cast<int>(found - targets.begin()));
+    int target = 0;
+    while (targets[static_cast<std::size_t>(target)].channel != channel) ++target;
+    claim(*thread->control.waiting, target);
     return;
   }
 }
@@ -182,7 +181,7 @@ void Mail::message_available(int channel) {
 bool Mail::send(SendOperation& send) {
   Thread& thread = send.thread();
   Slot& slot = at(send.channel());
-  if (discards(slot)) {
+  if (slot.request_of >= 0 && discards(slot)) {
     discard(send);
     return true;
   }
@@ -198,7 +197,9 @@ bool Mail::send(SendOperation& send) {
 }
 
 void Mail::stop_sending(Slot& slot, Thread& thread) {
-  if (std::exchange(thread.control.sending, nullptr) != nullptr) std::erase(slot.sending, &thread);
+  if (thread.control.sending == nullptr) return;
+  thread.control.sending = nullptr;
+  std::erase(slot.sending, &thread);
 }
 
 /// The message is not wanted any more.
@@ -268,12 +269,17 @@ void Mail::set_out(Slot& slot, const Thread& sender) {
 void Mail::empty(Slot& slot) {
   if (slot.answers) {
     std::vector<Asked>& asked = at(slot.request_of).asked;
-    asked.erase(asked.begin());
+    if (asked.size() == 1) {
+      asked.pop_back();
+    } else {
+      asked.erase(asked.begin());
+    }
   }
   slot.full = slot.answers = false;
   slot.claimed = nullptr;
-  for (Ticket& arrival : slot.arrivals) {
-    if (arrival.number != 0) executive_.cancel(std::exchange(arrival, {}));
+  if (!at_once_ || slot.spec->to_device) {
+    for (Ticket& arrival : slot.arrivals)
+      if (arrival.number != 0) executive_.cancel(std::exchange(arrival, {}));
   }
   if (slot.sending.empty()) return;
   SendOperation& longest = *slot.sending.front()->control.sending;

@@ -66,8 +66,9 @@ void Promises::took(const Thread& thread, Time used) {
     note({row_of_statement(statement), used, thread.control.index, statement, -1, false, false});
 }
 
-void Promises::see(const trace::Event& event) {
-  const std::vector<Exceeded>& exceeded = requirements_.see(event);
+void Promises::see(const trace::Event& event, std::span<const std::uint32_t> meters) {
+  const std::vector<Exceeded>& exceeded = requirements_.see(event, meters);
+  journal_.routes_changed();
   if (!exceeded.empty()) note(exceeded);
   next_ = std::min(next_, requirements_.soonest());
 }

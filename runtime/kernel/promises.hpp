@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pal/runtime/broken_promise.hpp"
@@ -47,10 +48,18 @@ class Promises final : public EventWatcher {
   void took(const Thread& thread, Time used);
 
   /// An event of the run.
-  void see(const trace::Event& event) override;
+  void see(const trace::Event& event, std::span<const std::uint32_t> meters) override;
   /// A thread comes to a loop that a phase names, and leaves it.
-  void enter(int loop, int thread) { note(requirements_.enter(loop, thread, clock_.now)); }
-  void leave(int loop, int thread) { note(requirements_.leave(loop, thread)); }
+  void enter(int loop, int thread) {
+    const std::vector<Exceeded>& exceeded = requirements_.enter(loop, thread, clock_.now);
+    journal_.routes_changed();
+    note(exceeded);
+  }
+  void leave(int loop, int thread) {
+    const std::vector<Exceeded>& exceeded = requirements_.leave(loop, thread);
+    journal_.routes_changed();
+    note(exceeded);
+  }
 
   /// A lower bound of due(). To be called before each event.
   Time next() const { return next_; }

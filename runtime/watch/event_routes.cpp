@@ -8,7 +8,7 @@ namespace pal::runtime {
 
 EventRoutes::EventRoutes(const trace::Trace& tables) {
   std::size_t next = 0;
-  for (std::size_t k = 0; k < kinds; ++k) {
+  for (std::size_t k = 0; k < number_of_kinds; ++k) {
     const auto kind = static_cast<trace::Kind>(k);
     Group& group = groups_[k];
     group.first = next;
@@ -38,6 +38,7 @@ void EventRoutes::add(trace::Kind kind, std::int32_t about, std::size_t meter) {
   std::vector<std::uint32_t>& list = wanted_[group.first + static_cast<std::size_t>(about + 1)];
   const auto number = static_cast<std::uint32_t>(meter);
   if (std::find(list.begin(), list.end(), number) == list.end()) list.push_back(number);
+  concerned_ |= bit(kind);
 }
 
 void EventRoutes::close() {
@@ -48,6 +49,12 @@ void EventRoutes::close() {
   }
   wanted_.clear();
   wanted_.shrink_to_fit();
+  want_everything(everything_);
+}
+
+const EventRoutes& EventRoutes::none() {
+  static const EventRoutes routes;
+  return routes;
 }
 
 }  // namespace pal::runtime

@@ -22,32 +22,30 @@ class EventRoutes {
   void close();
 
   /// The meters that the event concerns.
-  std::span<const std::uint32_t> of(const trace::Event& event) const {
-    return of(event.kind, event.actor, event.statement, event.subject);
-  }
   std::span<const std::uint32_t> of(trace::Kind kind, std::int32_t actor, std::int32_t statement,
                                     std::int32_t subject) const {
     const Group& group = groups_[static_cast<std::size_t>(kind)];
-    std::int32_t about = -1;
-    switch (group.by) {
-      case By::actor:
-        about = actor;
-        break;
-      case By::statement:
-        about = statement;
-        break;
-      case By::subject:
-        about = subject;
-        break;
-    }
+    const std::int32_t abouts[] = {actor, statement, subject};
+    const std::int32_t about = abouts[static_cast<std::size_t>(group.by)];
     const Route route = routes_[group.first + static_cast<std::size_t>(about + 1)];
     return {meters_.data() + route.begin, route.count};
   }
-  bool concerns(trace::Kind kind, std::int32_t actor, std::int32_t statement, std::int32_t subject) const {
-    return everything_ || !of(kind, actor, statement, subject).empty();
+  /// The bits of the kinds of which some event concerns a meter, or is wanted.
+  std::uint32_t kinds() const { return kinds_; }
+  static constexpr std::uint32_t bit(trace::Kind kind) {
+    return std::uint32_t(1) << static_cast<unsigned>(kind);
   }
+  static constexpr std::uint32_t all_kinds = ~std::uint32_t(0);
+
   /// Every event is wanted, whether it concerns a meter or not.
-  void want_everything(bool wanted) { everything_ = wanted; }
+  void want_everything(bool wanted) {
+    everything_ = wanted;
+    kinds_ = wanted ? all_kinds : concerned_;
+  }
+  bool wants_everything() const { return everything_; }
+
+  /// Of events that concern nothing.
+  static const EventRoutes& none();
 
  private:
   enum class By : std::uint8_t { actor, statement, subject };
@@ -60,12 +58,16 @@ class EventRoutes {
     std::uint32_t begin = 0, count = 0;  // in meters_
   };
 
-  static constexpr std::size_t kinds = static_cast<std::size_t>(trace::Kind::broken) + 1;
-  std::array<Group, kinds> groups_;
+  EventRoutes() = default;
+
+  static constexpr std::size_t number_of_kinds = static_cast<std::size_t>(trace::Kind::broken) + 1;
+  std::array<Group, number_of_kinds> groups_;
   std::vector<std::vector<std::uint32_t>> wanted_;  // by route, until close()
   std::vector<Route> routes_;
   std::vector<std::uint32_t> meters_;
   bool everything_ = false;
+  std::uint32_t concerned_ = 0;  // the kinds of which some event concerns a meter
+  std::uint32_t kinds_ = 0;
 };
 
 }  // namespace pal::runtime

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "pal/runtime/measurement.hpp"
-#include "runtime/watch/processor_time.hpp"
+#include "runtime/watch/held_time.hpp"
 
 namespace pal::runtime {
 
@@ -145,10 +145,10 @@ std::string Measurement::environment() const {
   text +=
       "# For pal check with --measured. A measurement is no bound: nothing is proved from these figures.\n"
       "#\n"
-      "# TIME, COST: processor time of this computer that the C++ of the activities took, whatever time the "
-      "skill ran in.\n"
-      "#   Reading the clock is in each: about " +
-      written(cost_of_processor_time()) +
+      "# TIME, COST: how long the C++ of the activities held a processor of this computer, whatever time the "
+      "skill ran in:\n"
+      "#   its processor time; if it slept or waited, the time on the wall. Reading the clock is in each: about " +
+      written(cost_of_held_time()) +
       ".\n"
       "# DEVICE: in the time of the run, from a request to its answer, or from message to message.\n"
       "ENVIRONMENT " +

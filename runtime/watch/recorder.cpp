@@ -17,8 +17,8 @@ Recorder::Recorder(const Wiring& wiring, TraceMode mode, std::size_t capacity, t
 
 trace::Trace Recorder::take() {
   if (mode_ == TraceMode::all && spool_ != nullptr) hand_on();
-  std::rotate(trace_.events.begin(), trace_.events.begin() + static_cast<std::ptrdiff_t>(oldest_),
-              trace_.events.end());
+  if (next_ != end_) std::rotate(trace_.events.data(), next_, end_);
+  next_ = end_ = nullptr;
   return std::move(trace_);
 }
 

@@ -25,6 +25,7 @@ class Recorder {
   /// The place of the next event, valid until the next call. Fill in all its members, one by one. (Copying an
   /// event that was just made takes longer, because the copy waits for its parts.)
   trace::Event& next() {
+    if (next_ != end_) return *next_++;
     if (mode_ == TraceMode::all) {
       if (spool_ != nullptr && trace_.events.size() == capacity_) hand_on();
       return trace_.events.emplace_back();
@@ -53,15 +54,16 @@ class Recorder {
   }
   trace::Event& next_of_last() {
     if (trace_.events.size() < capacity_) return trace_.events.emplace_back();
-    trace::Event& event = trace_.events[oldest_];
-    oldest_ = oldest_ + 1 == capacity_ ? 0 : oldest_ + 1;
-    return event;
+    next_ = trace_.events.data();  // the oldest one
+    end_ = next_ + capacity_;
+    return *next_++;
   }
 
   TraceMode mode_;
   trace::EventSpool* spool_;
   std::size_t capacity_;
-  std::size_t oldest_ = 0;  // of the last ones, once there are as many as are kept
+  // Of the last ones, once there are as many as are kept: the oldest, and the end of them all.
+  trace::Event *next_ = nullptr, *end_ = nullptr;
   trace::Event unkept_;
   trace::Trace trace_;
 };

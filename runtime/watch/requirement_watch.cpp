@@ -101,7 +101,7 @@ RequirementWatch::Watched RequirementWatch::watched(std::size_t requirement,
     }
     return Duration{};
   };
-  Watched made{requirement, meter(), {}};
+  Watched made{requirement, &spec, has_least_only(spec), meter(), {}};
   if (whole) return made;
   made.phase = Phase{marks(spec.after, wiring_.statements.size()), {spec.during.begin(), spec.during.end()}};
   made.counts = false;
@@ -187,22 +187,11 @@ void RequirementWatch::route(std::size_t index, const trace::Trace& tables) {
 
 // What is measured.
 
-void RequirementWatch::measured(const Watched& watched, Time value) {
-  std::optional<Time>& worst = worst_[watched.requirement];
-  const Time before = worst.value_or(value);
-  worst = spec(watched).measure == Measure::load ? value
-          : has_least_only(spec(watched))        ? std::min(before, value)
-                                                 : std::max(before, value);
-  if (margins_ != nullptr) margins_->set(watched.requirement, *worst, value);
-}
-
-void RequirementWatch::check(const Watched& watched, const std::optional<trace::Occurrence>& seen,
-                             bool noted) {
-  if (!seen) return;
-  const Time length(seen->length_ns());
+void RequirementWatch::check(const Watched& watched, const trace::Occurrence& seen, bool noted) {
+  const Time length(seen.length_ns());
   measured(watched, length);
   if (length > spec(watched).most || length < spec(watched).least)
-    exceeded_.push_back({watched.requirement, length, seen->actor, seen->statement, noted});
+    exceeded_.push_back({watched.requirement, length, seen.actor, seen.statement, noted});
 }
 
 void RequirementWatch::check_number(const Watched& watched, const std::optional<int>& lost) {
@@ -221,7 +210,9 @@ void RequirementWatch::check_load(const Watched& watched, Load& load, std::int64
     greatest = std::max(greatest, static_cast<double>(meter.work(now_ns)));
   if (now_ns <= 0) return;
   const auto now = static_cast<double>(now_ns);
-  measured(watched, Time(static_cast<std::int64_t>(greatest / now * second)));
+  const Time so_far(static_cast<std::int64_t>(greatest / now * second));
+  worst_[watched.requirement] = so_far;
+  tell(watched, so_far);
   if (spec(watched).most == Time::max()) return;
   const double limit = static_cast<double>(spec(watched).most.count()) / second;
   const bool over =
@@ -239,10 +230,7 @@ struct RequirementWatch::See {
 
   void operator()(Response& response) const {
     const trace::ResponseMeter::Reading reading = response.meter.see(event, parent);
-    if (event.kind == Kind::put) {
-      const auto* oldest = response.meter.awaiting(response.noted);
-      if (oldest != nullptr) watch.may_be_due(watched, oldest->time_ns);
-    }
+    if (event.kind == Kind::put && response.meter.counts(event)) watch.may_be_due(watched, event.time_ns);
     if (reading.missed > 0)
       watch.exceeded_.push_back({watched.requirement, Time::max(), event.actor, event.statement,
                                  reading.last_missed_ns <= response.noted_ns});
@@ -290,19 +278,43 @@ struct RequirementWatch::See {
 
 void RequirementWatch::look(Watched& watched, const trace::Event& event, std::int32_t parent) {
   std::visit(See{*this, watched, event, parent}, watched.meter);
-  const bool begins = watched.phase && !watched.counts && event.kind == Kind::done && event.statement >= 0;
+  if (!watched.phase) return;
+  const bool begins = !watched.counts && event.kind == Kind::done && event.statement >= 0;
   if (begins && watched.phase->after[static_cast<std::size_t>(event.statement)])
     begin_phase(watched, event.time_ns);
 }
 
-const std::vector<Exceeded>& RequirementWatch::see(const trace::Event& event) {
+/// What is seen most often, of an event of an actor that inherits nothing. False: nothing was done.
+inline bool RequirementWatch::see_usual(Watched& watched, const trace::Event& event) {
+  if (watched.phase) return false;
+  if (auto* response = std::get_if<Response>(&watched.meter)) {
+    if (event.kind == Kind::put) {
+      response->meter.put(event);
+      if (response->meter.counts(event)) may_be_due(watched, event.time_ns);
+      return true;
+    }
+    if (event.kind == Kind::take) {
+      response->meter.take(event);
+      return true;
+    }
+  } else if (auto* interval = std::get_if<trace::IntervalMeter>(&watched.meter)) {
+    check(watched, interval->see(event));
+    return true;
+  }
+  return false;
+}
+
+const std::vector<Exceeded>& RequirementWatch::see(const trace::Event& event,
+                                                   std::span<const std::uint32_t> meters) {
   exceeded_.clear();
   if (leaving_ > 0) settle_phases(-1);
   const std::int32_t parent = blocks_ ? inheritance_.begins(event) : -1;
   if (parent >= 0) {
     for (Watched& each : watched_) look(each, event, parent);
   } else {
-    for (const std::uint32_t each : routes_.of(event)) look(watched_[each], event, parent);
+    for (const std::uint32_t each : meters) {
+      if (!see_usual(watched_[each], event)) look(watched_[each], event, parent);
+    }
   }
   return exceeded_;
 }
@@ -374,11 +386,6 @@ const std::vector<Exceeded>& RequirementWatch::leave(int loop, int thread) {
 }
 
 // What goes on for too long.
-
-void RequirementWatch::may_be_due(const Watched& watched, std::int64_t since_ns) {
-  if (spec(watched).most != Time::max())
-    soonest_ = std::min(soonest_, Time(since_ns) + spec(watched).most + Time(1));
-}
 
 void RequirementWatch::end(Time now) {
   for (Watched& watched : watched_) {

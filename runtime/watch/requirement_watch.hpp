@@ -1,9 +1,11 @@
 // Whether the requirements of a skill hold while it runs.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -37,8 +39,9 @@ class RequirementWatch {
   /// Which events see() must be shown. The others may be left out.
   const EventRoutes& routes() const { return routes_; }
 
-  /// The requirements that the event shows to have failed, valid until the next call.
-  const std::vector<Exceeded>& see(const trace::Event& event);
+  /// The requirements that the event shows to have failed, valid until the next call. `meters`: those that it
+  /// concerns, by the routes.
+  const std::vector<Exceeded>& see(const trace::Event& event, std::span<const std::uint32_t> meters);
 
   /// A thread comes to the first statement of a loop that a phase names, or has gone on behind it, or was
   /// stopped in it. What fails by that, valid until the next call.
@@ -85,6 +88,8 @@ class RequirementWatch {
   };
   struct Watched {
     std::size_t requirement = 0;
+    const RequirementSpec* spec = nullptr;
+    bool shortest;  // its worst value is the shortest one
     Meter meter;
     std::optional<Phase> phase;
     bool counts = true;
@@ -95,18 +100,30 @@ class RequirementWatch {
   Watched watched(std::size_t requirement, const trace::Trace& tables) const;
   void route(std::size_t index, const trace::Trace& tables);
   trace::Kept kept() const;
+  [[gnu::always_inline]] bool see_usual(Watched& watched, const trace::Event& event);
   void look(Watched& watched, const trace::Event& event, std::int32_t parent);
   void begin_phase(Watched& watched, std::int64_t now_ns);
   void end_phase(Watched& watched);
   void settle_phases(int but_of);
-  void check(const Watched& watched, const std::optional<trace::Occurrence>& seen, bool noted = false);
+  void check(const Watched& watched, const std::optional<trace::Occurrence>& seen, bool noted = false) {
+    if (seen) check(watched, *seen, noted);
+  }
+  void check(const Watched& watched, const trace::Occurrence& seen, bool noted);
   void check_number(const Watched& watched, const std::optional<int>& lost);
   void check_load(const Watched& watched, Load& load, std::int64_t now_ns);
-  void measured(const Watched& watched, Time value);
-  void may_be_due(const Watched& watched, std::int64_t since_ns);
-  const RequirementSpec& spec(const Watched& watched) const {
-    return wiring_.requirements[watched.requirement];
+  void measured(const Watched& watched, Time value) {
+    std::optional<Time>& worst = worst_[watched.requirement];
+    if (!worst || (watched.shortest ? value < *worst : value > *worst)) worst = value;
+    tell(watched, value);
   }
+  void tell(const Watched& watched, Time latest) {
+    if (margins_ != nullptr) margins_->set(watched.requirement, *worst_[watched.requirement], latest);
+  }
+  void may_be_due(const Watched& watched, std::int64_t since_ns) {
+    if (spec(watched).most != Time::max())
+      soonest_ = std::min(soonest_, Time(since_ns) + spec(watched).most + Time(1));
+  }
+  static const RequirementSpec& spec(const Watched& watched) { return *watched.spec; }
 
   const Wiring& wiring_;
   Margins* margins_;

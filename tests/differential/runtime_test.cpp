@@ -8,6 +8,7 @@
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/run_checker/check_run.hpp"
 #include "codegen/plan.hpp"
+#include "pal/runtime/still_world.hpp"
 #include "pal/trace/measure.hpp"
 #include "tests/support/any_skill.hpp"
 #include "tests/support/drawn_program.hpp"
@@ -21,13 +22,14 @@ using pal::test::setting;
 
 namespace {
 
-class Still final : public runtime::World {
+/// As still as a StillWorld, which the runtime does not know of it: it is asked and advanced at each step.
+class Asked final : public runtime::World {
  public:
   void advance_to(runtime::Time) override {}
 };
 
-runtime::Outcome outcome_of(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
-                            runtime::Time horizon) {
+runtime::Outcome outcome_in(runtime::World& world, const codegen::Plan& plan, std::uint64_t seed,
+                            runtime::CostPolicy costs, runtime::Time horizon) {
   test::PlannedSkill skill(plan, test::dealer(seed));
   std::vector<std::unique_ptr<runtime::Device>> devices;
   std::vector<runtime::Device*> attached;
@@ -35,13 +37,27 @@ runtime::Outcome outcome_of(const codegen::Plan& plan, std::uint64_t seed, runti
     devices.push_back(test::planned_device(plan, name, test::dealer(seed + devices.size() + 1)));
     attached.push_back(devices.back().get());
   }
-  Still world;
   runtime::RunOptions options;
   options.costs = costs;
   options.seed = seed;
   options.horizon = horizon;
   options.trace_capacity = 4096;
   return runtime::Dispatcher(attached, world).run(skill, {}, options);
+}
+
+/// The same in a world that stands still and in one that is asked. Every fourth seed is run in both.
+runtime::Outcome outcome_of(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,
+                            runtime::Time horizon) {
+  runtime::StillWorld still;
+  runtime::Outcome outcome = outcome_in(still, plan, seed, costs, horizon);
+  if (seed % 4 == 0) {
+    Asked asked;
+    const runtime::Outcome other = outcome_in(asked, plan, seed, costs, horizon);
+    CAPTURE(seed);
+    CHECK(other.reason == outcome.reason);
+    CHECK(other.trace.events == outcome.trace.events);
+  }
+  return outcome;
 }
 
 trace::Trace run(const codegen::Plan& plan, std::uint64_t seed, runtime::CostPolicy costs,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pal/pan/dump.hpp"
+#include "pal/support/edit.hpp"
 #include "pal/syntax/format.hpp"
 #include "tests/support/random_program.hpp"
 #include "tests/unit/check/specification.hpp"
@@ -22,6 +23,22 @@ std::optional<std::string> format(const std::string& text) {
   SourceManager sources;
   Diagnostics diagnostics;
   return syntax::format(sources, sources.add("a.pal", text), diagnostics);
+}
+
+/// Laid out by edits, also around errors: of all lines, or of some.
+std::string laid_out(const std::string& text, std::size_t first = 0, std::size_t end = std::string::npos) {
+  SourceManager sources;
+  const FileId file = sources.add("a.pal", text);
+  const auto to = static_cast<std::uint32_t>(std::min(end, text.size()));
+  return apply(syntax::layout_edits(sources, file, {file, static_cast<std::uint32_t>(first), to}), file,
+               text);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
 }
 
 /// The words and the comments of a text, found without the compiler's own lexer.
@@ -196,4 +213,39 @@ TEST_CASE("a program printed from a tree is in the canonical layout") {
     const auto body = test::RandomProgram(seed).module();
     REQUIRE(format(body) == body);
   }
+}
+
+TEST_CASE("a text with a half-typed line is laid out around it, and loses no word") {
+  std::size_t texts = 0;
+  std::size_t around = 0;
+  for (const auto* path : {"skills_pal/touch/touch.pal", "examples/pull_test/pull_test.pal"}) {
+    CAPTURE(path);
+    const auto tidy = lines_of(test::source_file(path));
+    for (std::size_t typed = 0; typed < tidy.size(); ++typed) {
+      if (tidy[typed].size() < 8 || tidy[typed].find('"') != std::string::npos) continue;
+      std::string untidy, expected;
+      for (std::size_t i = 0; i < tidy.size(); ++i) {
+        const auto words = std::min(tidy[i].find_first_not_of(' '), tidy[i].size());
+        const bool half = i == typed;
+        const std::string line = half ? tidy[i].substr(0, tidy[i].size() - 4) : tidy[i];
+        untidy += (half ? line : "   " + tidy[i].substr(words)) + "\n";
+        expected += line + "\n";
+      }
+      CAPTURE(untidy);
+      const std::string result = laid_out(untidy);
+      REQUIRE(parts_of(result).words.size() == parts_of(untidy).words.size());
+      REQUIRE(laid_out(result) == result);
+      ++texts;
+      if (result == expected) ++around;
+    }
+  }
+  CAPTURE(texts, around);
+  CHECK(3 * around > texts);
+}
+
+TEST_CASE("a range is laid out, and nothing else") {
+  const std::string text = "MESSAGE   a : SIGNAL\n\nMESSAGE b :   REAL N\n\nMESSAGE c  :  SIGNAL\n";
+  const std::size_t second = text.find("MESSAGE b");
+  CHECK(laid_out(text, second, second) ==
+        "MESSAGE   a : SIGNAL\n\nMESSAGE b : REAL N\n\nMESSAGE c  :  SIGNAL\n");
 }

@@ -16,18 +16,21 @@ runtime::Interval interval(const Interval& of) {
   return {Time(of.best), Time(of.worst)};
 }
 
-class AnyWait final : public runtime::WaitOperation {
+/// Before the wait, which has a view of them.
+struct Targets {
+  explicit Targets(const PlannedStatement& statement) {
+    for (const PlannedEnd& end : statement.ends)
+      all.push_back(runtime::from(static_cast<int>(end.channel)));
+  }
+  std::vector<runtime::Target> all;
+};
+
+class AnyWait final : private Targets, public runtime::WaitOperation {
  public:
   AnyWait(runtime::Thread& thread, const PlannedStatement& statement)
-      : WaitOperation(thread, static_cast<int>(*statement.row),
-                      statement.within ? std::optional<Time>(*statement.within) : std::nullopt) {
-    for (const PlannedEnd& end : statement.ends)
-      targets_.push_back(runtime::from(static_cast<int>(end.channel)));
-  }
-  std::span<const runtime::Target> targets() const override { return targets_; }
-
- private:
-  std::vector<runtime::Target> targets_;
+      : Targets(statement),
+        WaitOperation(thread, static_cast<int>(*statement.row),
+                      statement.within ? std::optional<Time>(*statement.within) : std::nullopt, all) {}
 };
 
 void mentioned(const pan::Guard& guard, std::vector<int>& all) {

@@ -44,6 +44,7 @@ class ParameterBuilder {
     pan::Parameter result;
     result.name = written_.name.text;
     result.type = written_.type;
+    result.location = written_.location;
     result.unit = written_.unit;
     result.description = written_.description;
     result.where = written_.where;
@@ -85,7 +86,9 @@ class ParameterBuilder {
     if (is_text()) {
       if (!written_.default_value)
         report(Code::PAL0604, " has no default", "add DEFAULT and a text in quotes");
-      if (written_.low) report(Code::PAL0604, " is TEXT and has a range", "remove RANGE");
+      if (written_.low)
+        report(Code::PAL0604, written_.location ? " is LOCATION and has a range" : " is TEXT and has a range",
+               "remove RANGE");
       return;
     }
     if (!written_.default_value || (!is_boolean() && !written_.low)) {

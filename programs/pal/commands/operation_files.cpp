@@ -16,9 +16,7 @@ void forget_other_skills(const std::set<std::string>& used, Session& session) {
   for (const Diagnostic& finding : session.diagnostics.all()) {
     const FileId file = finding.where.file;
     if (finding.severity == Severity::warning && others.contains(file) && !ours.contains(file)) continue;
-    Diagnostic& again = kept.report(finding.code, finding.where, finding.message, finding.hint);
-    again.notes = finding.notes;
-    again.fix = finding.fix;
+    kept.report(finding);
   }
   session.diagnostics = std::move(kept);
 }

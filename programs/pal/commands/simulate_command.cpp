@@ -134,8 +134,7 @@ std::string chart_of(const Study& study, std::size_t index, const KnownRun& run)
   options.caption.figures = shown_figures(requirement, Duration(seen.extreme->value));
   const std::string label = short_measure_text(problem, index);
   if (!label.empty() && seen.extreme->value > 0) {
-    const bool over = requirement.at_least ? seen.extreme->value < requirement.limit
-                                           : seen.extreme->value > requirement.limit;
+    const bool over = requirement.allowed().broken_by(seen.extreme->value);
     options.highlight =
         analyzer::chart::Highlight{seen.extreme->born, seen.extreme->at, label, over, requirement.limit};
   }

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string amount_text(const analyzer::Verdict& verdict, analyzer::Nanoseconds amount) {
-  const std::string size = whole_text(verdict.measure, Duration(amount < 0 ? -amount : amount));
+  const std::string size = whole_text(figure_of(verdict.measure, Duration(amount < 0 ? -amount : amount)));
   return (amount < 0 ? "- " : "+ ") + size;
 }
 

@@ -27,7 +27,7 @@ class Writer {
     subject.skill = proof.problem.skill;
     subject.environment = proof.problem.environment;
     subject.caption = proof_caption(proof, index);
-    subject.brief = bound_text(verdict) + " of " + whole_text(verdict.measure, verdict.limit);
+    subject.brief = bound_text(verdict) + " of " + whole_text(verdict.allowed().figure);
     if (const auto shown = shown_run(proof, index)) subject.views.push_back(view_of(*shown));
     if (measured && measured->skill == proof.problem.skill)
       subject.views.push_back(view_of(measured_run(proof, index, *measured)));

@@ -18,15 +18,15 @@ using State = analyzer::VerdictState;
 
 std::string margin_text(const analyzer::Verdict& verdict) {
   if (!verdict.bound) return "";
-  const Duration margin = verdict.at_least ? *verdict.bound - verdict.limit : verdict.limit - *verdict.bound;
+  const Duration margin(verdict.allowed().margin(verdict.bound->count()));
   const bool over = margin < Duration::zero();
   const bool load = verdict.measure == analyzer::Requirement::Measure::load;
   // What is to spare of a load is rounded down, as its bound is rounded up.
   const Duration rounding(load && !over ? margin.count() % 100'000 : 0);
-  return figure_text(verdict.measure, over ? -margin : margin - rounding) + (!over ? " to spare"
-                                                                             : verdict.at_least
-                                                                                 ? " too little"
-                                                                                 : " too much");
+  return text(figure_of(verdict.measure, over ? -margin : margin - rounding)) + (!over ? " to spare"
+                                                                                 : verdict.at_least
+                                                                                     ? " too little"
+                                                                                     : " too much");
 }
 
 /// Nothing for the exact analysis, which is the usual one.
@@ -73,7 +73,7 @@ std::vector<std::string> table_rows(const analyzer::Problem& problem, const anal
     rows.push_back(fmt::format(
         "  {:9}  {:{}}  {:{}}  {:>11}  of {:>7}  {}{}", open ? "open" : analyzer::name(verdict.state),
         verdict.requirement, name_width, measures[i], measure_width, bound_text(verdict),
-        whole_text(verdict.measure, verdict.limit), margin_text(verdict), method_text(verdict)));
+        whole_text(verdict.allowed().figure), margin_text(verdict), method_text(verdict)));
   }
   return rows;
 }

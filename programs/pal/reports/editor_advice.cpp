@@ -16,6 +16,8 @@
 namespace pal::program {
 namespace {
 
+using analyzer::whatif::Change;
+
 /// The texts that a proof is of, as files.
 class SourceFiles : public FileSystem {
  public:
@@ -64,19 +66,13 @@ class EnvironmentEdits {
       : sources_(sources), environment_(environment) {}
 
   /// Nothing: the change stands in no line of the text, or changes the world, not the program.
-  std::optional<Edit> edit(const std::string& change) const {
-    if (change.starts_with("PROCESSOR ")) return new_processor(change);
-    const auto equal = change.find(" = ");
-    if (equal == std::string::npos) return std::nullopt;
-    const std::string value = change.substr(equal + 3);
-    for (const auto& [ending, word] : {std::pair(".priority", "PRIORITY"), std::pair(".processor", "ON")}) {
-      const std::string_view left = std::string_view(change).substr(0, equal);
-      if (!left.ends_with(ending)) continue;
-      const auto thread = left.substr(0, left.size() - std::string_view(ending).size());
-      for (const auto& place : environment_.placements) {
-        if (place.thread != thread) continue;
-        if (const auto found = behind(sources_, place.where, word)) return Edit{*found, value};
-      }
+  std::optional<Edit> edit(const Change& change) const {
+    if (change.kind == Change::Kind::new_processor) return new_processor(text(change));
+    if (change.kind == Change::Kind::period) return std::nullopt;
+    const std::string_view word = change.kind == Change::Kind::priority ? "PRIORITY" : "ON";
+    for (const auto& place : environment_.placements) {
+      if (place.thread != change.of) continue;
+      if (const auto found = behind(sources_, place.where, word)) return Edit{*found, change.value};
     }
     return std::nullopt;
   }
@@ -110,18 +106,6 @@ class EnvironmentEdits {
   const SourceManager& sources_;
   const pan::Environment& environment_;
 };
-
-std::string words_of(const std::string& change) {
-  const auto said = [&](const std::string& part, const std::string& begin, const std::string& joint) {
-    const auto at = change.find(part);
-    return at == std::string::npos ? std::string()
-                                   : begin + change.substr(0, at) + joint + change.substr(at + part.size());
-  };
-  for (const auto& words :
-       {said(".priority = ", "give ", " priority "), said(".processor = ", "place ", " on ")})
-    if (!words.empty()) return words;
-  return change.starts_with("PROCESSOR ") ? "add processor " + change.substr(10) : change;
-}
 
 /// The edits of another SourceManager with the same names.
 std::vector<Edit> moved(const std::vector<Edit>& edits, const SourceManager& from, const SourceManager& to) {
@@ -180,7 +164,7 @@ void add_cures(const pan::Network& skill, const pan::Environment& environment, c
         cure.edits.insert(cure.edits.end(), edits.begin(), edits.end());
       }
       for (const auto& change : candidate.changes) {
-        say(words_of(change));
+        say(words(change));
         const auto edit = of_environment.edit(change);
         whole = whole && edit;
         if (edit) cure.edits.push_back(*edit);

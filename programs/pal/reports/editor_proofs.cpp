@@ -69,7 +69,7 @@ language_server::ProvedRequirement requirement_of(const Proof& proof, std::size_
   made.name = verdict.requirement;
   made.state = analyzer::name(verdict.state);
   made.bound = bound_text(verdict);
-  made.limit = whole_text(verdict.measure, verdict.limit);
+  made.limit = whole_text(verdict.allowed().figure);
   made.measure = measure_text(proof.problem, index);
   made.explanation = verdict.explanation;
   made.exact = verdict.exact;

@@ -47,9 +47,8 @@ std::optional<analyzer::chart::Highlight> unanswered(const Proof& proof, std::si
 analyzer::chart::Highlight highlight(const Proof& proof, std::size_t index, std::int64_t from,
                                      std::int64_t to) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  const std::int64_t limit = verdict.limit.count();
-  const bool over = verdict.at_least ? to - from < limit : to - from > limit;
-  return {from, to, short_measure_text(proof.problem, index), over, limit};
+  const bool over = verdict.allowed().broken_by(to - from);
+  return {from, to, short_measure_text(proof.problem, index), over, verdict.limit.count()};
 }
 
 /// "touch.pal:57": the folder would only take room.

@@ -27,22 +27,6 @@ std::string edit_lines(const ProgramChange& change) {
   return out;
 }
 
-/// "SM1.priority = 3" as "give SM1 priority 3".
-std::string change_words(const std::string& change) {
-  const auto behind = [&](const std::string& middle, const std::string& begin, const std::string& joint) {
-    const std::size_t at = change.find(middle);
-    if (at == std::string::npos) return std::string();
-    return begin + change.substr(0, at) + joint + change.substr(at + middle.size());
-  };
-  if (change.starts_with("PROCESSOR ")) return "add processor " + change.substr(10);
-  for (const std::string& words :
-       {behind(".priority = ", "give ", " priority "), behind(".processor = ", "place ", " on "),
-        behind(".period = ", "make the period of ", " ")}) {
-    if (!words.empty()) return words;
-  }
-  return "change a figure";
-}
-
 std::string change_lines(const WhatIfAnswer& answer, const analyzer::whatif::Candidate& candidate,
                          bool first) {
   std::string out = first ? "" : "       and ";
@@ -53,9 +37,9 @@ std::string change_lines(const WhatIfAnswer& answer, const analyzer::whatif::Can
            edit_lines(change);
   }
   std::string options;
-  for (const std::string& each : candidate.changes) {
-    out += (&each == &candidate.changes.front() ? "" : " and ") + change_words(each);
-    options += " --set '" + each + "'";
+  for (const analyzer::whatif::Change& each : candidate.changes) {
+    out += (&each == &candidate.changes.front() ? "" : " and ") + words(each);
+    options += " --set '" + text(each) + "'";
   }
   return out + ":" + options + "\n";
 }
@@ -78,7 +62,7 @@ std::string verdict_lines(const analyzer::whatif::Remedies& remedies,
       continue;
     }
     out += fmt::format("       '{}', {} {}: before {}, after {}\n", after.requirement,
-                       whole_text(after.measure, after.limit), after.at_least ? "required" : "allowed",
+                       whole_text(after.allowed().figure), after.at_least ? "required" : "allowed",
                        state_text(before), state_text(after));
   }
   if (others > 0)

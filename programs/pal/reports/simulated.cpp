@@ -27,7 +27,7 @@ std::string value_text(const Simulated& simulated, std::size_t r) {
   const Seen& seen = simulated.seen[r];
   if (!seen.extreme) return "";
   return (seen.grows ? "> " : "") +
-         figure_text(simulated.problem.requirements[r].measure, Duration(seen.extreme->value));
+         text(figure_of(simulated.problem.requirements[r].measure, Duration(seen.extreme->value)));
 }
 
 std::string count(std::size_t n, const char* one, const char* many) {
@@ -82,17 +82,18 @@ std::string text(const Simulated& simulated) {
   }
   for (std::size_t r = 0; r < simulated.seen.size(); ++r) {
     const analyzer::Requirement& requirement = simulated.problem.requirements[r];
-    made += fmt::format(
-        "  {:8}  {:{}}  {:{}}  {:>11}  of {:>7}  {}\n", state_text(simulated, r), requirement.name,
-        name_width, measure_text(simulated.problem, r), measure_width, value_text(simulated, r),
-        whole_text(requirement.measure, Duration(requirement.limit)), count_text(simulated, r));
+    made += fmt::format("  {:8}  {:{}}  {:{}}  {:>11}  of {:>7}  {}\n", state_text(simulated, r),
+                        requirement.name, name_width, measure_text(simulated.problem, r), measure_width,
+                        value_text(simulated, r), whole_text(requirement.allowed().figure),
+                        count_text(simulated, r));
   }
   const bool loads = std::any_of(
       simulated.problem.requirements.begin(), simulated.problem.requirements.end(),
       [](const analyzer::Requirement& requirement) { return requirement.measure == Measure::load; });
   if (loads)
     made +=
-        "  A load here is that of one whole run, from its start to its end. The load that pal check proves is "
+        "  A load here is that of one whole run, from its start to its end. The load that pal check proves "
+        "is "
         "that of the long run: the start counts for nothing there.\n";
   for (const std::string& refused : simulated.refused) made += "  refused   " + refused + "\n";
   return made;

@@ -34,7 +34,11 @@ Json verdict_row(const analyzer::Verdict& verdict) {
 }
 
 Json made_row(const WhatIfAnswer& answer, const analyzer::whatif::Candidate& candidate) {
-  if (!candidate.program.valid()) return {{"set", candidate.changes}};
+  if (!candidate.program.valid()) {
+    Json set = Json::array();
+    for (const auto& each : candidate.changes) set.push_back(text(each));
+    return {{"set", std::move(set)}};
+  }
   const ProgramChange& change = answer.program_changes[candidate.program.index()];
   return {{"edit", change.title},
           {"module", change.module},

@@ -86,7 +86,7 @@ std::string change_table(const WhatIfAnswer& answer) {
   const auto& after = answer.before_and_after[1].analysis.verdicts;
   for (std::size_t r = 0; r < after.size(); ++r) {
     out += fmt::format("  {:{}}  {:>9}  {:9}  {:>12}  {} {:9}  {:>12}\n", after[r].requirement, width,
-                       whole_text(after[r].measure, after[r].limit), analyzer::name(before[r].state),
+                       whole_text(after[r].allowed().figure), analyzer::name(before[r].state),
                        bound_text(before[r]), before[r].state == after[r].state ? " " : "*",
                        analyzer::name(after[r].state), bound_text(after[r]));
   }

@@ -103,21 +103,26 @@ std::string short_measure_text(const analyzer::Problem& problem, std::size_t ind
   return {};
 }
 
-std::string figure_text(Measure measure, Duration value) {
-  if (measure == Measure::loss) return value.count() == 0 ? "none" : std::to_string(value.count());
-  if (measure != Measure::load) return to_text(value);
-  const auto hundredths = (value.count() + 99'999) / 100'000;  // 1e9 ns in a second are 100.00 %
+analyzer::Figure figure_of(Measure measure, Duration value) {
+  return {analyzer::unit_of(measure), value.count()};
+}
+
+std::string text(analyzer::Figure figure) {
+  if (figure.unit == analyzer::Figure::Unit::count)
+    return figure.value == 0 ? "none" : std::to_string(figure.value);
+  if (figure.unit == analyzer::Figure::Unit::time) return to_text(Duration(figure.value));
+  const auto hundredths = (figure.value + 99'999) / 100'000;  // 1e9 ns in a second are 100.00 %
   const std::string fraction = std::to_string(hundredths % 100);
   return std::to_string(hundredths / 100) +
          (hundredths % 100 == 0 ? "" : (fraction.size() < 2 ? ".0" : ".") + fraction) + " %";
 }
 
-std::string whole_text(Measure measure, Duration value) {
-  if (measure != Measure::load) return figure_text(measure, value);
+std::string whole_text(analyzer::Figure figure) {
+  if (figure.unit != analyzer::Figure::Unit::share) return text(figure);
   constexpr std::int64_t percent = 10'000'000;  // nanoseconds in a second
-  std::string digits = std::to_string(percent + value.count() % percent).substr(1);
+  std::string digits = std::to_string(percent + figure.value % percent).substr(1);
   while (!digits.empty() && digits.back() == '0') digits.pop_back();
-  return std::to_string(value.count() / percent) + (digits.empty() ? "" : "." + digits) + " %";
+  return std::to_string(figure.value / percent) + (digits.empty() ? "" : "." + digits) + " %";
 }
 
 std::optional<Duration> worth_telling(const analyzer::Verdict& verdict) {
@@ -131,13 +136,13 @@ std::string bound_text(const analyzer::Verdict& verdict) {
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
     if (shown && !verdict.loop_growth)
-      return (verdict.at_least ? "<= " : ">= ") + figure_text(verdict.measure, *shown);
+      return (verdict.at_least ? "<= " : ">= ") + text(figure_of(verdict.measure, *shown));
     return verdict.state == State::undecided ? "no bound" : "unbounded";
   }
   return (verdict.exact      ? ""
           : verdict.at_least ? ">= "
                              : "<= ") +
-         figure_text(verdict.measure, *verdict.bound);
+         text(figure_of(verdict.measure, *verdict.bound));
 }
 
 }  // namespace pal::program

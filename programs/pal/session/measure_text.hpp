@@ -20,9 +20,12 @@ std::string short_measure_text(const analyzer::Problem& problem, std::size_t req
 
 /// A length of time ("7.35 ms"), the percentage of a load ("41.2 %"), or the number of a loss ("none"). The
 /// percentage of a bound is rounded up.
-std::string figure_text(analyzer::Requirement::Measure measure, Duration value);
+std::string text(analyzer::Figure figure);
 /// The same to the last digit, for limits and for the parts of a bound: "0.125 %".
-std::string whole_text(analyzer::Requirement::Measure measure, Duration value);
+std::string whole_text(analyzer::Figure figure);
+
+/// A value of what is measured, with its unit.
+analyzer::Figure figure_of(analyzer::Requirement::Measure measure, Duration value);
 
 /// The bound of a verdict, or what is known instead of one:
 /// - "7.35 ms": a run attains it;

@@ -121,12 +121,7 @@ std::optional<analyzer::Problem> problem_in_patience(const pan::Network& skill,
     made->problem = problem_of(skill, environment, sources, made->diagnostics);
   };
   if (!done_in_patience(build)) return std::nullopt;
-  for (const Diagnostic& finding : made->diagnostics.all()) {
-    Diagnostic& again =
-        session.diagnostics.report(finding.code, finding.where, finding.message, finding.hint);
-    again.notes = finding.notes;
-    again.fix = finding.fix;
-  }
+  for (const Diagnostic& finding : made->diagnostics.all()) session.diagnostics.report(finding);
   return std::move(made->problem);
 }
 

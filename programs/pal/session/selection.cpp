@@ -93,9 +93,7 @@ bool raise_warnings(Session& session) {
   Diagnostics raised;
   bool any = session.diagnostics.not_kept().warnings != 0;
   for (const Diagnostic& finding : session.diagnostics.all()) {
-    Diagnostic& again = raised.report(finding.code, finding.where, finding.message, finding.hint);
-    again.notes = finding.notes;
-    again.fix = finding.fix;
+    Diagnostic& again = raised.report(finding);
     if (again.severity != Severity::warning) continue;
     again.severity = Severity::error;
     any = true;

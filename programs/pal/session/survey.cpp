@@ -13,20 +13,16 @@ using analyzer::run_checker::Measured;
 
 constexpr double second = 1e9;
 
-bool beyond(const Requirement& requirement, Nanoseconds value) {
-  return requirement.at_least ? value < requirement.limit : value > requirement.limit;
-}
-
 /// Whether `value` says more of the requirement than what was seen so far.
 bool further(const Requirement& requirement, Nanoseconds value, const std::optional<Measured>& extreme) {
-  if (!extreme) return true;
-  return requirement.at_least ? value < extreme->value : value > extreme->value;
+  return !extreme || requirement.allowed().worse(value, extreme->value);
 }
 
 /// The same of a value that may be `open`: one that breaks the requirement says more than any that may.
 bool further(const Requirement& requirement, Nanoseconds value, bool open, const Seen& seen) {
-  const bool breaks = !open && beyond(requirement, value);
-  const bool broken = !seen.extreme_is_open && seen.extreme && beyond(requirement, seen.extreme->value);
+  const bool breaks = !open && requirement.allowed().broken_by(value);
+  const bool broken =
+      !seen.extreme_is_open && seen.extreme && requirement.allowed().broken_by(seen.extreme->value);
   return breaks == broken ? further(requirement, value, seen.extreme) : breaks;
 }
 
@@ -85,7 +81,7 @@ bool Survey::measure(std::size_t index, const KnownRun& run, std::size_t number,
   bool open = false;
   const auto note = [&](const Measured& measured, bool grows) {
     const bool may = grows && !counts(requirement, run);
-    if (beyond(requirement, measured.value)) (may ? open : breaks) = true;
+    if (requirement.allowed().broken_by(measured.value)) (may ? open : breaks) = true;
     if (!further(requirement, measured.value, may, seen)) return;
     seen.extreme = measured;
     seen.grows = grows;

@@ -32,7 +32,7 @@ std::string loop_place(const analyzer::Problem& problem, analyzer::LoopId loop) 
 }
 
 /// "is 35 ms".
-std::string figure_of(const analyzer::Problem& problem, const analyzer::Verdict& verdict) {
+std::string known_figure(const analyzer::Problem& problem, const analyzer::Verdict& verdict) {
   if (verdict.loop_growth) {
     const analyzer::LoopId loop = verdict.loop_growth->loop;
     return loop.valid()
@@ -42,17 +42,17 @@ std::string figure_of(const analyzer::Problem& problem, const analyzer::Verdict&
   if (!verdict.bound) {
     const auto shown = worth_telling(verdict);
     if (shown)
-      return (verdict.at_least ? "is at most " : "is at least ") + figure_text(verdict.measure, *shown);
+      return (verdict.at_least ? "is at most " : "is at least ") + text(figure_of(verdict.measure, *shown));
     return verdict.state == State::undecided ? "has no bound that was found" : "is without bound";
   }
   const auto shown = attained(verdict);
   if (verdict.state == State::fails && shown && *shown != *verdict.bound) {
-    return "is between " + figure_text(verdict.measure, std::min(*shown, *verdict.bound)) + " and " +
-           figure_text(verdict.measure, std::max(*shown, *verdict.bound));
+    return "is between " + text(figure_of(verdict.measure, std::min(*shown, *verdict.bound))) + " and " +
+           text(figure_of(verdict.measure, std::max(*shown, *verdict.bound)));
   }
   const std::string sound = verdict.at_least ? "at least " : "at most ";
   return "is " + (verdict.state == State::undecided ? sound : "") +
-         figure_text(verdict.measure, *verdict.bound);
+         text(figure_of(verdict.measure, *verdict.bound));
 }
 
 /// The longest piece of the time in which the thread that decided, the last of the story, did nothing but
@@ -61,7 +61,7 @@ const analyzer::Reason* longest_wait_after_read(const analyzer::Verdict& verdict
   const analyzer::Reason* longest = nullptr;
   for (std::size_t i = 1; i < verdict.reasons.size(); ++i) {
     const analyzer::Reason& reason = verdict.reasons[i];
-    if (reason.actor != verdict.reasons.back().actor || reason.what.find("waits at ") != 0) continue;
+    if (reason.actor != verdict.reasons.back().actor || !reason.waits()) continue;
     if (longest == nullptr || reason.to - reason.from > longest->to - longest->from) longest = &reason;
   }
   return longest;
@@ -75,7 +75,8 @@ const analyzer::Reason* wait_between_set_and_read(const analyzer::Verdict& verdi
       std::max_element(set.inside.begin(), set.inside.end(),
                        [](const auto& a, const auto& b) { return a.to - a.from < b.to - b.from; });
   const bool waits = longest != set.inside.end() && longest->actor == set.actor &&
-                     set.actor == verdict.reasons.back().actor && longest->what.starts_with("waits at WTM");
+                     set.actor == verdict.reasons.back().actor &&
+                     longest->kind == analyzer::Reason::Kind::waits_for_message;
   return waits ? &*longest : nullptr;
 }
 
@@ -143,26 +144,25 @@ std::string hint_of(const Proof& proof, std::size_t index) {
   }
   if (!proof.problem.requirements[index].samples.empty())
     return "ask for the sample later, or more often, or shorten what lies between it and its use";
-  const auto place = [](const analyzer::Reason& wait) {
-    return wait.what.substr(std::string("waits at ").size());
-  };
   if (const analyzer::Reason* wait = longest_wait_after_read(verdict))
-    return "read the condition after " + place(*wait) + ", not before it";
+    return "read the condition after " + wait->statement + ", not before it";
   if (const analyzer::Reason* wait = wait_between_set_and_read(verdict))
-    return "set the condition after " + place(*wait) + ", not before it";
+    return "set the condition after " + wait->statement + ", not before it";
   return "shorten what lies between the set and its use";
 }
 
 /// What is required says nothing about any run.
 void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  diagnostics.report(Code::PAL0816, verdict.where,
-                     "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
-                         proof.problem.environment,
-                     verdict.measure == Measure::load
-                         ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
-                           "DURATION"
-                         : "name a statement, an event or a completion that comes about in some run");
+  Diagnostic& finding = diagnostics.report(
+      Code::PAL0816, verdict.where,
+      "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
+          proof.problem.environment,
+      verdict.measure == Measure::load
+          ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
+            "DURATION"
+          : "name a statement, an event or a completion that comes about in some run");
+  finding.requirement = verdict.requirement;
 }
 
 /// Events that no thread takes are lost in PAL, and delay nobody. Elsewhere they may be kept.
@@ -170,11 +170,12 @@ void report_taken_as_lost(const Proof& proof, std::size_t index, Diagnostics& di
   const std::string text = taken_as_lost_text(proof, index);
   if (text.empty()) return;
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  diagnostics.report(
+  Diagnostic& finding = diagnostics.report(
       Code::PAL0824, verdict.where, text,
       "say how many may be lost (LOSS OF " +
           proof.problem.devices[verdict.taken_as_lost.front().device].name +
           " AT MOST … IN …), or take each in time; if the real sender keeps them, the bound is too low");
+  finding.requirement = verdict.requirement;
 }
 
 // Lines of a story that fit on a screen with what else is said, and parts of one whole.
@@ -236,13 +237,13 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
   const std::string what = fails ? " fails: " : " is undecided: ";
-  Diagnostic& finding =
-      diagnostics.report(fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
-                         "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " +
-                             figure_of(proof.problem, verdict) + " in " + proof.problem.environment + ", " +
-                             (verdict.at_least ? "at least " : "at most ") +
-                             whole_text(verdict.measure, verdict.limit) + " is required",
-                         hint_of(proof, index));
+  Diagnostic& finding = diagnostics.report(
+      fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
+      "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " +
+          known_figure(proof.problem, verdict) + " in " + proof.problem.environment + ", " +
+          std::string(verdict.allowed().text()) + " " + whole_text(verdict.allowed().figure) + " is required",
+      hint_of(proof, index));
+  finding.requirement = verdict.requirement;
   if (verdict.loop_growth) {
     const analyzer::LoopId loop = verdict.loop_growth->loop;
     finding.notes.push_back(
@@ -251,7 +252,7 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics
       finding.notes.push_back(
           {{},
            "in the first turns it is " +
-               figure_text(verdict.measure, Duration(verdict.loop_growth->first_turns.measured.value)) +
+               text(figure_of(verdict.measure, Duration(verdict.loop_growth->first_turns.measured.value))) +
                ":"});
   }
   if (!fails || (verdict.reasons.empty() && !verdict.loop_growth))
@@ -259,7 +260,7 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics
   const auto shown = attained(verdict);
   if (!fails && shown && !verdict.reasons.empty())
     finding.notes.push_back(
-        {verdict.where, "the worst run that was found has " + figure_text(verdict.measure, *shown)});
+        {verdict.where, "the worst run that was found has " + text(figure_of(verdict.measure, *shown))});
   if (verdict.reasons.empty()) return;
   if (whole_story) {
     add_story(verdict.reasons, proof.problem, 0, finding);

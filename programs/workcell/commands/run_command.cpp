@@ -328,21 +328,27 @@ std::pair<double, double> bounds(const std::vector<std::vector<SweepRun>>& sweep
   return {low, std::max(std::ceil(high), low + 1)};
 }
 
-ExitStatus run_sweep(const RunCommand& command, runtime::Skill& skill, const Session& session,
-                     const std::vector<KnownSkill>& known, std::ostream& out) {
+ExitStatus run_sweep(const RunCommand& command, const KnownSkill& first, runtime::Skill& skill,
+                     const Session& session, const std::vector<KnownSkill>& known, std::ostream& out) {
   std::vector<std::string> names{command.skill};
-  std::vector<std::vector<SweepRun>> sweeps{sweep(skill, session, command.sweep)};
+  const SweepSubject subject = sweep_subject(first);
+  std::vector<std::vector<SweepRun>> sweeps;
   if (!command.against.empty()) {
-    const auto second = find_skill(command.against, known).make();
+    const KnownSkill& other = find_skill(command.against, known);
+    const SweepSubject others = sweep_subject(other);  // refused before anything runs
+    sweeps.push_back(sweep(skill, subject, session, command.sweep));
+    const auto second = other.make();
     make_session(command, *second, known);  // its parameters must take the same settings
     names.push_back(command.against);
-    sweeps.push_back(sweep(*second, session, command.sweep));
+    sweeps.push_back(sweep(*second, others, session, command.sweep));
+  } else {
+    sweeps.push_back(sweep(skill, subject, session, command.sweep));
   }
   const auto [low, high] = bounds(sweeps);
   for (std::size_t i = 0; i < sweeps.size(); ++i) out << describe(names[i], sweeps[i], low, high);
 
   std::optional<Comparison> comparison;
-  const auto speed = parameter_value(skill, session, "approach-speed");
+  const auto speed = parameter_value(skill, session, subject.speed);
   if (sweeps.size() == 2 && speed) {
     comparison = compare(sweeps[0], sweeps[1], session.scene, *speed);
     if (comparison) out << describe(*comparison, names[0], names[1]);
@@ -364,7 +370,7 @@ ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills,
   check_outputs(command);
   std::optional<runtime::Measurement> measurement;
   if (!command.measure.empty()) session.measurement = &measurement.emplace(skill->wiring());
-  const ExitStatus status = command.sweep > 0 ? run_sweep(command, *skill, session, skills, out)
+  const ExitStatus status = command.sweep > 0 ? run_sweep(command, known, *skill, session, skills, out)
                                               : run_once(command, known, *skill, session, out);
   if (measurement) write_measured(command.measure, *measurement, out);
   return status;

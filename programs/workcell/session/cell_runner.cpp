@@ -49,6 +49,7 @@ pan::Template template_of(const runtime::SkillDescription& description) {
     pan::Parameter parameter;
     parameter.name = spec.name;
     parameter.type = type_of(spec.type);
+    parameter.location = spec.location;
     parameter.unit = spec.unit;
     parameter.low = spec.low;
     parameter.high = spec.high;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "pal/trace/measure.hpp"
 #include "programs/workcell/session/session.hpp"
+#include "programs/workcell/session/skills.hpp"
 
 namespace pal::workcell {
 
@@ -18,17 +21,30 @@ struct SweepRun {
   double peak_force = 0;
   double resting_force = 0;
   double overshoot = 0;  // peak less threshold
-  /// Age of the condition pc-force when the last motion that was decided on it was sent.
+  /// Age of the subject's condition at the last of its statements.
   std::optional<runtime::Time> age;
-  /// The greatest age at any of the run's motions: what the proof bounds.
+  /// The greatest age at any of them: what the proof bounds.
   std::optional<runtime::Time> greatest_age;
 };
 
-/// Runs the skill `count` times. The phase of ALTER's clock is spread evenly over its 28 ms. Where in that
+/// What a sweep of a skill is about, as the PAL of the skill says.
+struct SweepSubject {
+  std::string speed;                     // the parameter in mm/s: how fast the tool comes to what it meets
+  std::string threshold;                 // the parameter in N: the force past which it presses
+  std::string condition;                 // the skill requires an age of it …
+  std::vector<trace::StatementName> at;  // … at these statements, in any line
+};
+
+/// The subject of a skill: its first requirement of the age of a condition, and its only parameters in mm/s
+/// and in N. Throws Failure for a skill that lacks one of these, or has several such parameters.
+SweepSubject sweep_subject(const KnownSkill& skill);
+
+/// Runs the skill `count` times. The phase of ALTER's clock is spread evenly over its period. Where in that
 /// cycle the tool meets the surface does not depend on the phase, since the tool moves by that clock. So it
 /// is spread evenly, and independently, by starting up to one cycle's travel higher. The phase of the
 /// sensor's clock follows from a seed of its own for each run. Two skills swept with the same session meet
 /// the same phases, heights and seeds.
-std::vector<SweepRun> sweep(runtime::Skill& skill, const Session& session, int count);
+std::vector<SweepRun> sweep(runtime::Skill& skill, const SweepSubject& subject, const Session& session,
+                            int count);
 
 }  // namespace pal::workcell

@@ -8,20 +8,11 @@
 
 namespace pal::runtime {
 
-inline Time time_of(clockid_t clock) {
-  timespec now{};
-  ::clock_gettime(clock, &now);
-  return std::chrono::seconds(now.tv_sec) + Time(now.tv_nsec);
-}
-
 /// The clock of all instants of a run in real time.
 inline Time monotonic_now() {
-  return time_of(CLOCK_MONOTONIC);
-}
-
-/// Processor time of the calling thread.
-inline Time thread_time() {
-  return time_of(CLOCK_THREAD_CPUTIME_ID);
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::chrono::seconds(now.tv_sec) + Time(now.tv_nsec);
 }
 
 /// Where one thread sleeps until another one wakes it. A wake before the sleep is not lost.

@@ -2,46 +2,33 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <utility>
 
 namespace pal::runtime {
 
 using State = ThreadControl::State;
 
-Levels::Levels(Journal& journal, const Wiring& wiring) : journal_(journal) {
-  for (const ProcessorSpec& spec : wiring.processors) {
-    processors_.emplace_back();
-    processors_.back().spec = &spec;
-    processors_.back().ready.reserve(wiring.threads.size());
-    processors_.back().arrived.reserve(2 * wiring.threads.size());
-  }
+Levels::Levels(const Clock& clock, Journal& journal, const Wiring& wiring) : clock_(clock), journal_(journal) {
+  for (const ProcessorSpec& spec : wiring.processors) processors_.emplace_back(spec, wiring.threads.size());
+  std::map<std::pair<int, int>, Level*> known;  // by processor and priority
   for (const ThreadSpec& spec : wiring.threads) {
     const bool preemptive = wiring.processors[static_cast<std::size_t>(spec.processor)].preemptive;
-    auto found = std::find_if(levels_.begin(), levels_.end(), [&](const Level& level) {
-      return level.processor == spec.processor && (!preemptive || level.priority == spec.priority);
-    });
-    if (found == levels_.end()) {
-      levels_.emplace_back();
-      found = levels_.end() - 1;
-      found->processor = spec.processor;
-      found->priority = spec.priority;
+    Level*& level = known[{spec.processor, preemptive ? spec.priority : 0}];
+    if (level == nullptr) {
+      level = &levels_.emplace_back();
+      level->processor = spec.processor;
+      level->priority = spec.priority;
     }
-    found->priority = std::max(found->priority, spec.priority);
-    level_of_.push_back(&*found);
+    level->priority = std::max(level->priority, spec.priority);
+    level_of_.push_back(level);
   }
 }
 
 void Levels::enqueue(Processor& processor, Thread& thread) {
   ThreadControl& control = thread.control;
   control.state = State::ready;
-  const auto goes_before = [&control](const Thread* other) {
-    const ThreadControl& of = other->control;
-    return control.spec->priority != of.spec->priority ? control.spec->priority > of.spec->priority
-                                                       : control.queue_key < of.queue_key;
-  };
-  auto at = processor.ready.end();
-  while (at != processor.ready.begin() && !goes_before(*(at - 1))) --at;
-  processor.ready.insert(at, &thread);
+  processor.ready.add(thread);
   if (!control.announced) processor.arrived.push_back(&thread);
 }
 
@@ -60,7 +47,7 @@ void Levels::leave(Thread& thread) {
   level_of(thread).without_time = 0;
   Processor& processor = of(thread);
   if (processor.running != &thread) {
-    std::erase(processor.ready, &thread);
+    processor.ready.remove(thread);
     return;
   }
   assert(!processor.working);
@@ -78,7 +65,10 @@ void Levels::finish(Level& level) {
 
 void Levels::interrupt(Processor& processor) {
   Thread& thread = *processor.running;
-  if (processor.working) journal_.record(trace::Kind::stop, thread);
+  if (processor.working) {
+    journal_.record(trace::Kind::stop, thread);
+    level_of(thread).since = clock_.now;
+  }
   thread.control.announced = processor.working;
   thread.control.queue_key = --front_;
   processor.running = nullptr;
@@ -94,7 +84,12 @@ void Levels::start(Processor& processor, Thread& thread, std::vector<Doorbell*>&
   journal_.record(trace::Kind::start, thread);
   Level& level = level_of(thread);
   assert(level.work == nullptr || level.work == &thread);
-  if (level.work == nullptr) level.ticks = 0;
+  if (level.work == nullptr) {
+    level.ticks = 0;
+    level.interrupted = Time::zero();
+  } else {
+    level.interrupted += clock_.now - level.since;
+  }
   level.work = &thread;
   if (processor.looks_out != nullptr && processor.looks_out != &level)
     processor.looks_out->aside.store(true, std::memory_order_relaxed);
@@ -113,18 +108,13 @@ bool Levels::may_look_out(Level& level) {
 }
 
 void Levels::dispatch(Processor& processor, std::vector<Doorbell*>& called) {
-  std::vector<Thread*>& ready = processor.ready;
-  const auto first = [&ready]() -> Thread& {
-    Thread& thread = *ready.back();
-    ready.pop_back();
-    return thread;
-  };
+  ReadyQueue& ready = processor.ready;
   if (processor.running == nullptr) {
-    if (!ready.empty()) start(processor, first(), called);
+    if (!ready.empty()) start(processor, ready.take_first(), called);
   } else if (processor.spec->preemptive && !ready.empty() &&
-             ready.back()->control.spec->priority > processor.running->control.spec->priority) {
+             ready.first().control.spec->priority > processor.running->control.spec->priority) {
     interrupt(processor);
-    start(processor, first(), called);
+    start(processor, ready.take_first(), called);
   } else if (!processor.working) {
     start(processor, *processor.running, called);
   }

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "pal/runtime/thread.hpp"
+#include "runtime/executives/ready_queue.hpp"
 #include "runtime/executives/real_time/doorbell.hpp"
+#include "runtime/executives/real_time/look_out.hpp"
 #include "runtime/kernel/journal.hpp"
 
 namespace pal::runtime {
@@ -20,6 +22,7 @@ struct Level {
   int processor = 0;
   int priority = 0;  // of PAL; the greatest, where it is for all
   Doorbell bell;
+  LookOut look_out;
   bool waits = false;               // at its bell
   std::atomic<bool> aside = false;  // another level of its processor has work: it is not to poll
   Thread* work = nullptr;           // whose statement it has begun and not finished
@@ -27,6 +30,8 @@ struct Level {
   std::uint32_t inside = 0;         // statements since it came into the kernel
   std::uint32_t without_time = 0;   // statements since it waited or took time
   std::uint32_t ticks = 0;          // of the watchdog, while that statement had its processor
+  Time interrupted{};               // how long that statement was without its processor
+  Time since{};                     // when it lost its processor last
 };
 
 /// Gives processors to threads by the rules of docs/reference/execution-model.md, as the Scheduler of virtual
@@ -35,7 +40,7 @@ struct Level {
 class Levels {
  public:
   /// All outlive the levels.
-  Levels(Journal& journal, const Wiring& wiring);
+  Levels(const Clock& clock, Journal& journal, const Wiring& wiring);
 
   /// The thread has come to a statement that needs its processor.
   void need_processor(Thread& thread);
@@ -57,6 +62,10 @@ class Levels {
   bool has_processor(const Level& level) const {
     return level.work != nullptr && of(*level.work).running == level.work;
   }
+  /// How long the level's statement has been interrupted up to now.
+  Time interrupted(const Level& level) const {
+    return level.interrupted + (has_processor(level) ? Time::zero() : clock_.now - level.since);
+  }
   /// The level's statement is about to have its effect.
   void finish(Level& level);
   /// No level is at work.
@@ -66,10 +75,13 @@ class Levels {
 
  private:
   struct Processor {
-    const ProcessorSpec* spec = nullptr;
+    Processor(const ProcessorSpec& its, std::size_t threads) : spec(&its), ready(threads) {
+      arrived.reserve(2 * threads);
+    }
+    const ProcessorSpec* spec;
     Thread* running = nullptr;
     bool working = false;
-    std::vector<Thread*> ready;    // in their order: the last one goes first
+    ReadyQueue ready;
     std::vector<Thread*> arrived;  // became ready since the last dispatch
     bool changed = false;
     Level* looks_out = nullptr;
@@ -87,6 +99,7 @@ class Levels {
   void dispatch(Processor& processor, std::vector<Doorbell*>& called);
   void announce(Processor& processor);
 
+  const Clock& clock_;
   Journal& journal_;
   std::vector<Processor> processors_;
   std::deque<Level> levels_;

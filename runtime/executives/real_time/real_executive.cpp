@@ -29,8 +29,9 @@ RealExecutive::RealExecutive(Clock& clock, Journal& journal, World& world, const
       wiring_(wiring),
       options_(options),
       queue_(queue_room),
-      levels_(journal, wiring) {
+      levels_(clock, journal, wiring) {
   called_.reserve(levels_.all().size());
+  arriving_.reserve(wiring.channels.size());
   report_.statements.resize(wiring.statements.size());
 }
 
@@ -39,8 +40,18 @@ RealExecutive::RealExecutive(Clock& clock, Journal& journal, World& world, const
 Ticket RealExecutive::at(Time when, Due due) {
   static constexpr Event::Kind kinds[] = {Event::Kind::message_available, Event::Kind::wait_expired,
                                           Event::Kind::request_arrives};
-  if (when < timer_.until) wake(timer_);
-  return {queue_.push(when, kinds[static_cast<std::size_t>(due.kind)], due.subject)};
+  const std::uint64_t number = queue_.push(when, kinds[static_cast<std::size_t>(due.kind)], due.subject);
+  if (due.kind == Due::Kind::request_arrives && when <= now()) {
+    arriving_.push_back(number);
+  } else if (when < timer_.until) {
+    wake(timer_);
+  }
+  return {number};
+}
+
+void RealExecutive::cancel(Ticket ticket) {
+  std::erase(arriving_, ticket.number);
+  queue_.cancel(ticket.number);
 }
 
 Ticket RealExecutive::at(Time when, int device, std::function<void()> action) {
@@ -78,7 +89,23 @@ void RealExecutive::advance_world() {
 /// them.
 void RealExecutive::go_on() {
   kernel_->settle();
+  if (!arriving_.empty()) let_arrive();
   if (!journal_.over()) levels_.dispatch(called_);
+}
+
+/// A request reaches its device at the instant at which it was put: the thread that asks hands it over. The
+/// thread that keeps time would come later. What was due before goes before.
+void RealExecutive::let_arrive() {
+  while (!arriving_.empty() && !journal_.over()) {
+    happen(pop());
+    kernel_->settle();
+  }
+}
+
+Event RealExecutive::pop() {
+  const Event event = queue_.pop();
+  if (!arriving_.empty()) std::erase(arriving_, event.order);
+  return event;
 }
 
 /// The level's next statement follows without leaving the kernel, unless a thread is to be woken or it has
@@ -128,10 +155,12 @@ void RealExecutive::exit() {
 void RealExecutive::sleep(Level& level) {
   level.waits = true;
   level.inside = 0;
-  const bool looks_out = looks_out_ && levels_.may_look_out(level);
+  // No other work takes the CPU of a thread of SCHED_FIFO: it polls each time.
+  const bool may = looks_out_ && (top_priority_.has_value() || level.look_out.pays());
+  const bool looks_out = may && levels_.may_look_out(level);
   exit();
   if (looks_out) {
-    level.bell.look_out(monotonic_now() + options_.real_time->look_out, level.aside);
+    level.look_out.polled(level.bell.look_out(monotonic_now() + options_.real_time->look_out, level.aside));
     level.aside.store(true, std::memory_order_relaxed);
   }
   level.bell.wait();
@@ -207,8 +236,8 @@ bool RealExecutive::goes_round(Level& level) const {
   return ++level.without_time > most_statements_without_time;
 }
 
-/// What was written by hand, outside the kernel. Of a statement without it nothing is measured: reading the
-/// processor time may take longer than the statement.
+/// What was written by hand, outside the kernel: for how long it has held its processor. Of a statement
+/// without it nothing is measured, because reading the processor time may take longer than the statement.
 Time RealExecutive::compute(Level& level) {
   Thread& thread = *level.work;
   const int statement = thread.control.operation->statement();
@@ -218,20 +247,22 @@ Time RealExecutive::compute(Level& level) {
     note(statement, Time::zero());
     return Time::zero();
   }
+  const Time interrupted_before = levels_.interrupted(level);
   exit();
-  const Time begun = thread_time();
   std::string thrown;
   bool threw = false;
+  HeldTime time;
   try {
     thread.control.operation->compute();
   } catch (...) {
     threw = true;
     thrown = what_was_thrown();
   }
-  const Time used = thread_time() - begun;
-  if (!threw && options_.work != nullptr) options_.work->worked(statement, used);
+  time.end();
   enter();
+  const Time used = time.held(levels_.interrupted(level) - interrupted_before);
   note(statement, used);
+  if (!threw && options_.work != nullptr) options_.work->worked(statement, used);
   if (threw) journal_.fail(thread, thrown);
   return used;
 }
@@ -251,7 +282,7 @@ void RealExecutive::keep_time() {
     if (promised <= now()) {
       kernel_->overdue();
     } else if (next <= now()) {
-      happen(queue_.pop());
+      happen(pop());
       exit();  // others may come in between
       enter();
     } else if (now() >= options_.horizon) {

@@ -42,7 +42,7 @@ class RealExecutive final : public Executive {
   void leave(Thread& thread) override { levels_.leave(thread); }
   Ticket at(Time when, Due due) override;
   Ticket at(Time when, int device, std::function<void()> action) override;
-  void cancel(Ticket ticket) override { queue_.cancel(ticket.number); }
+  void cancel(Ticket ticket) override;
   /// Called from outside the run, it returns after the action was called.
   void post(int device, std::function<void()> action) override;
 
@@ -67,6 +67,8 @@ class RealExecutive final : public Executive {
   void enter();
   void exit();
   void go_on();
+  void let_arrive();
+  Event pop();
   void go_on_inside(Level& level);
   void sleep(Level& level);
   void sleep(Alarm& alarm, Time until);
@@ -96,6 +98,7 @@ class RealExecutive final : public Executive {
   Kernel* kernel_ = nullptr;
   KernelLock lock_;
   EventQueue queue_;
+  std::vector<std::uint64_t> arriving_;  // of the queue: requests that reach their devices now
   Levels levels_;
   std::vector<Doorbell*> called_;  // are to be rung when the kernel is free
   Alarm timer_, world_alarm_;

@@ -121,8 +121,9 @@ TEST_CASE("events that go to the disk are those of the run") {
 TEST_CASE("the order that reads first presses harder, by what the ages predict") {
   const auto corrected = generated(false), read_first = generated(true);
   const int count = 14;
-  const auto first = sweep(*corrected, session(), count);
-  const auto second = sweep(*read_first, session(), count);
+  const SweepSubject subject{"approach-speed", "threshold", "pc-force", {{"SM1", "TXM( motion to MC1 )", 0}}};
+  const auto first = sweep(*corrected, subject, session(), count);
+  const auto second = sweep(*read_first, subject, session(), count);
   const Comparison comparison = compare(first, second, session().scene, 20).value();
   CAPTURE(describe(comparison, "corrected", "read first"));
   CHECK(comparison.pairs == count);

@@ -11,7 +11,6 @@ using namespace pal::analyzer;
 
 namespace {
 
-constexpr Nanoseconds ms = 1'000'000;
 
 /// Weighs once: the answer comes within 100 ms, and is waited for in this way.
 std::string weighing(const std::string& wait, const std::string& never) {
@@ -56,13 +55,13 @@ const char* const endless = "\n  TXM( Completion Protocol 0 )";
 TEST_CASE("a wait gives up only if its device may not answer") {
   const auto sure = test::sound_skill(weighing(limited, ""));
   const Analysis answered = analyze_exactly(*sure->problem);
-  CHECK(answered.verdicts[0].bound == Duration(100 * ms));
+  CHECK(answered.verdicts[0].bound == Duration(100 * 1'000'000));
   CHECK(answered.verdicts[1].state == VerdictState::never);
   const auto unsure = test::sound_skill(weighing(limited, " OR NEVER"));
   const Analysis unanswered = analyze_exactly(*unsure->problem);
-  CHECK(unanswered.verdicts[0].bound == Duration(100 * ms));
+  CHECK(unanswered.verdicts[0].bound == Duration(100 * 1'000'000));
   CHECK(unanswered.verdicts[1].state == VerdictState::holds);
-  CHECK(unanswered.verdicts[1].bound == Duration(150 * ms));
+  CHECK(unanswered.verdicts[1].bound == Duration(150 * 1'000'000));
   CHECK(unanswered.verdicts[1].exact);
   CHECK(unanswered.verdicts[2].state == VerdictState::holds);  // no answer is no loss
   CHECK(unanswered.verdicts[2].bound == Duration(0));
@@ -95,8 +94,8 @@ TEST_CASE("the simulation makes runs in which the device answers and runs in whi
     how.seed = seed;
     const Simulation run = simulate(machine, how);
     REQUIRE(run.ended);
-    early = early || run.end == 100 * ms;
-    late = late || run.end == 150 * ms;
+    early = early || run.end == 100 * 1'000'000;
+    late = late || run.end == 150 * 1'000'000;
   }
   CHECK(early);
   CHECK(late);

@@ -39,7 +39,7 @@ Cell pressing_cell() {
   force.high = 40;
   location.name = "location";
   location.type = pan::ScalarType::text;
-  location.description = "location to go to";
+  location.location = true;
   location.default_text = "HOME";
   skills["press"].name = "press";
   skills["press"].parameters = {force};

@@ -2,6 +2,7 @@
 #include "pal/runtime/measurement.hpp"
 
 #include <catch2/catch.hpp>
+#include <semaphore>
 #include <thread>
 
 #include "tests/run/support/bench.hpp"
@@ -187,4 +188,35 @@ TEST_CASE("a run tells its observers of devices and of code written by hand") {
   CHECK_THAT(text, Catch::Contains("  TIME work OF ") && Catch::Contains("  # 3 times\n"));
   // A signal is not written by hand.
   CHECK_THAT(text, !Catch::Contains("\n  COST "));
+}
+
+TEST_CASE("code that waits holds its processor for as long as it waits") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  const int act = skill.statement("act", 1ms), end = skill.statement("end", 1ms);
+  std::binary_semaphore begun(0), released(0);
+  std::thread other([&] {
+    begun.acquire();
+    const auto from = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - from < 30ms) continue;
+    released.release();
+  });
+  skill.thread("A", p, 1, [&](runtime::Thread& t) -> runtime::Task {
+    co_await t.perform(act, [&] {
+      begun.release();
+      released.acquire();
+    });
+    co_await t.complete(end, 0);
+  });
+  struct Work final : runtime::WorkObserver {
+    void worked(int statement, Time time) override {
+      if (statement == 0) greatest = time;
+    }
+    Time greatest{};
+  } work;
+  runtime::RunOptions options;
+  options.work = &work;
+  CHECK(run(skill, {}, options).code == 0);
+  other.join();
+  CHECK(work.greatest >= 30ms);
 }

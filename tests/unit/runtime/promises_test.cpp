@@ -25,8 +25,8 @@ using Measure = RequirementSpec::Measure;
 namespace {
 
 // A asks the sensor for x, three times. The sensor promises 2 to 3 ms, and takes what the test says.
-struct Asker {
-  Asker() {
+struct PromisedAsker {
+  PromisedAsker() {
     const int p = skill.processor("P");
     skill.devices = {"sensor"};
     skill.times = {{.behaviour = Behaviour::on_request, .answer = {2ms, 3ms}}};
@@ -72,7 +72,7 @@ struct Asker {
 }  // namespace
 
 TEST_CASE("a device that keeps its promise to the nanosecond breaks none") {
-  Asker asker;
+  PromisedAsker asker;
   const auto outcome = asker.go(OnBrokenPromise::stop);
   CHECK(outcome.code == 0);
   CHECK(outcome.broken_promises.empty());
@@ -81,7 +81,7 @@ TEST_CASE("a device that keeps its promise to the nanosecond breaks none") {
 
 TEST_CASE(
     "an answer that comes late is noted when it is due, with what it endangers, and the skill goes on") {
-  Asker asker;
+  PromisedAsker asker;
   asker.answer_times = {3ms, 400ms, 5ms};
   const auto outcome = asker.go();
   CHECK(outcome.code == 0);
@@ -103,7 +103,7 @@ TEST_CASE(
 }
 
 TEST_CASE("an answer that comes too soon is another promise") {
-  Asker asker;
+  PromisedAsker asker;
   asker.answer_times = {2ms - 1ns, 3ms, 3ms + 1ns};
   const auto outcome = asker.go();
   REQUIRE(outcome.broken_promises.size() == 2);
@@ -114,7 +114,7 @@ TEST_CASE("an answer that comes too soon is another promise") {
 
 TEST_CASE(
     "policy stop: the skill ends with its error completion when the promise is broken, devices closed") {
-  Asker asker;
+  PromisedAsker asker;
   asker.answer_times = {3ms, 400ms, 5ms};
   const auto outcome = asker.go(OnBrokenPromise::stop);
   CHECK(outcome.fault);
@@ -127,7 +127,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a device that never answers is noted when its time is over") {
-  Asker asker;
+  PromisedAsker asker;
   asker.answer_times.clear();
   const auto outcome = asker.go();
   CHECK(outcome.fault);
@@ -137,7 +137,7 @@ TEST_CASE("a device that never answers is noted when its time is over") {
 }
 
 TEST_CASE("policy contingency: the skill is told once, and leads itself to its contingency") {
-  Asker asker;
+  PromisedAsker asker;
   asker.answer_times = {2ms, 400ms, 2ms, 2ms};
   bool broken = false;
   std::vector<std::string> told;
@@ -165,7 +165,7 @@ TEST_CASE("policy contingency: the skill is told once, and leads itself to its c
 }
 
 TEST_CASE("policy contingency: a skill that has no answer, or throws, is stopped") {
-  Asker asker;
+  PromisedAsker asker;
   asker.answer_times = {5ms, 5ms, 5ms};
   std::string why;
   SECTION("none") {
@@ -182,7 +182,7 @@ TEST_CASE("policy contingency: a skill that has no answer, or throws, is stopped
 }
 
 TEST_CASE("a statement that takes longer than its worst is noted with its line") {
-  Asker asker;
+  PromisedAsker asker;
   runtime::RunOptions options;
   options.slow = {{"M", 2, 40ms, 3ms}};  // the second line: receive
   const auto outcome = run(asker.skill, {&asker.sensor}, options);

@@ -5,9 +5,12 @@
 
 #include <atomic>
 #include <functional>
+#include <semaphore>
 #include <thread>
 
+#include "pal/runtime/measurement.hpp"
 #include "pal/runtime/run_control.hpp"
+#include "runtime/executives/real_time/look_out.hpp"
 #include "tests/run/support/allocation_count.hpp"
 #include "tests/run/support/bench.hpp"
 
@@ -29,8 +32,8 @@ RunOptions real_time() {
 
 // CLIENT asks SERVER `rounds` times; each has a processor of its own, unless `together`. WITNESS, which is
 // more urgent, is told of every round.
-struct Talk {
-  explicit Talk(int rounds, bool together = false) {
+struct TalkInRealTime {
+  explicit TalkInRealTime(int rounds, bool together = false) {
     const int p = skill.processor("P");
     const int q = together ? p : skill.processor("Q");
     const int request = skill.channel("CLIENT", "request x", "SERVER");
@@ -98,8 +101,8 @@ ScriptedDevice sensor() {
 }
 
 // A asks the sensor for x and ends; with code 1 if there is no answer within 20 ms.
-struct Asker {
-  explicit Asker(bool within = false) {
+struct AskerInRealTime {
+  explicit AskerInRealTime(bool within = false) {
     const int p = skill.processor("P");
     skill.devices = {"sensor"};
     const int request = skill.channel("A", "request x", "sensor");
@@ -133,7 +136,7 @@ struct Asker {
 
 TEST_CASE("real time: where causes fix the order, messages come as in virtual time") {
   const bool together = GENERATE(false, true);
-  Talk in_virtual_time(200, true), in_real_time(200, together);
+  TalkInRealTime in_virtual_time(200, true), in_real_time(200, together);
   if (!together) {  // the witness hears of a round at any time of the next one
     in_virtual_time.skill.threads[2].priority = in_real_time.skill.threads[2].priority = 3;
     in_virtual_time.skill.threads[0].processor = 0;
@@ -218,7 +221,7 @@ TEST_CASE("real time: a processor that is not preemptive interrupts no thread") 
 }
 
 TEST_CASE("real time: an exception of an activity or a device ends the skill, devices closed") {
-  Asker asker;
+  AskerInRealTime asker;
   ScriptedDevice device = sensor();
   std::string place;
   SECTION("an activity") {
@@ -251,13 +254,13 @@ TEST_CASE("real time: an exception of an activity or a device ends the skill, de
 TEST_CASE("real time: WITHIN, or the run's limit, gives up a device that never answers") {
   ScriptedDevice device = sensor();
   SECTION("WITHIN") {
-    Asker asker(true);
+    AskerInRealTime asker(true);
     const auto outcome = run(asker.skill, {&device}, real_time());
     CHECK_FALSE(outcome.fault);
     CHECK(outcome.code == 1);
   }
   SECTION("the limit") {
-    Asker asker;
+    AskerInRealTime asker;
     auto options = real_time();
     options.horizon = 200ms;  // long before, A waits: also on busy processors
     const auto outcome = run(asker.skill, {&device}, options);
@@ -268,7 +271,7 @@ TEST_CASE("real time: WITHIN, or the run's limit, gives up a device that never a
 }
 
 TEST_CASE("real time: a device with a thread of its own posts into the run") {
-  Asker asker;
+  AskerInRealTime asker;
   ScriptedDevice device = sensor();
   std::thread own;
   device.on_receive = [&own](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
@@ -280,7 +283,7 @@ TEST_CASE("real time: a device with a thread of its own posts into the run") {
 }
 
 TEST_CASE("real time: a stop from another thread ends the skill") {
-  Asker asker;
+  AskerInRealTime asker;
   ScriptedDevice device = sensor();
   runtime::RunControl control;
   auto options = real_time();
@@ -311,7 +314,7 @@ TEST_CASE("real time: a stop from another thread ends the skill") {
 }
 
 TEST_CASE("real time: a run cannot be held, says so, and goes on") {
-  Asker asker(true);
+  AskerInRealTime asker(true);
   ScriptedDevice device = sensor();
   runtime::RunControl control;
   auto options = real_time();
@@ -367,7 +370,7 @@ TEST_CASE("real time: an exception of the world ends the skill") {
     std::atomic<int> steps = 0;
     bool breaks = false;
   } world;
-  Asker asker;
+  AskerInRealTime asker;
   asker.work = [&world] {
     while (world.steps < 10 && !world.breaks) continue;
   };
@@ -383,7 +386,7 @@ TEST_CASE("real time: an exception of the world ends the skill") {
 }
 
 TEST_CASE("real time: nothing is allocated between the first and the last message") {
-  Talk talk(500);
+  TalkInRealTime talk(500);
   talk.first = [] {
     reset_allocations();
     count_allocations(true);
@@ -419,11 +422,160 @@ TEST_CASE("real time: a world that only advances is driven") {
 }
 
 TEST_CASE("real time: threads of the system have names") {
-  Talk talk(1);
+  TalkInRealTime talk(1);
   std::array<char, 16> name{};
   talk.first = [&name] { ::pthread_getname_np(::pthread_self(), name.data(), name.size()); };
   NoWorld world;
   const auto outcome = runtime::Dispatcher({}, world).run(talk.skill, {}, real_time());
   CHECK_FALSE(outcome.fault);
   CHECK(std::string(name.data()) == "P 1");
+}
+
+TEST_CASE("real time: a request reaches an idle device at the instant at which it was put") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  skill.devices = {"sensor"};
+  const int request = skill.channel("A", "request x", "sensor");
+  skill.channels.back().to_device = true;
+  const int x = skill.channel("sensor", "x", "A");
+  skill.channels.back().from_device = true;
+  skill.channels.front().answer = x;
+  const int send = skill.statement("send", 1s), receive = skill.statement("receive", 1s);
+  skill.thread("A", p, 1, [=](Thread& t) -> Task {
+    for (int i = 0; i < 50; ++i) {
+      co_await t.send(send, request);
+      co_await t.wait(receive, from(x));
+    }
+    co_await t.complete(send, 0);
+  });
+  const bool says_when_busy = GENERATE(true, false);
+  ScriptedDevice device = sensor();
+  device.on_receive = [&](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+    if (says_when_busy) host.mark_busy(true);
+    host.at(host.now() + 50us, [&host, says_when_busy] {
+      if (says_when_busy) host.mark_busy(false);
+      host.deliver(1, {});
+    });
+  };
+  struct Handed final : runtime::MessageObserver {
+    void passed(runtime::Time when, const runtime::Device&, std::size_t port,
+                std::span<const double>) override {
+      if (port == 0) at.push_back(when.count());
+    }
+    std::vector<std::int64_t> at;
+  } handed;
+  auto options = real_time();
+  options.observer = &handed;
+  const auto outcome = run(skill, {&device}, options);
+  CHECK(outcome.code == 0);
+  std::vector<std::int64_t> put, taken;
+  for (const trace::Event& event : outcome.trace.events) {
+    if (event.subject != request) continue;
+    if (event.kind == trace::Kind::put) put.push_back(event.time_ns);
+    if (event.kind == trace::Kind::take) taken.push_back(event.time_ns);
+  }
+  CHECK(put.size() == 50);
+  CHECK(handed.at == put);
+  if (says_when_busy) CHECK(taken == put);
+}
+
+TEST_CASE("real time: an activity that waits holds its processor, and is late") {
+  Asker asker;
+  asker.skill.times = {{}};
+  std::binary_semaphore begun(0), released(0);
+  asker.work = [&] {
+    begun.release();
+    released.acquire();  // longer than the millisecond that it may take
+  };
+  ScriptedDevice device = sensor();
+  device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+    host.deliver(1, {});
+  };
+  std::thread other([&] {
+    begun.acquire();
+    const auto from = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - from < 30ms) continue;
+    released.release();
+  });
+  runtime::Measurement measurement(asker.skill.wiring());
+  measurement.begin_run();
+  auto options = real_time();
+  options.work = &measurement;
+  const auto outcome = run(asker.skill, {&device}, options);
+  other.join();
+  CHECK(outcome.code == 0);
+  CHECK(outcome.real_time->statements[0].late == 1);
+  REQUIRE(outcome.broken_promises.size() == 1);
+  CHECK(outcome.broken_promises[0].promise == "act of M (written.pal:1) takes at most 1 ms");
+  CHECK(outcome.broken_promises[0].measured > 1ms);
+  const std::string text = measurement.environment();
+  CHECK(text.find("  TIME act OF M : " + runtime::in_words(outcome.broken_promises[0].measured) + "  # 1 time") !=
+        std::string::npos);
+}
+
+TEST_CASE("real time: what a more urgent thread takes is no part of an activity that waits") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  skill.devices = {"sensor"};
+  const int x = skill.channel("sensor", "x", "HIGH");
+  skill.channels.back().from_device = true;
+  const int wait = skill.statement("wait", 4s), receive = skill.statement("receive", 1s);
+  const int work = skill.statement("work", 4s), end = skill.statement("end", 1s);
+  ScriptedDevice device("sensor", {{"x", false, {}}});
+  std::binary_semaphore begun(0), done(0);
+  std::thread ring;
+  device.on_open = [&](runtime::DeviceHost& host) {
+    ring = std::thread([&] {
+      begun.acquire();
+      host.post([&host] { host.deliver(0, {}); });
+    });
+  };
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point low_begun, low_ended, high_begun, high_ended;
+  skill.thread("LOW", p, 1, [&](Thread& t) -> Task {
+    co_await t.perform(wait, [&] {
+      low_begun = Clock::now();
+      begun.release();
+      done.acquire();
+      low_ended = Clock::now();
+    });
+    co_await t.complete(end, 0);
+  });
+  skill.thread("HIGH", p, 2, [&](Thread& t) -> Task {
+    co_await t.wait(receive, from(x));
+    co_await t.perform(work, [&] {
+      high_begun = Clock::now();
+      while (Clock::now() - high_begun < 20ms) continue;
+      high_ended = Clock::now();
+    });
+    co_await t.perform(work, [&] { done.release(); });
+  });
+  const auto outcome = run(skill, {&device}, real_time());
+  ring.join();
+  CHECK(outcome.code == 0);
+  const auto& times = outcome.real_time->statements[static_cast<std::size_t>(wait)];
+  CHECK(times.count == 1);
+  CHECK(times.greatest < (low_ended - low_begun) - (high_ended - high_begun));
+}
+
+TEST_CASE("real time: polling that was in vain is tried again after more and more waits") {
+  runtime::LookOut look_out;
+  const auto sleeps = [&look_out] {
+    int waits = 0;
+    while (!look_out.pays()) ++waits;
+    return waits;
+  };
+  CHECK(sleeps() == 0);
+  for (const int waits : {16, 32, 64}) {
+    look_out.polled(false);
+    CHECK(sleeps() == waits);
+  }
+  for (int i = 0; i < 63; ++i) look_out.polled(true);
+  look_out.polled(false);
+  CHECK(sleeps() == 128);
+  for (int i = 0; i < 5 * 64; ++i) look_out.polled(true);
+  look_out.polled(false);
+  CHECK(sleeps() == 16);
+  for (int i = 0; i < 40; ++i) look_out.polled(false);
+  CHECK(sleeps() == 4096);
 }

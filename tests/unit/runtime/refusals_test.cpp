@@ -76,8 +76,8 @@ struct Named : runtime::Device {
 };
 
 // A asks the sensor for x and ends.
-struct Asker {
-  Asker() {
+struct RefusedAsker {
+  RefusedAsker() {
     const int p = skill.processor("P");
     skill.devices = {"sensor"};
     request = skill.channel("A", "request x", "sensor");
@@ -104,7 +104,7 @@ TEST_CASE("nothing that a device throws leaves a run, and the device is closed")
   using Where = Thrower::Where;
   for (const Where where : {Where::attach, Where::open, Where::receive, Where::action, Where::close}) {
     CAPTURE(static_cast<int>(where));
-    Asker asker;
+    RefusedAsker asker;
     Thrower sensor(where);
     const auto outcome = run(asker.skill, {&sensor});
     CHECK(outcome.fault);
@@ -121,7 +121,7 @@ TEST_CASE("only devices that were attached are closed, whatever they throw") {
       return Named::name();
     }
   };
-  Asker asker;
+  RefusedAsker asker;
   asker.skill.devices = {"first", "sensor", "last"};
   Nameless first("first");
   Thrower sensor(Thrower::Where::attach);
@@ -146,7 +146,7 @@ TEST_CASE("only devices that were attached are closed, whatever they throw") {
 }
 
 TEST_CASE("a part that is null, and times that are nothing or without end, are refused with words") {
-  Asker asker;
+  RefusedAsker asker;
   Thrower sensor(Thrower::Where::nowhere);
   const auto reason = [&](const std::function<void(runtime::RunOptions&)>& change) {
     runtime::RunOptions options;
@@ -180,7 +180,7 @@ TEST_CASE("a world whose time goes back, or runs ahead, ends the skill") {
   const auto [by, why] = GENERATE(std::pair{-2ms, "the world: wait_until() goes back, from 0 ns to -1 ms"},
                                   std::pair{1ms, "the world: wait_until() goes beyond 1 ms, to 2 ms"});
   Odd world(by);
-  Asker asker;
+  RefusedAsker asker;
   Thrower sensor(Thrower::Where::nowhere);
   runtime::Device* devices[] = {&sensor};
   const auto outcome = runtime::Dispatcher(devices, world).run(asker.skill);
@@ -194,7 +194,7 @@ TEST_CASE("nothing that the world throws leaves a run") {
       if (when > 0ms) throw "an earthquake";
     }
   } world;
-  Asker asker;
+  RefusedAsker asker;
   Thrower sensor(Thrower::Where::nowhere);
   runtime::Device* devices[] = {&sensor};
   const auto outcome = runtime::Dispatcher(devices, world).run(asker.skill);
@@ -204,7 +204,7 @@ TEST_CASE("nothing that the world throws leaves a run") {
 }
 
 TEST_CASE("a run that is begun inside a device is refused, and the outer one goes on") {
-  Asker outer, inner;
+  RefusedAsker outer, inner;
   Thrower sensor(Thrower::Where::nowhere);
   NoWorld world;
   runtime::Device* devices[] = {&sensor};
@@ -246,7 +246,7 @@ TEST_CASE("a stop before any event ends the skill there, with its devices closed
       runtime::RunControl control;
     } world;
     world.left = at;
-    Asker asker;
+    RefusedAsker asker;
     Thrower sensor(Thrower::Where::nowhere);
     runtime::Device* devices[] = {&sensor};
     runtime::RunOptions options;
@@ -261,7 +261,7 @@ TEST_CASE("a stop before any event ends the skill there, with its devices closed
 }
 
 TEST_CASE("a thread without a body is an error of the skill, not a crash") {
-  Asker asker;
+  RefusedAsker asker;
   asker.skill.thread("B", 0, 1, [](Thread&) { return Task(); });
   Thrower sensor(Thrower::Where::nowhere);
   const auto outcome = run(asker.skill, {&sensor});

@@ -18,7 +18,7 @@ std::size_t count(const std::string& text, const std::string& what) {
 
 /// Two figures of 2 and 3 values, one skill, one requirement: it holds, fails, is undecided, never, not
 /// checked.
-Table sample() {
+Table table_of_two() {
   Table table;
   table.study.title = "a \"study\" | with, marks";
   table.study.figures = {{"period", {{"5 ms", {}}, {"10 ms", {}}}, 0},
@@ -48,7 +48,7 @@ Table sample() {
 
 TEST_CASE("a table as CSV") {
   std::ostringstream out;
-  write_csv(sample(), out);
+  write_csv(table_of_two(), out);
   CHECK(out.str() ==
         "point,skill,environment,period,\"who, "
         "first\",requirement,measure,verdict,limit_ns,bound_ns,attained_ns,"
@@ -63,7 +63,7 @@ TEST_CASE("a table as CSV") {
 
 TEST_CASE("a table as JSON says the same") {
   std::ostringstream out;
-  write_json(sample(), out);
+  write_json(table_of_two(), out);
   const auto document = nlohmann::json::parse(out.str());
   CHECK(document.at("title") == "a \"study\" | with, marks");
   CHECK(document.at("figures").at(1).at("values") == nlohmann::json::array({"a", "b", "c"}));
@@ -77,7 +77,7 @@ TEST_CASE("a table as JSON says the same") {
 
 TEST_CASE("a summary counts proofs by their worst verdict, and nothing that is not proved as good") {
   std::ostringstream out;
-  write_summary(sample(), out);
+  write_summary(table_of_two(), out);
   const std::string text = out.str();
   CHECK(text.find("# a \"study\" \\| with, marks\n\n6 proofs, 6 verdicts.") == 0);
   CHECK(text.find("| skill in cell | 2 | 1 | 1 | 1 | 1 |") != std::string::npos);
@@ -104,7 +104,7 @@ TEST_CASE("slack of a least value is what it lies above its limit") {
 }
 
 TEST_CASE("a map has a field for each pair of values, in the colour of its worst verdict, and a border") {
-  const std::string map = draw(sample(), sample().study.plots[1]);
+  const std::string map = draw(table_of_two(), table_of_two().study.plots[1]);
   // Two fields hold; the legend has one more of each kind.
   CHECK(count(map, "class=\"field holds\"") == 2);
   CHECK(count(map, "class=\"field fails\"") == 1);
@@ -115,7 +115,7 @@ TEST_CASE("a map has a field for each pair of values, in the colour of its worst
   CHECK(map.find("period = 5 ms, who, first = b: fails") != std::string::npos);
 
   // With all alike there is no border.
-  Table table = sample();
+  Table table = table_of_two();
   for (Row& row : table.rows) row.outcome = Outcome::holds;
   CHECK(count(draw(table, table.study.plots[1]), "class=\"border\"") == 0);
   // A field without a row is not green.
@@ -124,10 +124,10 @@ TEST_CASE("a map has a field for each pair of values, in the colour of its worst
 }
 
 TEST_CASE("a plot of slack shows the least of each value, and marks what has none") {
-  const std::string plot = draw(sample(), sample().study.plots[0]);
+  const std::string plot = draw(table_of_two(), table_of_two().study.plots[0]);
   // Where something else is not known, the least slack is not drawn, and the axis does not go there.
   CHECK(plot.find("class=\"late\"") == std::string::npos);
-  Table known = sample();
+  Table known = table_of_two();
   known.rows[2].outcome = Outcome::holds;
   known.rows[2].bound = 8'000'000;
   CHECK(draw(known, known.study.plots[0]).find("class=\"late\"") != std::string::npos);

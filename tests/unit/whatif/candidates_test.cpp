@@ -14,8 +14,12 @@ using namespace pal::analyzer::whatif;
 
 namespace {
 
-bool proposes(const std::vector<ChangeTexts>& all, const ChangeTexts& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
+bool proposes(const std::vector<Changes>& all, const std::vector<std::string>& one) {
+  return std::any_of(all.begin(), all.end(), [&](const Changes& changes) {
+    return std::equal(
+        changes.begin(), changes.end(), one.begin(), one.end(),
+        [](const Change& change, const std::string& as_text) { return text(change) == as_text; });
+  });
 }
 
 }  // namespace
@@ -47,12 +51,11 @@ TEST_CASE("a free processor is used before one is added, and a lone thread does 
 
 TEST_CASE("every change that is proposed can be made") {
   const auto skill = test::sound_skill(test::two_chains("6 ms"));
-  for (const ChangeTexts& texts :
-       candidates_for(*skill->problem, skill->specification.environments.front())) {
+  for (const Changes& changes : candidates_for(*skill->problem, skill->specification.environments.front())) {
     pan::Environment environment = skill->specification.environments.front();
-    for (const std::string& text : texts) {
-      INFO(text);
-      CHECK(change(environment, text).empty());
+    for (const Change& each : changes) {
+      INFO(text(each));
+      CHECK(change(environment, text(each)).empty());
     }
     Diagnostics diagnostics;
     CHECK(make_problem(skill->specification.skills.front(), environment, diagnostics));

@@ -20,7 +20,7 @@ Remedies remedies_of(const test::Skill& skill, const RemedyOptions& how = {}) {
 std::vector<std::string> changes_of(const Remedies& remedies, const Remedy& remedy) {
   std::vector<std::string> all;
   for (const CandidateId id : remedy.made) {
-    for (const std::string& text : remedies.candidates[id.index()].changes) all.push_back(text);
+    for (const Change& each : remedies.candidates[id.index()].changes) all.push_back(text(each));
   }
   return all;
 }

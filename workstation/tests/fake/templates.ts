@@ -14,9 +14,9 @@ export function templates(folder: string): Skill[] {
     const block = /^SKILL (\S+)\n([\s\S]*?)^END SKILL/m.exec(readFileSync(file, "utf8"));
     if (!block) continue;
     const [, skill, body] = block as unknown as [string, string, string];
-    const parameters = [...body.matchAll(/PARAMETER (\S+)\s*:\s*(REAL|INTEGER|BOOLEAN|TEXT)\s*(\S*?)\s*DEFAULT\s+("[^"]*"|\S+)(?:\s+RANGE\s+(\S+)\s+TO\s+(\S+))?\s+"([^"]*)"/g)].map((p) => ({
-      name: p[1]!, type: p[2]!.toLowerCase() as "real", unit: p[3]!, description: p[7]!, location: /location/.test(p[1]!),
-      default: p[2] === "BOOLEAN" ? p[4] === "TRUE" : p[2] === "TEXT" ? p[4]!.replaceAll('"', "") : Number(p[4]),
+    const parameters = [...body.matchAll(/PARAMETER (\S+)\s*:\s*(REAL|INTEGER|BOOLEAN|TEXT|LOCATION)\s*(\S*?)\s*DEFAULT\s+("[^"]*"|\S+)(?:\s+RANGE\s+(\S+)\s+TO\s+(\S+))?\s+"([^"]*)"/g)].map((p) => ({
+      name: p[1]!, type: (p[2] === "LOCATION" ? "text" : p[2]!.toLowerCase()) as "real", unit: p[3]!, description: p[7]!, location: p[2] === "LOCATION",
+      default: p[2] === "BOOLEAN" ? p[4] === "TRUE" : p[2] === "TEXT" || p[2] === "LOCATION" ? p[4]!.replaceAll('"', "") : Number(p[4]),
       ...(p[5] === undefined ? {} : { low: Number(p[5]), high: Number(p[6]) }),
     }));
     const completions = [...body.matchAll(/COMPLETION (\d+)\s+(NORMAL|CONTINGENCY|ERROR)(?:\s+(\d+))?\s+"([^"]*)"/g)].map((c) => ({

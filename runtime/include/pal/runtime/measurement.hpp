@@ -30,8 +30,9 @@ class Extremes {
 
 /// Give it to runs of one skill, one after the other, as both of their observers.
 ///
-/// Two things are measured, by two clocks. For hand-written code: processor time of this computer, whatever
-/// time the skill runs in. For devices: time of the run. A device's answer counts from when the device was
+/// Two things are measured, by two clocks. For hand-written code: how long it held a processor of this
+/// computer, whatever time the skill runs in. That is its processor time; if it slept or waited, the time on
+/// the wall. For devices: time of the run. A device's answer counts from when the device was
 /// given the request, or from its last answer if that came later. Of answers at one instant the first counts.
 /// A message without a request counts from the last such message.
 class Measurement final : public MessageObserver, public WorkObserver {

@@ -23,9 +23,9 @@ class WorkObserver {
  public:
   virtual ~WorkObserver() = default;
 
-  /// The hand-written code of statement `statement` of the wiring has taken `time` of a processor of this
-  /// computer. Called by the thread that ran it; in real time several threads call it at once. Must not
-  /// throw, and changes nothing.
+  /// The hand-written code of statement `statement` of the wiring has held a processor of this computer for
+  /// `time`: its processor time, or by the wall if it slept or waited. Called by the thread that ran it; in
+  /// real time several threads call it. Must not throw, and changes nothing.
   virtual void worked(int statement, Time time) = 0;
 };
 

@@ -231,10 +231,11 @@ Target from(int channel, Message& message) {
 /// WTM in all its forms. Awaiting gives the index of the target that a message was taken for, or -1: gave up.
 class WaitOperation : public Operation {
  public:
-  WaitOperation(Thread& thread, int statement, std::optional<Time> within)
-      : Operation(thread, statement), within_(within) {}
+  /// `targets` outlive the wait.
+  WaitOperation(Thread& thread, int statement, std::optional<Time> within, std::span<const Target> targets)
+      : Operation(thread, statement), within_(within), targets_(targets) {}
 
-  virtual std::span<const Target> targets() const = 0;
+  std::span<const Target> targets() const { return targets_; }
   const std::optional<Time>& within() const { return within_; }
 
   void reach() final;
@@ -250,14 +251,14 @@ class WaitOperation : public Operation {
 
  private:
   std::optional<Time> within_;
+  std::span<const Target> targets_;
 };
 
 template <std::size_t count>
 class Wait final : public WaitOperation {
  public:
   Wait(Thread& thread, int statement, std::optional<Time> within, std::array<Target, count> targets)
-      : WaitOperation(thread, statement, within), targets_(targets) {}
-  std::span<const Target> targets() const override { return targets_; }
+      : WaitOperation(thread, statement, within, targets_), targets_(targets) {}
 
  private:
   std::array<Target, count> targets_;

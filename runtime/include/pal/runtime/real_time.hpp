@@ -21,7 +21,7 @@ struct RealTime {
   bool lock_memory = true;
   /// A thread that waits polls for its next statement for this time before it sleeps, because waking up may
   /// take longer than an answer. It does so only if each processor has a CPU of its own, and only while no
-  /// other level of its processor has work. 0: it sleeps at once.
+  /// other level of its processor has work; without SCHED_FIFO, only while it pays. 0: it sleeps at once.
   Time look_out = std::chrono::microseconds(100);
   /// Code that exceeds its declared worst time by this much of its processor is taken as never returning. The
   /// devices are closed, and the process ends, because C++ can end a thread in no other way.
@@ -30,7 +30,9 @@ struct RealTime {
   int hang_status = 70;
 };
 
-/// What was measured of one statement: the processor time of what was written by hand.
+/// What was measured of one statement: for how long what was written by hand has held its processor. That is
+/// its processor time; if it slept or waited, the time on the wall, without interruptions by other threads of
+/// the skill.
 struct StatementTimes {
   std::size_t count = 0;
   Time greatest{};

@@ -25,6 +25,7 @@ struct ParameterSpec {
   double default_value = 0;
   std::string_view description;
   std::string_view default_text = {};  // of a text, which has neither unit nor range
+  bool location = false;               // a text: a name of a location that is taught
 };
 
 /// A way in which the skill can end.
