@@ -100,8 +100,10 @@ test("force against time with the limits that parameters set, held, zoomed, save
   }
   // The cursor's instant is written with its values.
   await page.mouse.move(over.x + over.width * 0.5, over.y + 40);
-  const at = Number((await force.locator(".chart-time").textContent())!.replace(/[^\d.]/g, ""));
-  assert.ok(at > Number(rows[1]!.split(",")[0]) && at < Number(rows.at(-1)!.split(",")[0]), `${at} s`);
+  await page.waitForFunction(([first, last]) => {
+    const at = Number(document.querySelector('[data-about="force"] .chart-time')?.textContent?.replace(/[^\d.]/g, ""));
+    return at > first! && at < last! - 0.5;
+  }, [Number(rows[1]!.split(",")[0]), Number(rows.at(-1)!.split(",")[0])]);
   await force.getByRole("button", { name: "Follow again" }).click();
   await force.locator(".chart:not([data-held])").waitFor();
   await untilState(page, "Ended", 60000);

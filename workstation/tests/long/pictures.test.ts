@@ -99,15 +99,3 @@ test("what the sensors see", () => at("seam", ["--paced", "3"], async (page) => 
   await act(page, "stop").click();
   await untilState(page, "Stopped");
 }));
-
-test("forces and requirements", () => at("touch", ["--paced", "4"], async (page) => {
-  await imported(page, example("rub_in_square"));
-  await view(page, "Force");
-  await page.locator('[data-about="force"] .chart-tools').waitFor();
-  await view(page, "Requirements");
-  await page.locator(".gauge").first().waitFor();
-  await act(page, "run").click();
-  await untilState(page, "Ended", 90000);
-  await part(page.locator('[data-about="force"]'), "force");
-  await part(page.locator('[data-window="gauges"]'), "requirements");
-}));
