@@ -5,9 +5,9 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
-import { noViolation } from "./axe";
-import { act, browser, errors, imported, openPage, shot, untilState } from "./browser";
-import { cell, type Cell } from "./cell";
+import { noViolation } from "../browser/axe";
+import { act, browser, errors, imported, openPage, shot, untilState } from "../browser/browser";
+import { cell, type Cell } from "../browser/cell";
 
 let chromium: Browser;
 before(async () => void (chromium = await browser()));

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { noViolation } from "./axe";
-import { act, browser, drawing, errors, icon, imported, openPage, shot, untilState } from "./browser";
-import { cell } from "./cell";
+import { noViolation } from "../browser/axe";
+import { act, browser, drawing, errors, icon, imported, openPage, shot, untilState } from "../browser/browser";
+import { cell } from "../browser/cell";
 
 let chromium: Browser;
 before(async () => void (chromium = await browser()));
@@ -86,7 +86,7 @@ async function tuned(colorScheme: "light" | "dark"): Promise<void> {
 test("rub is tried aside, taken over, and its force stays in its band", () => tuned("light"));
 test("the same in dark, after the cell has been told nothing of the first", () => tuned("dark"));
 
-test("trials do not slow the live cell, and can be ended", async () => {
+test("the live cell works while trials go on, and they can be ended", async () => {
   const served = await cell("touch", ["--paced", "2"]);
   const page = await openPage(chromium, served.url);
   try {
