@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "server/json_call.hpp"
@@ -48,9 +49,12 @@ void try_skill(const Call& call) {
     for (const Json& each : *before) trial.before.push_back(skill_of(each, *cell));
   }
   if (const Json* joints = members.find("joints")) {
-    if (!joints->is_array() || joints->size() != 6 ||
-        !std::ranges::all_of(*joints, [](const Json& each) { return each.is_number(); }))
-      fail(bad_parameters, "'joints' are six numbers, deg");
+    constexpr double whole_turn = 360;
+    const auto fits = [](const Json& each) {
+      return each.is_number() && std::abs(each.get<double>()) <= whole_turn;
+    };
+    if (!joints->is_array() || joints->size() != 6 || !std::ranges::all_of(*joints, fits))
+      fail(bad_parameters, "'joints' are six numbers, -360 to 360 deg");
     trial.joints = joints->get<std::array<double, 6>>();
   }
   constexpr std::int64_t greatest_seed = std::int64_t{1} << 53;

@@ -230,6 +230,10 @@ try:
     call("skill.run", skill="relative-move", parameters={"dz": -10})
     assert call("skill.run", skill="move-to-location", parameters={"location": "SIDE"})["kind"] == "normal"
     there = call("locations.teach", location="AGAIN")
+    here = call("locations.here")
+    assert here["pose"] == there["pose"], (here, there)
+    above = call("locations.teach", location="ABOVE", pose=[*here["pose"][:2], here["pose"][2] + 20, *here["pose"][3:]])
+    assert above["joints"] is None and above["pose"][2] == here["pose"][2] + 20, above
     assert all(abs(a - b) < 0.5 for a, b in zip(there["pose"][:3], taught["pose"][:3])), (there, taught)
     call("locations.delete", location="AGAIN", based_on=1)
     assert "AGAIN" not in [each["location"] for each in call("locations.list")]
@@ -245,6 +249,17 @@ try:
     assert touches[1]["parameters"]["approach-speed"] == 6 and touches[1]["parameters"]["threshold"] == 5, touches
     assert read["text"] == slower
     refused("absent", call, "history.read", run=10**6)
+    felt = call("history.steps", skill="touch", limit=2)
+    assert felt["more"] and all(each["step"]["skill"] == "touch" for each in felt["rows"]), felt
+    assert felt["rows"][0]["step"]["measured"]["fresh-force"] < 0.01, felt
+
+    # Aside: the cell does not move.
+    before = call("locations.here")
+    tried = call("study.try", skill="touch", parameters={"approach-speed": 10}, before=[{"skill": "relative-move", "parameters": {"dz": -5}}])
+    assert tried["kind"] == "normal" and tried["figures"]["greatest-force"] > 5 and tried["measured"]["fresh-force"] < 0.01, tried
+    assert call("study.try", skill="move-to-location", parameters={"location": "ABOVE"}, joints=before["joints"])["kind"] == "normal"
+    assert call("locations.here") == before
+    refused("wrong", call, "study.try", skill="touch", parameters={"approach-speed": 1000})
 
     # Controls.
     operator = server.client(seen, "operator", "operator")

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <optional>
 
@@ -37,7 +38,7 @@ server::TrialResult SimulatedTrials::run(const server::Trial& trial, const std::
   std::optional<sim::Cell> opened;
   try {
     opened.emplace(scene_, options);
-  } catch (const sim::SceneError& problem) {
+  } catch (const std::exception& problem) {
     return {{operations::SkillResult::Kind::error, -1, problem.what()}};
   }
   sim::Cell& cell = *opened;

@@ -46,7 +46,8 @@ export function columnsOf(skill: Skill | undefined, rows: readonly Row[]): Colum
   const names = (pick: (row: Row) => Readonly<Record<string, unknown>>) => [...new Set(rows.flatMap((row) => Object.keys(pick(row))))];
   const parameters = (skill?.parameters ?? []).map((each): Column => ({ id: `parameter:${each.name}`, group: "parameter", name: each.name, unit: each.unit, of: (row) => row.parameters[each.name] }));
   const figures = names((row) => row.figures).map((name): Column => ({ id: `figure:${name}`, group: "figure", name, unit: units[name] ?? "", of: (row) => row.figures[name] }));
-  const requirements = names((row) => row.measured).map((name): Column => {
+  // What the environment promises is measured, too; it is no requirement of the skill.
+  const requirements = names((row) => row.measured).filter((name) => skill?.requirements.some((each) => each.name === name)).map((name): Column => {
     const unit = skill?.requirements.find((each) => each.name === name)?.unit ?? "";
     return { id: `requirement:${name}`, group: "requirement", name, unit: unit === "s" ? "ms" : unit, of: (row) => (row.measured[name] === undefined ? undefined : row.measured[name]! * (unit === "s" ? 1000 : 1)) };
   });
