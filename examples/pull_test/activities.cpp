@@ -2,6 +2,7 @@
 #include "activities.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "pull_test_skill.hpp"
 
@@ -43,7 +44,7 @@ class Method final : public PullerActivities {
  private:
   std::shared_ptr<Way> way_;
   Parameters parameters_;
-  bool unsure_ = false;
+  std::atomic<bool> unsure_ = false;  // in real time the skill is told while an activity is at work
 };
 
 class Scale final : public TensionActivities {

@@ -186,7 +186,7 @@ class Writer {
       if (p.type == pan::ScalarType::text) {
         table.rows.push_back(
             {text("P" + std::to_string(++count)), code(p.name),
-             text(p.location ? "LOCATION" : type_text(p.type, {})), code("\"" + p.default_text + "\""),
+             text(p.location ? "location" : type_text(p.type, {})), code("\"" + p.default_text + "\""),
              text("up to " + std::to_string(pan::longest_text) + " characters"), text(p.description)});
         continue;
       }

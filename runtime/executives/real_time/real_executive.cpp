@@ -72,9 +72,13 @@ void RealExecutive::post(int device, std::function<void()> action) {
 // Going in and out.
 
 void RealExecutive::enter() {
-  const Time since = lock_.lock();
-  set(std::max(now(), since - origin_));
+  look_at_clock(lock_.lock());
   if (moving_ && !journal_.over()) advance_world();
+}
+
+/// After the end time stands still: devices that are being closed read it without the lock.
+void RealExecutive::look_at_clock(Time monotonic) {
+  if (!journal_.over()) set(std::max(now(), monotonic - origin_));
 }
 
 void RealExecutive::advance_world() {
@@ -113,7 +117,7 @@ Event RealExecutive::pop() {
 void RealExecutive::go_on_inside(Level& level) {
   const bool none_called = called_.empty() && !timer_.called && !world_alarm_.called;
   if (none_called && ++level.inside < most_statements_inside) {
-    set(std::max(now(), monotonic_now() - origin_));
+    look_at_clock(monotonic_now());
     return;
   }
   exit();

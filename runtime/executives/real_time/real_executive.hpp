@@ -66,6 +66,7 @@ class RealExecutive final : public Executive {
   // The kernel: one thread at a time is inside.
   void enter();
   void exit();
+  void look_at_clock(Time monotonic);
   void go_on();
   void let_arrive();
   Event pop();

@@ -38,7 +38,7 @@ void RealExecutive::watch() {
   for (Time next = monotonic_now() + tick; !watchdog_.sleep_until(next); next += tick) {
     look_for_hangs();
     if (!lock_.try_lock()) continue;
-    set(std::max(now(), monotonic_now() - origin_));
+    look_at_clock(monotonic_now());
     look();
     exit();
   }

@@ -355,9 +355,10 @@ TEST_CASE("a command line that is wrong is a matter of usage") {
   const Answer both = workcell({"run", "touch", "--sweep", "2", "--phase", "3"});
   CHECK(both.status == ExitStatus::usage);
   CHECK(both.error.find("--phase excludes --sweep") != std::string::npos);
-  const Answer press = workcell({"run", "press", "--sweep", "2"});
-  CHECK(press.status == ExitStatus::usage);
-  CHECK(press.error.find("'press' cannot be swept: it has several parameters in N") != std::string::npos);
+  const Answer named = workcell({"run", "named-touch", "--sweep", "2"});
+  CAPTURE(named.error);
+  CHECK(named.status == ExitStatus::usage);
+  CHECK(named.error.find("'named-touch' cannot be swept: it names no PAL") != std::string::npos);
   CHECK(workcell({"run", "touch", "--sweep", "2", "--live"}).status == ExitStatus::usage);
   CHECK(workcell({"run", "touch", "--sweep", "2", "--video", "--output", "/tmp/none"}).status ==
         ExitStatus::usage);

@@ -51,7 +51,7 @@ TEST_CASE("arrays and texts are told as what they are") {
   CHECK(text.find("x, z: 255 x real, in mm; rank: 255 x integer; found: boolean; label: text") !=
         std::string::npos);
   CHECK(
-      text.find("| `location` | text | `\"park\"` | up to 100 characters | taught \"location\" to go to |") !=
+      text.find("| `location` | location | `\"park\"` | up to 100 characters | taught \"location\" to go to |") !=
       std::string::npos);
   CHECK(text.find("| `suffix` | text | `\"\"` |") != std::string::npos);
 }

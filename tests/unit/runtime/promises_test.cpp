@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/watch/device_watch.hpp"
+#include "tests/run/support/allocation_count.hpp"
 #include "tests/run/support/bench.hpp"
 #include "tests/unit/runtime/one_index.hpp"
 
@@ -256,4 +257,48 @@ TEST_CASE("a frame comes at most a period and its collection after the request")
   CHECK(late.what == Seen::What::later);
   CHECK(watch.due() == Time::max());
   CHECK(watch.answered(700ms, 300ms).noted);
+}
+
+TEST_CASE("a promise and a requirement that are broken again and again allocate for the first time only") {
+  WrittenSkill skill;
+  const int p = skill.processor("P");
+  skill.devices = {"sensor"};
+  skill.times = {{.behaviour = Behaviour::on_request, .answer = {2ms, 3ms}}};
+  const int request = skill.channel("A", "request x", "sensor");
+  skill.channels.back().to_device = true;
+  const int x = skill.channel("sensor", "x", "A");
+  skill.channels.back().from_device = true;
+  skill.channels.front().answer = x;
+  const int act = skill.statement("act", 10us), send = skill.statement("send"),
+            receive = skill.statement("receive", 100us), end = skill.statement("end");
+  const int sends[] = {send};
+  runtime::RequirementSpec& often = skill.requirements.emplace_back();
+  often.name = "often";
+  often.measure = Measure::interval;
+  often.most = 1ms;
+  often.at = sends;
+  skill.thread("A", p, 1, [&](Thread& t) -> Task {
+    for (int i = 0; i < 40; ++i) {
+      co_await t.perform(act, [i] {
+        if (i == 3) {
+          reset_allocations();
+          count_allocations(true);
+        }
+        if (i == 39) count_allocations(false);
+      });
+      co_await t.send(send, request);
+      co_await t.wait(receive, from(x));
+    }
+    co_await t.complete(end, 0);
+  });
+  ScriptedDevice sensor("sensor", {{"request x", true, {}}, {"x", false, {}}});
+  sensor.on_receive = [](DeviceHost& host, std::size_t, std::span<const double>) {
+    host.at(host.now() + 5ms, [&host] { host.deliver(1, {}); });  // 2 ms late
+  };
+  const auto outcome = run(skill, {&sensor});
+  CHECK(outcome.code == 0);
+  REQUIRE(outcome.broken_promises.size() == 2);
+  CHECK(outcome.broken_promises[0].times == 40);
+  CHECK(outcome.broken_promises[1].times == 39);
+  CHECK(counted_allocations() == 0);
 }

@@ -579,3 +579,29 @@ TEST_CASE("real time: polling that was in vain is tried again after more and mor
   for (int i = 0; i < 40; ++i) look_out.polled(false);
   CHECK(sleeps() == 4096);
 }
+
+TEST_CASE("real time: once a skill is over time stands still, also for devices that are being closed") {
+  struct Slow final : ScriptedDevice {
+    using ScriptedDevice::ScriptedDevice;
+    void attach(runtime::DeviceHost& host) override {
+      ScriptedDevice::attach(host);
+      run = &host;
+    }
+    void close() override {
+      first = run->now();
+      const auto begun = std::chrono::steady_clock::now();  // the watchdog looks each 5 ms
+      while (std::chrono::steady_clock::now() - begun < 30ms) continue;
+      second = run->now();
+    }
+    runtime::DeviceHost* run = nullptr;
+    runtime::Time first{-1}, second{-2};
+  } device{"sensor", {{"request x", true, {}}, {"x", false, {}}}};
+  device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+    host.deliver(1, {});
+  };
+  Asker asker;
+  const auto outcome = run(asker.skill, {&device}, real_time());
+  CHECK(outcome.code == 0);
+  CHECK(device.first == device.second);
+  CHECK(outcome.duration == device.first);
+}
