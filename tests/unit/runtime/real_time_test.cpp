@@ -480,7 +480,7 @@ TEST_CASE("real time: a request reaches an idle device at the instant at which i
 }
 
 TEST_CASE("real time: an activity that waits holds its processor, and is late") {
-  Asker asker;
+  AskerInRealTime asker;
   asker.skill.times = {{}};
   std::binary_semaphore begun(0), released(0);
   asker.work = [&] {
@@ -599,7 +599,7 @@ TEST_CASE("real time: once a skill is over time stands still, also for devices t
   device.on_receive = [](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
     host.deliver(1, {});
   };
-  Asker asker;
+  AskerInRealTime asker;
   const auto outcome = run(asker.skill, {&device}, real_time());
   CHECK(outcome.code == 0);
   CHECK(device.first == device.second);

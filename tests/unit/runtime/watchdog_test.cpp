@@ -84,7 +84,7 @@ struct Acting {
   void run(Telling& device) {
     RunOptions options;
     options.real_time.emplace();
-    options.real_time->hang_timeout = 400ms;
+    options.real_time->hang_timeout = 900ms;
     options.real_time->hang_status = 71;
     if (skill.on_promise_broken) options.on_broken_promise = runtime::OnBrokenPromise::contingency;
     const auto outcome = test::run(skill, {&device}, options);
