@@ -6,7 +6,6 @@
 
 using namespace pal;
 using namespace pal::server;
-using Json = nlohmann::json;
 
 namespace {
 
