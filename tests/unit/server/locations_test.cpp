@@ -167,6 +167,7 @@ TEST_CASE("the robot is taught through the protocol, from where it is") {
   CHECK_FALSE(robot.known.contains("SIDE"));
   CHECK(cell.call("locations.delete", {{"location", "SIDE"}})["why"] == "absent");
   CHECK(cell.call("locations.delete", {{"location", "LEFT"}, {"based_on", 1}}).empty());
+  CHECK(cell.call("locations.delete", {{"location", "THERE"}, {"based_on", 1}}).empty());
   CHECK(robot.known.empty());
   CHECK(cell.call("locations.list", Json::object()).size() == 2);
 
