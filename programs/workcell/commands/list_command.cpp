@@ -60,6 +60,14 @@ void list_cell(const ListCommand& command, const std::vector<KnownSkill>& skills
     for (const auto& [of, formula] : all) json[of.first][std::to_string(of.second)] = formula.text();
     return json;
   };
+  Json further = Json::array();
+  for (const KnownSkill& skill : skills)
+    if (!skill.from.empty() && !skill.pal_file.empty())
+      further.push_back({{"skill", skill.name},
+                         {"from", skill.from},
+                         {"pal", skill.pal_file},
+                         {"environment", skill.environment_file},
+                         {"texts", skill.texts->files()}});
   std::string folder;
   for (const std::string& each : command.skill_folders)
     if (folder.empty() && std::filesystem::is_directory(each)) folder = each;
@@ -67,6 +75,7 @@ void list_cell(const ListCommand& command, const std::vector<KnownSkill>& skills
                   {"scene", scene.name},
                   {"skills", folder},
                   {"environment", folder + "/workcell.pal"},
+                  {"further", further},
                   {"locations", *known.locations},
                   {"sensors", sensors(*known.sensors)},
                   {"figures", sensors(*known.figures)},

@@ -24,6 +24,7 @@ KnownSkill known(const runtime::SkillPlugin& plugin) {
           std::string(plugin.pal_file),
           std::string(plugin.environment_file),
           std::move(texts),
+          {},
           {}};
 }
 
@@ -76,6 +77,7 @@ void add_skills(std::vector<KnownSkill>& skills, const std::vector<std::string>&
       more.push_back(skill_of_file(path));
     }
     for (KnownSkill& skill : more) {
+      skill.from = path;
       std::erase_if(skills, [&](const KnownSkill& each) { return each.name == skill.name; });
       skills.push_back(std::move(skill));
     }

@@ -18,6 +18,7 @@ struct KnownSkill {
   std::string pal_file{};  // in `texts`; empty: nothing is proved of it
   std::string environment_file{};
   std::shared_ptr<const MemoryFileSystem> texts{};  // what it was generated from
+  std::string from{};                    // the file or folder of --skills; empty: it is installed
   std::map<int, std::string> longest{};  // formulas of its longest time in s, by completion code
 };
 
