@@ -58,7 +58,6 @@ class MemoryFileSystem : public FileSystem {
   explicit MemoryFileSystem(std::map<std::string, std::string> files) : files_(std::move(files)) {}
 
   void add(std::string path, std::string text) { files_[std::move(path)] = std::move(text); }
-  const std::map<std::string, std::string>& files() const { return files_; }
   std::variant<std::string, FileError> read(const std::string& path,
                                             std::size_t most = largest_file) const override;
   std::optional<std::vector<std::string>> list(const std::string& path,

@@ -17,13 +17,17 @@ namespace fs = std::filesystem;
 
 KnownSkill known(const runtime::SkillPlugin& plugin) {
   auto texts = std::make_shared<MemoryFileSystem>();
-  for (const runtime::SourceText& source : plugin.sources)
-    texts->add(std::string(source.name), std::string(source.text));
+  std::vector<std::string> names;
+  for (const runtime::SourceText& source : plugin.sources) {
+    names.emplace_back(source.name);
+    texts->add(names.back(), std::string(source.text));
+  }
   return {std::string(plugin.name),
           plugin.make,
           std::string(plugin.pal_file),
           std::string(plugin.environment_file),
           std::move(texts),
+          std::move(names),
           {},
           {}};
 }
