@@ -31,7 +31,21 @@ Desk::Parts::Parts(operations::SkillRunner& the_runner, operations::Skills the_s
 }
 
 void Desk::Parts::publish(decltype(Event::what) what) {
-  sink.happened({++status.last_event, time_now(), std::move(what), std::chrono::system_clock::now()});
+  published.push_back({++status.last_event, time_now(), std::move(what), std::chrono::system_clock::now()});
+}
+
+void Desk::Parts::hand_on(std::unique_lock<std::mutex>& lock) noexcept {
+  const auto answers_now = std::exchange(answers, {});
+  while (!published.empty() && !handing_on) {
+    handing_on = true;
+    const std::vector<Event> events = std::exchange(published, {});
+    lock.unlock();
+    for (const Event& event : events) sink.happened(event);
+    lock.lock();
+    handing_on = false;
+  }
+  lock.unlock();
+  for (const auto& each : answers_now) each();
 }
 
 void Desk::Parts::publish_state() {
@@ -72,7 +86,7 @@ Desk::Desk(operations::SkillRunner& runner, operations::Skills skills, EventSink
 Desk::~Desk() = default;
 
 ClientId Desk::enter(std::string name, Role role) {
-  const std::lock_guard lock(parts_->mutex);
+  const Locked lock(*parts_);
   // It is shown at others' terminals, which some characters command.
   parts_->clients[++parts_->last_client] = {printable(name), role, std::chrono::system_clock::now()};
   parts_->publish(ClientsChanged{parts_->present()});
@@ -81,7 +95,7 @@ ClientId Desk::enter(std::string name, Role role) {
 
 void Desk::leave(ClientId client) {
   Parts& parts = *parts_;
-  const std::lock_guard lock(parts.mutex);
+  const Locked lock(parts);
   std::erase_if(parts.asking, [client](const ControlsAsked& each) { return each.client == client; });
   if (parts.stops_without == client && parts.status.activity == Activity::skill)
     parts.stop(parts.name_of(client) + ", who has gone");
@@ -100,7 +114,7 @@ void Desk::ask(ClientId client, Command command, Answerer answer, const operatio
     if (auto* load = std::get_if<LoadOperation>(&command)) {
       refusal = parts_->load(asked, std::move(*load), stop);
     } else {
-      const std::lock_guard lock(parts_->mutex);
+      const Locked lock(*parts_);
       refusal = parts_->need_role(asked, command);
       if (!refusal) refusal = std::visit([&](auto& each) { return parts_->obey(asked, each); }, command);
     }
@@ -201,12 +215,12 @@ const std::string& Desk::epoch() const {
 }
 
 void Desk::tell(decltype(Event::what) what) {
-  const std::lock_guard lock(parts_->mutex);
+  const Locked lock(*parts_);
   parts_->publish(std::move(what));
 }
 
 void Desk::end() {
-  const std::lock_guard lock(parts_->mutex);
+  const Locked lock(*parts_);
   if (std::exchange(parts_->ending, true)) return;
   parts_->stop("the server");
   parts_->publish(ServerEnds{"the server ends"});

@@ -124,7 +124,7 @@ Desk::Parts::Result Desk::Parts::load(Asked& asked, LoadOperation command, const
   std::shared_ptr<const LoadedFiles> files = std::make_shared<LoadedFiles>(
       LoadedFiles{std::move(command.files), std::move(command.main), std::move(command.stored)});
   decltype(icons) icons_before;
-  const std::lock_guard lock(mutex);
+  const Locked lock(*this);
   if (auto refusal = allowed()) return refusal;
   give_controls(asked.client);
   executor.swap(next);

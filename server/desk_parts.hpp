@@ -76,6 +76,7 @@ struct Desk::Parts final : operations::StepObserver {
         DeskOptions the_options);
 
   // All that follows, up to the cell's part: with the lock held.
+  /// The sink gets it when the lock is released, see Locked.
   void publish(decltype(Event::what) what);
   void publish_state();
   void look_at_executor();
@@ -150,7 +151,14 @@ struct Desk::Parts final : operations::StepObserver {
   const DeskOptions options;
   const std::string epoch;
 
+  /// Releases the lock and gives the sink what was published, unless another thread is at that: then that one
+  /// gives it this, too.
+  void hand_on(std::unique_lock<std::mutex>& lock) noexcept;
+
   mutable std::mutex mutex;
+  std::vector<Event> published;                // not handed on yet
+  bool handing_on = false;                     // by some thread
+  std::vector<std::function<void()>> answers;  // that come behind what was published
   std::condition_variable changed, answered;
   std::atomic<std::int64_t> now = 0;  // of the cell
   operations::Cell cell;
@@ -186,6 +194,20 @@ struct Desk::Parts final : operations::StepObserver {
   // Touched by clients while the cell is idle, by the cell's thread else; but for its pause() and stop().
   std::unique_ptr<operations::Executor> executor;
   std::size_t alone = 0;  // skills that ran alone
+};
+
+/// The desk's lock for whoever publishes. The sink wakes threads that may need the lock at once, for a stop;
+/// so it gets the events behind the lock, in their order.
+class Locked {
+ public:
+  explicit Locked(Desk::Parts& desk) : desk_(desk), lock_(desk.mutex) {}
+  ~Locked() { desk_.hand_on(lock_); }
+  Locked(const Locked&) = delete;
+  Locked& operator=(const Locked&) = delete;
+
+ private:
+  Desk::Parts& desk_;
+  std::unique_lock<std::mutex> lock_;
 };
 
 }  // namespace pal::server

@@ -15,7 +15,7 @@ Desk::Parts::Result Desk::Parts::begin_service(Asked& asked, std::function<Serve
 void Desk::Parts::work_on(ServiceJob& job) {
   runner.allow();
   {
-    const std::lock_guard lock(mutex);
+    const Locked lock(*this);
     if (stops != accepted_stops) runner.stop();
   }
   Served served;
@@ -25,7 +25,7 @@ void Desk::Parts::work_on(ServiceJob& job) {
     served.reply = problem.refusal;
   }
   {
-    const std::lock_guard lock(mutex);
+    const Locked lock(*this);
     status.activity = Activity::idle;
     status.pausing = status.stopping = false;
     set_time(runner.now());

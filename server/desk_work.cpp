@@ -9,13 +9,13 @@ namespace pal::server {
 operations::Reading AskingRunner::sense(const std::string& sensor) {
   operations::Reading reading = runner_.sense(sensor);
   if (!reading.value) return reading;
-  const std::lock_guard lock(desk_.mutex);
+  const Locked lock(desk_);
   desk_.readings[sensor] = {*reading.value, runner_.now()};
   return reading;
 }
 
 void AskingRunner::ask(const operations::Question& question) {
-  const std::lock_guard lock(desk_.mutex);
+  const Locked lock(desk_);
   desk_.set_time(runner_.now());
   desk_.answer.reset();
   desk_.status.question = OpenQuestion{question, runner_.now(), std::chrono::system_clock::now()};
@@ -35,7 +35,7 @@ operations::Reply AskingRunner::answer() {
 }
 
 void AskingRunner::withdraw() {
-  const std::lock_guard lock(desk_.mutex);
+  const Locked lock(desk_);
   if (!desk_.status.question) return;
   const operations::Question question = desk_.status.question->question;
   desk_.status.question.reset();
@@ -92,14 +92,15 @@ void Desk::Parts::change_between() {
     } catch (const operations::ExecutionError& problem) {
       reply = Refusal{Refusal::Why::wrong, problem.what()};
     }
-    if (reply_to) reply_to(reply);
+    if (reply_to)
+      answers.emplace_back([reply_to = std::move(reply_to), reply = std::move(reply)] { reply_to(reply); });
   }
 }
 
 void Desk::Parts::arrives(const std::string& icon) {
   sink.make_room();
   if (options.runs != nullptr) options.runs->make_room();
-  const std::lock_guard lock(mutex);
+  const Locked lock(*this);
   change_between();
   status.token = icon;
   set_time(runner.now());
@@ -111,7 +112,7 @@ void Desk::Parts::arrives(const std::string& icon) {
 }
 
 void Desk::Parts::begins(const operations::Step& step) {
-  const std::lock_guard lock(mutex);
+  const Locked lock(*this);
   set_time(step.begin);
   status.steps = step.number;
   status.running = Running{step, std::chrono::system_clock::now(), false};
@@ -120,7 +121,7 @@ void Desk::Parts::begins(const operations::Step& step) {
 
 void Desk::Parts::done(const operations::Step& step) {
   if (options.log != nullptr) options.log->done(step);
-  const std::lock_guard lock(mutex);
+  const Locked lock(*this);
   set_time(step.end);
   status.running.reset();
   cut_off = step.result.kind == operations::SkillResult::Kind::stopped;
@@ -138,7 +139,7 @@ void Desk::Parts::work_on(const OperationJob& job) {
   executor->allow();
   // What was asked for after the command had been accepted holds; allow() may just have forgotten it.
   {
-    const std::lock_guard lock(mutex);
+    const Locked lock(*this);
     if (stops != accepted_stops) executor->stop();
     if (pauses != accepted_pauses) executor->pause();
   }
@@ -147,7 +148,7 @@ void Desk::Parts::work_on(const OperationJob& job) {
   } else {
     executor->run();
   }
-  const std::lock_guard lock(mutex);
+  const Locked lock(*this);
   change_between();
   status.activity = Activity::idle;
   status.pausing = status.stopping = false;
@@ -164,7 +165,7 @@ void Desk::Parts::work_on(SkillJob& job) {
   runner.allow();
   operations::Step step{++alone, {}, job.command.skill, job.command.parameters, {}, runner.now(), {}};
   {
-    const std::lock_guard lock(mutex);
+    const Locked lock(*this);
     if (stops != accepted_stops) runner.stop();
     set_time(step.begin);
     status.running = Running{step, std::chrono::system_clock::now(), true};
@@ -174,7 +175,7 @@ void Desk::Parts::work_on(SkillJob& job) {
   step.end = runner.now();
   if (options.log != nullptr) options.log->done(step);
   {
-    const std::lock_guard lock(mutex);
+    const Locked lock(*this);
     status.activity = Activity::idle;
     status.pausing = status.stopping = false;
     status.running.reset();

@@ -211,8 +211,12 @@ try:
             while waiting & client.waiting.keys():
                 # A question, or a loop, may keep an answer waiting until a stop that comes behind it.
                 watcher.call(draw.choice(["stop", "operation.stop"]))
-                if client.buffer or select.select([client.socket], [], [], 0.2)[0]:
+                # All that has come: answers stand behind the events of an operation that goes round and round.
+                for k in range(1000):
+                    if not client.buffer and not select.select([client.socket], [], [], 0 if k else 0.2)[0]:
+                        break
                     client.step()
+                    client.events.clear()
                 now = time.monotonic()
                 if now - looked > 5:  # held up by a signal, as below
                     patience += now - looked

@@ -145,9 +145,10 @@ ExitStatus check_operation(const OperationOptions& given, const Console& user) {
     if (options.environments.empty()) options.environments = {known->environment};
     built.add(std::move(known->further), options.skills, options.environments);
   } else if (!built_files.empty()) {
-    user.err << fmt::format("pal: --skills {}: only the workcell reads a built skill: name a scene, too "
-                            "(--scene SCENE), or the skill's PAL\n",
-                            built_files.front());
+    user.err << fmt::format(
+        "pal: --skills {}: only the workcell reads a built skill: name a scene, too "
+        "(--scene SCENE), or the skill's PAL\n",
+        built_files.front());
     return ExitStatus::usage;
   }
   const Console console{user.out, user.err, built, user.terminal, user.colour_out, user.colour_err};

@@ -36,8 +36,7 @@ void forget_other_environments(const OperationOptions& options, const Console& c
 }  // namespace
 
 operations::Skills read_skills(const OperationOptions& options, const std::set<std::string>& used,
-                               const Console& console, Session& session,
-                               const BuiltSkills& built) {
+                               const Console& console, Session& session, const BuiltSkills& built) {
   Selection selection;
   selection.max_errors = options.max_errors;
   selection.environments = options.environments;

@@ -11,11 +11,9 @@
 
 namespace pal::program {
 
-/// Reads and checks the PAL of --skills (all files of its folders) and of --environment. Skills of which `built` has
-/// another one give way. Only the skills that
-/// `used` names stay in the session.
+/// Reads and checks the PAL of --skills (all files of its folders) and of --environment. Skills of which
+/// `built` has another one give way. Only the skills that `used` names stay in the session.
 operations::Skills read_skills(const OperationOptions& options, const std::set<std::string>& used,
-                               const Console& console, Session& session,
-                               const BuiltSkills& built);
+                               const Console& console, Session& session, const BuiltSkills& built);
 
 }  // namespace pal::program

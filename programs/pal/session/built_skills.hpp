@@ -1,5 +1,5 @@
-// Skills that were built as files, with the PAL that lies in them. The program `workcell` tells it: this program does
-// not run what others have compiled.
+// Skills that were built as files, with the PAL that lies in them. The program `workcell` tells it: this
+// program does not run what others have compiled.
 #pragma once
 
 #include <map>
@@ -29,8 +29,8 @@ class BuiltSkills final : public FileSystem {
   void add(std::vector<BuiltSkill> built, std::vector<std::string>& skills,
            std::vector<std::string>& environments);
 
-  /// Whether the skill runs with these times. A built skill is proved in the environment that lies in its file,
-  /// and no other skill is.
+  /// Whether the skill runs with these times. A built skill is proved in the environment that lies in its
+  /// file, and no other skill is.
   bool runs_in(const pan::Network& skill, const pan::Environment& environment, const Session& session) const;
   /// A built skill takes the place of another one of its name.
   bool take_the_place_of(const pan::Network& skill, const Session& session) const;

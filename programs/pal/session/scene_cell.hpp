@@ -17,8 +17,8 @@ struct SceneCell {
   std::vector<BuiltSkill> further;
 };
 
-/// Asks the `workcell` that lies beside this program, or that the PATH has. It also reads the files `built`: this
-/// program does not run what others have compiled. `problem` says why there is no answer.
+/// Asks the `workcell` that lies beside this program, or that the PATH has. It also reads the files `built`:
+/// this program does not run what others have compiled. `problem` says why there is no answer.
 std::optional<SceneCell> cell_of_scene(const std::string& scene, const std::vector<std::string>& built,
                                        std::string& problem);
 
