@@ -207,7 +207,7 @@ def a_text_that_was_not_sent():
     try:
         client = server.client()
         icons = [{"id": "start", "kind": "start", "next": "in"},
-                 {"id": "in", "kind": "operation", "operation": "other.op.json", "next": "end", "error": "end"}, {"id": "end", "kind": "exit"}]
+                 {"id": "in", "kind": "operation", "file": "other.op.json", "next": "end", "error": "end"}, {"id": "end", "kind": "exit"}]
         told = client.call("operation.check", main="f", files={"f": drawn("outer", icons)})
         assert any("was not sent" in each["message"] for each in told["findings"]), told["findings"]
     finally:
