@@ -28,7 +28,18 @@ function simple(from: XY, to: XY, blocked: readonly Rect[]): XY[] | undefined {
   return undefined;
 }
 
-export function route(from: XY, to: XY, icons: readonly Rect[]): XY[] {
+/** Where the line at a connector passes the side of its icon: an arrow's head has connectors inside its rectangle. */
+function atSide(point: XY, icons: readonly Rect[], side: "left" | "right"): XY {
+  const own = icons.find((each) => point.x > each.left && point.x < each.right && point.y > each.top && point.y < each.bottom);
+  return own ? { x: own[side], y: point.y } : point;
+}
+
+export function route(output: XY, input: XY, icons: readonly Rect[]): XY[] {
+  const from = atSide(output, icons, "right"), to = atSide(input, icons, "left");
+  return simplified([output, ...between(from, to, icons), input]);
+}
+
+function between(from: XY, to: XY, icons: readonly Rect[]): XY[] {
   const tight = icons.map((each) => inflate(each, 6));
   const quick = simple(from, to, tight);
   if (quick) return simplified(quick);
