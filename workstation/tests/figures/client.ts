@@ -6,7 +6,7 @@ import { connect, type Socket } from "node:net";
 export interface Told {
   method?: string;
   id?: number;
-  params?: { event?: string; state?: string };
+  params?: { event?: string; state?: string; number?: number };
   error?: { message: string };
 }
 
