@@ -200,6 +200,10 @@ const Locations* Desk::locations() const {
   return parts_->options.book;
 }
 
+bool Desk::can_jog() const {
+  return parts_->options.pendant != nullptr && parts_->cell.skills->contains("jog");
+}
+
 std::map<std::string, LastReading> Desk::readings() const {
   const std::lock_guard lock(parts_->mutex);
   return parts_->readings;

@@ -116,6 +116,10 @@ struct Desk::Parts final : operations::StepObserver {
   Result obey(Asked& asked, DeleteLocation& command);
   Result obey(Asked& asked, WhereIsRobot& command);
   Result obey(Asked& asked, ReadSensor& command);
+  Result obey(Asked& asked, StartJog& command);
+  Result obey(Asked& asked, KeepJog& command);
+  Result obey(Asked& asked, EndJog& command);
+  Result need_jog(ClientId client) const;
   Result begin_service(Asked& asked, std::function<Served()> work);
   Result need_locations() const;
 
@@ -174,6 +178,7 @@ struct Desk::Parts final : operations::StepObserver {
   std::vector<std::pair<std::function<Reply()>, Answerer>> between;
   std::optional<SkillJob> skill_job;
   std::optional<ClientId> stops_without;  // a skill alone is stopped when this client goes
+  std::optional<ClientId> jogs;           // this client moves the arm by hand
   std::optional<OperationJob> operation_job;
   std::optional<ServiceJob> service_job;
 

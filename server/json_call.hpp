@@ -86,6 +86,7 @@ std::span<const Method> methods_of_operations();
 std::span<const Method> methods_of_texts();
 std::span<const Method> methods_of_the_store();
 std::span<const Method> methods_of_the_robot();
+std::span<const Method> methods_of_jogs();
 std::span<const Method> methods_of_the_history();
 std::span<const Method> methods_of_studies();
 
