@@ -36,7 +36,7 @@ function came(present: Present, icon: string, time_s: number, wall: string): Pre
   const before = runs.get(icon);
   runs.set(icon, { ...before, icon, visits: (before?.visits ?? 0) + 1, ends: before?.ends ?? 0, last_s: time_s, reason: "" });
   let taken = present.taken;
-  const from = snapshot.here && besideOf(snapshot.here.icon, folder(icon));
+  const from = snapshot.here ? besideOf(snapshot.here.icon, folder(icon)) : undefined;
   if (from !== undefined) taken = new Set(taken).add(`${from}>${icon}`);
   return { ...present, runs, taken, snapshot: { ...snapshot, token: icon, here: { icon, since_s: time_s, since: wall } } };
 }
