@@ -26,6 +26,7 @@ export function ViewsMenu() {
           <Item id="gauges" symbol="gauge" word="gauges.title" />
           <Item id="sensors" symbol="test" word="sensors.title" />
           <Item id="locations" symbol="move-to-location" word="teach.title" />
+          <Item id="jog" symbol="hand" word="jog.title" />
           <Item id="production" symbol="list" word="production.title" />
           <Separator />
           <Section items={channels} aria-label={t("views.channels")}>

@@ -2,7 +2,7 @@
 import { create } from "zustand";
 
 export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways"
-  | "channel" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "production";
+  | "channel" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "jog" | "production";
 
 export interface OpenWindow {
   id: string;
