@@ -1,5 +1,5 @@
 // A window over the page. Several stay open, the one that has the focus lies on top; Escape closes it.
-import { useEffect, useId, useRef, type KeyboardEvent, type PointerEvent, type ReactNode } from "react";
+import { useEffect, useId, useLayoutEffect, useRef, type KeyboardEvent, type PointerEvent, type ReactNode } from "react";
 import { Button } from "react-aria-components";
 import { focusIcon } from "../canvas/keys";
 import { useDrawing } from "../state/drawing";
@@ -33,6 +33,12 @@ export function FloatWindow({ window: own, title, wide = false, sizable = false,
       if (before.current instanceof HTMLElement && before.current.isConnected && before.current !== document.body) before.current.focus();
       else focusIcon(useDrawing.getState().focus);
     };
+  }, []);
+
+  // A wide window that would open beyond the edge is put within it: its head has the button that closes it.
+  useLayoutEffect(() => {
+    const wide = box.current?.offsetWidth ?? 0, most = Math.max(8, innerWidth - wide - 12);
+    if (own.x > most) moveWindow(own.id, most, own.y);
   }, []);
 
   const close = () => closeWindow(own.id);

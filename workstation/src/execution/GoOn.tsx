@@ -31,7 +31,9 @@ const needed = (state: string | undefined, failed: string | undefined) => state 
 async function choicesOf(state: string | undefined, failed: string | undefined): Promise<readonly Choice[]> {
   const { choices } = await call("operation.outlook", {});
   if (state !== "ended" || failed === undefined) return choices;
-  return [...(await call("operation.outlook", { icon: failed })).choices, ...choices];
+  const all = [...(await call("operation.outlook", { icon: failed })).choices, ...choices];
+  // The icon before the exit is the one that failed, as a rule: one choice, not two.
+  return all.filter((each, i) => all.findIndex((one) => one.icon === each.icon && one.method === each.method) === i);
 }
 
 export function GoOn() {

@@ -83,6 +83,9 @@ function Running() {
   return <span className="state-clock" aria-hidden="true">{clock((now - began) / 1000)}</span>;
 }
 
+/** A length of time that no line breaks. */
+const whole = (seconds: number) => duration(seconds).replaceAll(" ", "\u00a0");
+
 /** How long the operation takes, at least and at most; or what stands in its way. */
 function Bounds() {
   const result = useChecks((state) => state.result);
@@ -95,9 +98,9 @@ function Bounds() {
   if (result.shortest_s === null || result.ways.length === 0 || (result.shortest_s < 0.005 && result.longest_s === null)) return null;
   return (
     <Button className="button quiet small state-bounds" onPress={() => openWindow("ways")}>
-      {result.longest_s === null ? t("state.atLeast", { time: duration(result.shortest_s) })
+      {result.longest_s === null ? t("state.atLeast", { time: whole(result.shortest_s) })
         // Nobody proves a shortest time: none but that of delays is known.
-        : result.shortest_s < 0.005 ? t("state.atMost", { time: duration(result.longest_s) }) : t("state.bounds", { low: duration(result.shortest_s), high: duration(result.longest_s) })}
+        : result.shortest_s < 0.005 ? t("state.atMost", { time: whole(result.longest_s) }) : t("state.bounds", { low: whole(result.shortest_s), high: whole(result.longest_s) })}
     </Button>
   );
 }

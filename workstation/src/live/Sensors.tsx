@@ -27,6 +27,8 @@ export default function Sensors() {
   };
   if (sensors.length === 0) return <p className="nothing">{t("sensors.none")}</p>;
   return (
+    <>
+    {sensors.every((each) => typeof each.value !== "number") && <p className="hint">{t("sensors.unread")}</p>}
     <ul className="sensors">
       {sensors.map((each) => (
         <li key={each.sensor}>
@@ -41,6 +43,7 @@ export default function Sensors() {
         </li>
       ))}
     </ul>
+    </>
   );
 }
 

@@ -27,14 +27,17 @@ export function begin(snapshot: Snapshot, now: number): Present {
 
 const folder = (path: string) => path.slice(0, path.lastIndexOf("/") + 1);
 
+/** What stands in that folder and is, or holds, the icon: the token that was inside a part leaves it at the part's own output. */
+const besideOf = (icon: string, within: string) => (icon.startsWith(within) ? within + icon.slice(within.length).split("/")[0] : undefined);
+
 function came(present: Present, icon: string, time_s: number, wall: string): Present {
   const { snapshot } = present;
   const runs = new Map(present.runs);
   const before = runs.get(icon);
   runs.set(icon, { ...before, icon, visits: (before?.visits ?? 0) + 1, ends: before?.ends ?? 0, last_s: time_s, reason: "" });
   let taken = present.taken;
-  const from = snapshot.here?.icon;
-  if (from !== undefined && folder(from) === folder(icon)) taken = new Set(taken).add(`${from}>${icon}`);
+  const from = snapshot.here ? besideOf(snapshot.here.icon, folder(icon)) : undefined;
+  if (from !== undefined) taken = new Set(taken).add(`${from}>${icon}`);
   return { ...present, runs, taken, snapshot: { ...snapshot, token: icon, here: { icon, since_s: time_s, since: wall } } };
 }
 

@@ -35,6 +35,7 @@ async function within(name: string, options: BrowserContextOptions, scene: strin
 }
 
 async function seen(page: Page, name: string, part = ".window"): Promise<void> {
+  await page.locator(".loading").waitFor({ state: "detached" });
   await shot(page, name);
   await noViolation(page, name, part);
 }

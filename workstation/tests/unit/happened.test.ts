@@ -33,10 +33,10 @@ test("a pause keeps the marks", () => {
   assert.equal(present.runs.get("a")?.visits, 1);
 });
 
-test("lines into a part are told by its own icons", () => {
+test("lines into a part are told by its own icons, lines out of it by the part", () => {
   let present = tell(start(), state("running"));
   for (const icon of ["start", "part", "part/start", "part/x", "done"]) present = tell(present, { event: "icon", icon });
-  assert.deepEqual([...present.taken], ["start>part", "part/start>part/x"]);
+  assert.deepEqual([...present.taken], ["start>part", "part/start>part/x", "part>done"]);
 });
 
 test("controls, questions, breakpoints, loading", () => {
