@@ -22,8 +22,8 @@ constexpr double still = 0.2;  // deg/s of a joint: a swing of the arm that fade
 
 // What is proved, of silence: jog.pal.
 constexpr Time proved = 210ms;
-// The last motion is answered within 6 ms of its request, begins 28 ms after the request, and takes 28 ms; then the
-// arm settles.
+// The last motion is answered within 6 ms of its request, begins 28 ms after the request, and takes 28 ms;
+// then the arm settles.
 constexpr Time made = 56ms, settles = 60ms;
 
 sim::Scene scene(const std::string& name) {
@@ -80,7 +80,8 @@ double fastest(const Jogged& jogged, Time from) {
     if (log[i - 1].time < from) continue;
     const double seconds = std::chrono::duration<double>(log[i].time - log[i - 1].time).count();
     if (seconds > 0)
-      result = std::max(result, sim::degrees((log[i].joints - log[i - 1].joints).cwiseAbs().maxCoeff()) / seconds);
+      result =
+          std::max(result, sim::degrees((log[i].joints - log[i - 1].joints).cwiseAbs().maxCoeff()) / seconds);
   }
   return result;
 }
@@ -112,15 +113,17 @@ TEST_CASE("jog: the arm is at rest within the proved time after the last order, 
   for (const double frame : {0.0, 1.0, 2.0})
     for (const std::uint64_t seed : {1, 2, 3, 4}) {
       // At the greatest speeds.
-      const auto run = jog("nothing", {{"frame", frame}, {"speed", 100}, {"turn", 15}}, {{1, 0, 0, 0, 0, 0}}, 10,
-                           false, seed);
+      const auto run = jog("nothing", {{"frame", frame}, {"speed", 100}, {"turn", 15}}, {{1, 0, 0, 0, 0, 0}},
+                           10, false, seed);
       const auto after = at_rest(run) - run.last_order;
       CAPTURE(frame, seed, run.outcome.reason, static_cast<double>(after.count()) * 1e-6);
       CHECK(end_of(run.outcome) == "jog 1");
       // Measured, too.
-      CHECK((run.outcome.broken_promises.empty() ? "" : runtime::in_words(run.outcome.broken_promises.front())) == "");
-      CHECK(fastest(run, run.begun) > 5);              // it moved
-      CHECK(after > 150ms);                            // until it was told by silence
+      CHECK((run.outcome.broken_promises.empty()
+                 ? ""
+                 : runtime::in_words(run.outcome.broken_promises.front())) == "");
+      CHECK(fastest(run, run.begun) > 5);  // it moved
+      CHECK(after > 150ms);                // until it was told by silence
       CHECK(after <= proved + made + settles);
       CHECK(fastest(run, run.last_order + proved + made + settles) <= still);
     }
@@ -147,12 +150,14 @@ TEST_CASE("jog: along an axis of the world, and of the tool") {
 }
 
 TEST_CASE("jog: a step goes its way and ends by itself, completion 0") {
-  const auto run = jog("nothing", {{"frame", 1}, {"speed", 50}, {"way", 10}}, {{-1, 0, 0, 0, 0, 0}}, 40, false);
+  const auto run =
+      jog("nothing", {{"frame", 1}, {"speed", 50}, {"way", 10}}, {{-1, 0, 0, 0, 0, 0}}, 40, false);
   CAPTURE(run.outcome.reason, way(run).transpose());
   CHECK(end_of(run.outcome) == "jog 0");
   CHECK(way(run).x() == Approx(-10).margin(0.2));
   CHECK(run.outcome.duration < 2s);
-  const auto turn = jog("nothing", {{"frame", 0}, {"angle", 5}, {"turn", 15}}, {{0, 0, 0, 0, 0, 1}}, 40, false);
+  const auto turn =
+      jog("nothing", {{"frame", 0}, {"angle", 5}, {"turn", 15}}, {{0, 0, 0, 0, 0, 1}}, 40, false);
   CHECK(turned(turn, 5) == Approx(5).margin(0.15));
 }
 
@@ -163,7 +168,8 @@ TEST_CASE("jog: without an order nothing moves, completion 1") {
 }
 
 TEST_CASE("jog: what is met stops it before the force is great, completion 2") {
-  const auto run = jog("touch", {{"frame", 2}, {"speed", 20}, {"contact-force", 15}}, {{0, 0, 1, 0, 0, 0}}, 100, false);
+  const auto run =
+      jog("touch", {{"frame", 2}, {"speed", 20}, {"contact-force", 15}}, {{0, 0, 1, 0, 0, 0}}, 100, false);
   double peak = 0;
   for (const sim::Sample& sample : run.log) peak = std::max(peak, sample.contact_force);
   CAPTURE(run.outcome.reason, peak);
@@ -185,8 +191,9 @@ TEST_CASE("jog: the next skill finds the port as it expects it") {
   sim::Cell* place = nullptr;
   options.at_begin = [&](Time begin) {
     for (int i = 0; i < 6; ++i)
-      place->station().timeline().at(begin + 100ms + i * 50ms,
-                                     [place] { place->pendant().order({{0, 0, 0, 0, 0, 1}}); });
+      place->station().timeline().at(begin + 100ms + i * 50ms, [place] {
+        place->pendant().order({{0, 0, 0, 0, 0, 1}});
+      });
   };
   sim::Cell cell(scene("touch"), options);
   place = &cell;
