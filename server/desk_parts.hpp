@@ -79,6 +79,8 @@ struct Desk::Parts final : operations::StepObserver {
   void publish(decltype(Event::what) what);
   void publish_state();
   void look_at_executor();
+  /// A copy that does not change.
+  std::shared_ptr<const operations::Cell> known_cell() const;
   Duration time_now() const { return Duration(now.load(std::memory_order_relaxed)); }
   void set_time(Duration time) { now.store(time.count(), std::memory_order_relaxed); }
   const std::string& name_of(ClientId client) const;

@@ -17,7 +17,7 @@ const later: Partial<Record<WindowKind, LazyExoticComponent<Body>>> = {
   channel: live("ChannelWindow"), sensors: live("Sensors"), gauges: live("Gauges"), requirement: live("RequirementChart"), tuning: live("Tuning"), locations: live("Locations"), jog: live("Jog"), production: live("Production"),
 };
 
-const wide = new Set<WindowKind>(["skill", "store", "explain", "versions", "channel", "requirement"]);
+const wide = new Set<WindowKind>(["skill", "store", "explain", "versions", "channel", "requirement", "ways"]);
 const sizable = new Set<WindowKind>(["channel", "requirement"]);
 
 const split = (about: string): [string, string] => [about.slice(0, about.lastIndexOf("/")), about.slice(about.lastIndexOf("/") + 1)];

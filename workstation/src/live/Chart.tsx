@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react"
 import { ToggleButton } from "react-aria-components";
 import type { Channel } from "../../generated/protocol";
 import { useCell } from "../state/cell";
-import { number, t } from "../words/words";
+import { number, t, unitText } from "../words/words";
 import { csvOf, saveFile, svgOf, type Field, type Panel } from "./export";
 import { eachFrame, trackOf, watch } from "./live";
 import { look, onLook, seriesColor, seriesDash } from "./look";
@@ -130,7 +130,7 @@ export function TimeChart({ source, span, onSpan }: { source: Source; span: numb
         onKeyDown={move} onPointerLeave={() => lookAt(undefined)}>
         {units.map((unit) => (
           <div key={unit} className="chart-panel" hidden={!shown.some((each) => each.unit === unit)}>
-            <span className="chart-unit">{unit}</span>
+            <span className="chart-unit">{unitText(unit)}</span>
             <div className="chart-plot" ref={(host) => void (host ? hosts.current.set(unit, host) : hosts.current.delete(unit))} />
           </div>
         ))}
