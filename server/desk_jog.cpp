@@ -1,5 +1,5 @@
-// How the desk lets a client move the arm by hand: the skill `jog` runs for it, and its orders go to the pendant.
-// Whether the arm may go on is decided by that skill, which stops when no order comes.
+// How the desk lets a client move the arm by hand: the skill `jog` runs for it, and its orders go to the
+// pendant. Whether the arm may go on is decided by that skill, which stops when no order comes.
 #include "server/desk_parts.hpp"
 
 namespace pal::server {

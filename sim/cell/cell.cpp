@@ -77,6 +77,17 @@ bool uses(const runtime::Skill& skill, std::string_view device) {
   return std::find(devices.begin(), devices.end(), device) != devices.end();
 }
 
+/// What the motions of a skill are relative to: its parameter `frame`, if it has one; otherwise the tool.
+runtime::drivers::alter::Mode mode_of(const runtime::Skill& skill,
+                                      std::span<const runtime::ParameterValue> parameters) {
+  double frame = 2;
+  for (const runtime::ParameterSpec& each : skill.description().parameters)
+    if (each.name == "frame" && each.type == runtime::ParameterType::integer) frame = each.default_value;
+  for (const runtime::ParameterValue& each : parameters)
+    if (each.name == "frame" && !each.text) frame = each.value;
+  return {.world = frame == 1, .cumulative = true, .joints = frame == 0};
+}
+
 /// The station's physics as an observer sees it; null: none.
 std::unique_ptr<runtime::World> watched(const CellOptions& options, Workcell& workcell) {
   return options.watch ? options.watch(workcell) : nullptr;
@@ -286,6 +297,7 @@ runtime::Outcome Cell::run(runtime::Skill& skill, std::span<const runtime::Param
   session.run = options;
   // A skill that drives by VAL as well says itself when corrections are taken.
   parts_->alter.leave_opening_to_skill(uses(skill, "val"));
+  parts_->alter.use(mode_of(skill, parameters));
   session.begin = [this](runtime::Time earliest) {
     const runtime::Time begin = parts_->alter.next_tick(earliest + phase_) - phase_;
     parts_->plan_faults(begin);

@@ -16,8 +16,8 @@ class JogAdvance {
   /// end.
   void start(const Axes& most, const Axes& step);
 
-  /// The way of the next cycle; `wanted`: how fast each axis is to go, from -1 to 1 of the most. The direction
-  /// of a step is that of the first order that has one.
+  /// The way of the next cycle; `wanted`: how fast each axis is to go, from -1 to 1 of the most. The
+  /// direction of a step is that of the first order that has one.
   Axes next(const Axes& wanted);
 
   /// The step is made.
@@ -27,11 +27,11 @@ class JogAdvance {
   Axes along_step(const Axes& wanted);
 
   Axes most_{}, step_{};
-  Axes speed_{};      // a cycle
+  Axes speed_{};  // a cycle
   bool steps_ = false;
-  Axes whole_{};      // way of the step; all 0: it has no direction yet
-  double gone_ = 0;   // part of it, 0 to 1
-  double rate_ = 0;   // part of it in a cycle
+  Axes whole_{};     // way of the step; all 0: it has no direction yet
+  double gone_ = 0;  // part of it, 0 to 1
+  double rate_ = 0;  // part of it in a cycle
   bool there_ = false;
 };
 

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <stdexcept>
-#include <string>
 
 #include "jog_skill.hpp"
-#include "runtime/drivers/val/protocol.hpp"
 #include "skills_pal/jog/advance.hpp"
 #include "skills_pal/modules/alter.hpp"
 #include "skills_pal/modules/approach.hpp"
@@ -19,7 +16,7 @@ namespace {
 
 using namespace jog;
 
-enum Frame : int { joints = 0, world = 1, tool = 2 };
+constexpr int joints = 0;  // the frame
 
 // A tool that presses already may be taken away. It must not press harder by more than this.
 constexpr double harder = 5;  // N
@@ -39,18 +36,6 @@ class Method final : public SM1Activities {
     force_ = 0;
     limit_ = parameters.contact_force;
     contact_ = false;
-  }
-
-  Command choose_frame() override {
-    Command command;
-    command.verb = static_cast<std::int64_t>(runtime::drivers::val::Verb::open_alter);
-    // The sum: 1, motions add up; 2, in the world; 4, of the joints.
-    command.a = 1 + (parameters_.frame == world ? 2 : 0) + (parameters_.frame == joints ? 4 : 0);
-    return command;
-  }
-  bool decide_pc_ok(const Answer& answer) override { return answer.ok; }
-  void complain(const Answer& answer) override {
-    throw std::runtime_error("VAL: " + std::string(answer.error.view()));
   }
 
   void note_force(const Zforce& force) override {

@@ -29,9 +29,10 @@ def workcell(processors):
 
 
 def skills():
-    """Files with a skill, in order."""
+    """Files with a skill of this workcell, in order; one that has a workcell of its own beside it is not of this one."""
     files = sorted((ROOT / "skills_pal").glob("*/*.pal"))
-    return [file for file in files if re.search(r"^SKILL ", file.read_text(), re.MULTILINE)]
+    return [file for file in files
+            if re.search(r"^SKILL ", file.read_text(), re.MULTILINE) and not (file.parent / "workcell.pal").exists()]
 
 
 def processor_time():

@@ -261,6 +261,11 @@ try:
     assert call("locations.here") == before
     refused("wrong", call, "study.try", skill="touch", parameters={"approach-speed": 1000})
 
+    # Nobody moves by hand an arm whose time does not go by the clock.
+    refused("absent", call, "jog.start", frame="tool")
+    refused("nothing", call, "jog.keep", axes=[0, 0, 1, 0, 0, 0])
+    refused("nothing", call, "jog.stop")
+
     # Controls.
     operator = server.client(seen, "operator", "operator")
     refused("not-yours", operator.call, "controls.take")

@@ -25,6 +25,7 @@ AlterDriver::AlterDriver(Timeline& timeline, Link& link, alter::Opener& opener, 
       link_(link),
       opener_(opener),
       options_(std::move(options)),
+      mode_(options_.mode),
       ports_{
           {"tick", false, {}},
           {"correction",
@@ -52,9 +53,8 @@ bool AlterDriver::ready() const {
 void AlterDriver::prepare() {
   trouble_.clear();
   if (opened_by_skill_) return release();
-  if (state_ == State::open && !opened_otherwise_) return;
   if (state_ != State::open) return open_port();
-  // A skill left it open, in a mode of its own.
+  if (opened_in_ == mode_) return;
   timeline_.cancel(silence_);
   state_ = State::closing;
   asked_ = false;
@@ -64,11 +64,11 @@ void AlterDriver::prepare() {
 }
 
 void AlterDriver::open_port() {
-  opened_otherwise_ = false;
+  opened_in_ = mode_;
   decoder_.forget();
   asked_ = false;
   state_ = State::opening;
-  opener_.open(options_.mode, [this](std::string problem) {
+  opener_.open(mode_, [this](std::string problem) {
     if (state_ != State::opening) return;
     if (!problem.empty()) return fail("cannot be opened: " + problem);
     expect_request(options_.first_request_within, "was opened and asks for nothing");
@@ -135,7 +135,7 @@ void AlterDriver::take(const alter::Frame& frame) {
 
 void AlterDriver::requested(const alter::Request& request) {
   state_ = State::open;
-  opened_otherwise_ = opened_otherwise_ || opened_by_skill_;
+  if (opened_by_skill_) opened_in_.reset();
   request_ = request;
   requested_at_ = timeline_.now();
   asked_ = true;

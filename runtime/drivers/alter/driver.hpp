@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,9 +53,11 @@ class AlterDriver final : public Driver, private LinkUser {
   bool released() const override { return state_ == State::closed; }
   std::string trouble() const override { return trouble_; }
 
+  /// The mode of the skills from now on, unless they open ALTER themselves: prepare() opens it so.
+  void use(const alter::Mode& mode) { mode_ = mode; }
+
   /// The skill itself opens and closes ALTER, by other means. So prepare() closes it, and a request that
-  /// comes later opens the session. The next skill that does not open it itself finds it in
-  /// the mode of this driver's options.
+  /// comes later opens the session.
   void leave_opening_to_skill(bool leave) { opened_by_skill_ = leave; }
 
   /// The first instant at or after `from` at which a request is expected; `from` itself if ALTER is not open.
@@ -78,12 +81,13 @@ class AlterDriver final : public Driver, private LinkUser {
   Link& link_;
   alter::Opener& opener_;
   AlterDriverOptions options_;
+  alter::Mode mode_;                      // for the next skill
+  std::optional<alter::Mode> opened_in_;  // nothing: as a skill opened it
   std::vector<PortSpec> ports_;
   alter::Decoder decoder_;
   DeviceHost* host_ = nullptr;
   bool in_session_ = false;
   bool opened_by_skill_ = false;
-  bool opened_otherwise_ = false;  // it is open as a skill opened it
   State state_ = State::closed;
   std::string trouble_;
   bool asked_ = false;  // the controller waits for an answer

@@ -21,8 +21,8 @@ struct PendantOrder {
 /// Port `order` from the device: a to f, held. An order says that the person is there; the skill decides what
 /// silence means.
 ///
-/// Orders come from outside, by order(). The driver looks for a new one every 4 ms of station time. It hands on
-/// the newest, and no two within 20 ms: the environment promises that distance. What came while no skill
+/// Orders come from outside, by order(). The driver looks for a new one every 4 ms of station time. It hands
+/// on the newest, and no two within 20 ms: the environment promises that distance. What came while no skill
 /// waited for an order is forgotten, so that nothing moves by an old one.
 class PendantDriver final : public Driver {
  public:

@@ -339,8 +339,8 @@ TEST_CASE("VAL: ALTER is opened and closed by instructions") {
   CHECK(bench.alter.mode == AlterMode{.world = true, .cumulative = false});
   bench.alter.trouble = "no answer within 20.0 ms";
   CHECK(bench.ask("DO NOALTER") == "*ALTER* no answer within 20,0 ms\r\n");
-  CHECK(bench.ask("DO ALTER(4)") ==
-        "*Illegal value* a mode is the sum of 1 (cumulative), 2 (world) and 16\r\n");
+  CHECK(bench.ask("DO ALTER(8)") ==
+        "*Illegal value* a mode is the sum of 1 (cumulative), 2 (world), 4 (joints) and 16\r\n");
   bench.machine.alter = nullptr;
   CHECK(bench.ask("DO ALTER(1)") == "*No ALTER port*\r\n");
 }

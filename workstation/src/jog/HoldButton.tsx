@@ -42,7 +42,7 @@ export function HoldButton({ id, label, keyHint, sign, axes, disabled }: Props) 
     if (!event.repeat) begin();
   };
   return (
-    <button type="button" className="button hold-button" aria-label={label} aria-keyshortcuts={keyHint} aria-pressed={held} disabled={disabled} data-held={held || undefined} title={label}
+    <button type="button" className="button hold-button" aria-label={label} aria-keyshortcuts={keyHint} aria-pressed={held} aria-disabled={disabled || undefined} data-held={held || undefined} title={label}
       onPointerDown={down} onPointerMove={move} onPointerUp={end} onPointerCancel={end} onLostPointerCapture={end} onContextMenu={(event) => event.preventDefault()}
       onKeyDown={key} onKeyUp={(event) => (event.key === " " || event.key === "Enter") && end()} onBlur={end}>
       <span aria-hidden="true">{sign}</span><kbd aria-hidden="true">{keyHint}</kbd>
