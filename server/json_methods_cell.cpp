@@ -92,6 +92,8 @@ Json snapshot_json(const SessionContext& context, ClientId client) {
   if (context.trials != nullptr) json["offers"].push_back("study");
   if (context.desk.locations() != nullptr) json["offers"].push_back("locations");
   if (context.channels != nullptr && !context.channels->empty()) json["offers"].push_back("channels");
+  if (context.scene != nullptr) json["offers"].push_back("scene");
+  if (context.recording != nullptr) json["offers"].push_back("replay");
   return json;
 }
 

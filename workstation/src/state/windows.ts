@@ -2,7 +2,7 @@
 import { create } from "zustand";
 
 export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways"
-  | "channel" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "production";
+  | "channel" | "scene" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "production";
 
 export interface OpenWindow {
   id: string;
