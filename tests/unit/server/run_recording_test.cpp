@@ -193,6 +193,6 @@ TEST_CASE("recording: clients read it as text of 64 letters") {
   CHECK(page["times_s"] == Json({1.0}));
   CHECK(page["more"] == false);
   CHECK(ask("replay.read", {{"run", 2}, {"channel", "poses"}, {"after_s", 1.0}})["result"]["times_s"].empty());
-  CHECK(ask("replay.read", {{"run", 0}, {"channel", "poses"}})["error"]["code"] == bad_parameters);
-  CHECK(ask("replay.read", {{"run", 2}, {"channel", "poses"}, {"after_s", "now"}})["error"]["code"] == bad_parameters);
+  CHECK(ask("replay.read", {{"run", 0}, {"channel", "poses"}})["error"]["code"] == -32602);
+  CHECK(ask("replay.read", {{"run", 2}, {"channel", "poses"}, {"after_s", "now"}})["error"]["code"] == -32602);
 }

@@ -10,7 +10,7 @@
 using namespace pal;
 using namespace pal::server;
 using namespace std::chrono_literals;
-using Json = nlohmann::json;
+using Plain = nlohmann::json;  // the server has a Json of its own
 
 namespace {
 
@@ -51,13 +51,13 @@ struct LiveFixture {
   LiveView view{output, &channels, &latest, [this] { return now; }};
 
   void watch(bool binary, double period) {
-    Json request{{"params", {{"channels", {{{"channel", "poses"}, {"binary", binary}, {"period_s", period}}}}}}};
+    Plain request{{"params", {{"channels", {{{"channel", "poses"}, {"binary", binary}, {"period_s", period}}}}}}};
     nlohmann::ordered_json ordered = nlohmann::ordered_json::parse(request.dump());
     view.watch_channels(Members(ordered));
   }
   std::vector<double> times() const {
     std::vector<double> result;
-    for (const std::string& each : sent) result.push_back(Json::parse(each)["params"]["time_s"]);
+    for (const std::string& each : sent) result.push_back(Plain::parse(each)["params"]["time_s"]);
     return result;
   }
 };
@@ -68,18 +68,18 @@ TEST_CASE("clients are told what the cell looks like, with short numbers") {
   test::SessionFixture fixture(json_session);
   fixture.say(R"({"jsonrpc": "2.0", "id": 1, "method": "hello", "params": {"token": "viewers"}})");
   const auto ask = [&] {
-    return Json::parse(fixture.say(R"({"jsonrpc": "2.0", "id": 2, "method": "scene.get"})").front());
+    return Plain::parse(fixture.say(R"({"jsonrpc": "2.0", "id": 2, "method": "scene.get"})").front());
   };
   CHECK(ask()["error"]["data"]["why"] == "absent");
   const Scene scene = two_bodies();
   fixture.context.scene = &scene;
-  const Json told = ask()["result"];
+  const Plain told = ask()["result"];
   CHECK(told["bodies"][1] ==
-        Json({{"name", "arm"}, {"moves", true}, {"position", {0.1, 0.2, 0.3}}, {"turn", {0.0, 0.0, 1.0, 0.0}}}));
+        Plain({{"name", "arm"}, {"moves", true}, {"position", {0.1, 0.2, 0.3}}, {"turn", {0.0, 0.0, 1.0, 0.0}}}));
   CHECK(told["shapes"][0]["kind"] == "box");
   CHECK_FALSE(told["shapes"][0].contains("corners"));
   CHECK(told["shapes"][1]["corners"].size() == 9);
-  CHECK(told["shapes"][1]["triangles"] == Json({0, 1, 2}));
+  CHECK(told["shapes"][1]["triangles"] == Plain({0, 1, 2}));
   CHECK(told["tip"]["body"] == 1);
   CHECK(told["tip"]["position"][2] == 0.5);
 }
@@ -95,28 +95,28 @@ TEST_CASE("locations are placed in the scene by the robot's own meaning of a pos
   };
   fixture.context.scene = &scene;
   fixture.say(R"({"jsonrpc": "2.0", "id": 1, "method": "hello", "params": {"token": "viewers"}})");
-  const Json told =
-      Json::parse(fixture.say(R"({"jsonrpc": "2.0", "id": 2, "method": "scene.locations"})").front())["result"];
+  const Plain told =
+      Plain::parse(fixture.say(R"({"jsonrpc": "2.0", "id": 2, "method": "scene.locations"})").front())["result"];
   REQUIRE(told.size() == 1);
   CHECK(told[0]["location"] == "HOME");
-  CHECK(told[0]["position"] == Json({0.1, 0.0, 0.7}));
+  CHECK(told[0]["position"] == Plain({0.1, 0.0, 0.7}));
 }
 
 TEST_CASE("rows come as text or as numbers of four bytes") {
   LiveFixture live;
   live.watch(false, 0.001);
   live.view.show(rows_at(1s, {1, 2, 3, 4}));
-  const Json text = Json::parse(live.sent.at(0));
+  const Plain text = Plain::parse(live.sent.at(0));
   CHECK(text["method"] == "rows");
-  CHECK(text["params"]["rows"] == Json({{1.0, 2.0}, {3.0, 4.0}}));
+  CHECK(text["params"]["rows"] == Plain({{1.0, 2.0}, {3.0, 4.0}}));
   CHECK(text["params"]["dropped"] == 3);
   live.watch(true, 0.001);
   live.view.show(rows_at(2s, {1, 2, 3, 4, 5, 6}));
   const std::string& bytes = live.sent.at(1);
   std::uint32_t length = 0;
   std::memcpy(&length, bytes.data(), sizeof length);
-  const Json head = Json::parse(bytes.substr(4, length));
-  CHECK(head == Json({{"channel", "poses"}, {"time_s", 2.0}, {"rows", 3}, {"fields", 2}, {"dropped", 3}}));
+  const Plain head = Plain::parse(bytes.substr(4, length));
+  CHECK(head == Plain({{"channel", "poses"}, {"time_s", 2.0}, {"rows", 3}, {"fields", 2}, {"dropped", 3}}));
   REQUIRE(bytes.size() == 4 + length + 6 * sizeof(float));
   float last = 0;
   std::memcpy(&last, bytes.data() + bytes.size() - sizeof last, sizeof last);

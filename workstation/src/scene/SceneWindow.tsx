@@ -24,6 +24,8 @@ const fresh = 0.6;
 const named: readonly { view: NamedView; word: Word; key: string }[] = [
   { view: "front", word: "scene.front", key: "1" }, { view: "side", word: "scene.side", key: "2" }, { view: "top", word: "scene.top", key: "3" }, { view: "iso", word: "scene.iso", key: "4" },
 ];
+/** Of a name in the picture, px. */
+const line = 18;
 const newtons = (newton: number) => `${number(newton, newton < 9.95 ? 1 : 0)} N`;
 const still = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
@@ -80,6 +82,7 @@ function View({ scene, places, offered }: { scene: Scene; places: readonly Place
     const stopLook = onLook(() => made.colour());
     const words = new Map<string, HTMLElement>();
     const show = showing(made, host);
+    let taken: { x: number; y: number; width: number }[] = [];
     const name = (label: Label, x: number, y: number, seen: boolean) => {
       let text = words.get(label.key);
       if (!text) {
@@ -90,10 +93,16 @@ function View({ scene, places, offered }: { scene: Scene; places: readonly Place
       if (text.textContent !== label.text) text.textContent = label.text;
       text.dataset["kind"] = label.kind;
       text.hidden = !seen;
-      text.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+      // Names that would lie over one another come below one another.
+      const width = label.text.length * 7 + 14;
+      let below = y;
+      while (seen && label.kind === "location" && taken.some((each) => Math.abs(each.y - below) < line && each.x < x + width && x < each.x + each.width)) below += 4;
+      if (seen && label.kind === "location") taken.push({ x, y: below, width });
+      text.style.transform = `translate(${x.toFixed(1)}px, ${below.toFixed(1)}px)`;
     };
     const stopFrames = eachFrame(() => {
       show();
+      taken = [];
       if (!made.draw(name)) return;
       const there = new Set(made.labels.map((each) => each.key));
       for (const [key, text] of words) if (!there.has(key)) text.hidden = true;

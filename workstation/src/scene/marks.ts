@@ -37,6 +37,7 @@ export class Arrow extends Group {
     super();
     this.#shaft = new Mesh(new CylinderGeometry(0.0028, 0.0028, 1, 12), material);
     this.#head = new Mesh(new ConeGeometry(0.008, 0.022, 16), material);
+    this.#shaft.renderOrder = this.#head.renderOrder = 10;
     this.add(this.#shaft, this.#head);
   }
   /** From `begin` along a unit vector, so long in m. */
@@ -199,4 +200,5 @@ export function presses(rows: Float32Array): Press[] {
   return all;
 }
 
-export const arrowLook = (): MeshStandardMaterial => new MeshStandardMaterial({ roughness: 0.5 });
+/** Seen through what is before them: a force on a tool begins inside of what it presses. */
+export const arrowLook = (): MeshStandardMaterial => new MeshStandardMaterial({ roughness: 0.5, depthTest: false, transparent: true });

@@ -13,6 +13,9 @@ const views: Record<NamedView, readonly [number, number]> = { front: [0, 4], sid
 /** An arrow's length for a newton, and its least and greatest, m. */
 const m_per_N = 0.006, shortest = 0.045, longest = 0.3;
 
+/** Where the floor shows which way x, y and z are: before the cell, where nothing hides it. */
+const directions = new Vector3(-0.7, -0.9, 0.002);
+
 export interface Label {
   key: string;
   kind: "location" | "force" | "axis";
@@ -55,7 +58,7 @@ export class Stage {
   #sun = new DirectionalLight(0xffffff, 2.1);
   #floor = new Floor();
   #tool = new Axes(0.08, 3);
-  #world = new Axes(0.3, 2.5);
+  #world = new Axes(0.25, 2.5);
   #places: { axes: Axes; label: Label }[] = [];
   #arrows: Arrow[] = [];
   #contactLook = arrowLook();
@@ -89,6 +92,7 @@ export class Stage {
     this.controls.maxDistance = 12;
     this.controls.addEventListener("change", () => (this.stale = true));
     this.controls.addEventListener("start", () => (this.#flight = undefined));
+    this.#world.matrix.setPosition(directions);
     this.colour();
     this.#put(...this.#wanted("iso"));
   }
@@ -211,9 +215,9 @@ export class Stage {
   }
 
   #name(): void {
-    const axis = (text: string, ...place: [number, number, number]): Label => ({ key: `axis ${text}`, kind: "axis", text, place: new Vector3(...place) });
+    const axis = (text: string, ...place: [number, number, number]): Label => ({ key: `axis ${text}`, kind: "axis", text, place: new Vector3(...place).add(directions) });
     this.labels = [
-      axis("x", 0.33, 0, 0), axis("y", 0, 0.33, 0), axis("z", 0, 0, 0.33),
+      axis("x", 0.29, 0, 0), axis("y", 0, 0.29, 0), axis("z", 0, 0, 0.29),
       ...(this.#shows.locations ? this.#places.map((each) => each.label) : []), ...(this.#shows.contacts ? this.#forces : []), ...(this.#shows.sensor && this.#sensorLabel ? [this.#sensorLabel] : []),
     ];
     this.stale = true;
@@ -244,7 +248,7 @@ export class Stage {
     this.model.root.updateMatrixWorld(true);
     const box = new Box3().setFromObject(this.model.root), target = box.getCenter(new Vector3()), [azimuth, height] = view ? views[view] : this.#spherical;
     const radius = box.getSize(new Vector3()).length() / 2, half = MathUtils.degToRad(this.camera.fov / 2), narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
-    return [azimuth, height, (radius / Math.sin(narrow)) * 0.86, target];
+    return [azimuth, height, (radius / Math.sin(narrow)) * 0.97, target];
   }
   /** Goes there in a quarter of a second, or at once for those who want no motion. */
   #go(to: [number, number, number, Vector3]): void {
