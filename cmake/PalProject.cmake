@@ -95,20 +95,25 @@ function(pal_warnings target)
   endif()
 endfunction()
 
-# pal_precompiled(TARGET): with PAL_PRECOMPILE its files are read with the standard library's headers as they
-# were read before. All that use it have the same options.
+# pal_precompiled(TARGET [FOR_TESTS]): with PAL_PRECOMPILE its files are read with the standard library's headers as they
+# were read before. All that share such headers have the same options. FOR_TESTS: Catch2 too, and without optimization.
 function(pal_precompiled target)
   if(NOT PAL_PRECOMPILE)
     return()
   endif()
   set(headers pal_precompiled_headers)
   get_target_property(in_plugins ${target} POSITION_INDEPENDENT_CODE)
-  if(in_plugins)
+  if("FOR_TESTS" IN_LIST ARGN)
+    set(headers pal_precompiled_headers_in_tests)
+  elseif(in_plugins)
     set(headers pal_precompiled_headers_in_plugins)
   endif()
   if(NOT TARGET ${headers})
     add_library(${headers} OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
-    if(in_plugins)
+    if("FOR_TESTS" IN_LIST ARGN)
+      pal_without_optimization(${headers})
+      target_precompile_headers(${headers} PRIVATE <catch2/catch.hpp>)
+    elseif(in_plugins)
       pal_in_plugins(${headers})
     endif()
     target_precompile_headers(${headers} PRIVATE <algorithm> <chrono> <cstdint> <functional> <iostream> <map>
@@ -121,4 +126,9 @@ function(pal_precompiled target)
     target_compile_options(${target} PRIVATE -fpch-preprocess
       -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
+endfunction()
+
+# pal_without_optimization(TARGET): for code that runs for a moment only and would take longer to compile.
+function(pal_without_optimization target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
 endfunction()

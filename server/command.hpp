@@ -14,6 +14,7 @@
 
 #include "operations/executor.hpp"
 #include "pal/support/time.hpp"
+#include "server/pendant.hpp"
 
 namespace pal::server {
 
@@ -105,10 +106,22 @@ struct AnswerQuestion {
   std::variant<std::size_t, std::string> answer;
 };
 
+/// The arm moves while orders come; answered when it is at rest. The parameters are those of the skill `jog`.
+struct StartJog {
+  std::vector<operations::Parameter> parameters;
+};
+/// Of the client that jogs: its person is there, and wants this.
+struct KeepJog {
+  JogAxes axes{};
+};
+/// Its person has let go.
+struct EndJog {};
+
 using Command = std::variant<TakeControls, AskForControls, GiveControls, ReleaseControls, SetHold,
                              ReleaseHold, RunSkill, LoadOperation, RunOperation, Pause, Stop, PutToken,
                              SetParameter, SetBreakpoint, RemoveBreakpoint, ClearBreakpoints, AnswerQuestion,
-                             TeachLocation, RenameLocation, DeleteLocation, WhereIsRobot, ReadSensor>;
+                             TeachLocation, RenameLocation, DeleteLocation, WhereIsRobot, ReadSensor,
+                             StartJog, KeepJog, EndJog>;
 
 /// How a command ended that was obeyed.
 struct Done {

@@ -48,6 +48,11 @@ void Desk::Parts::look_at_executor() {
   breakpoints = executor->breakpoints();
 }
 
+std::shared_ptr<const operations::Cell> Desk::Parts::known_cell() const {
+  if (!cell_copy) cell_copy = std::make_shared<operations::Cell>(cell);
+  return cell_copy;
+}
+
 const std::string& Desk::Parts::name_of(ClientId client) const {
   static const std::string nobody;
   const auto found = clients.find(client);
@@ -181,6 +186,10 @@ const Locations* Desk::locations() const {
   return parts_->options.book;
 }
 
+bool Desk::can_jog() const {
+  return parts_->options.pendant != nullptr && parts_->cell.skills->contains("jog");
+}
+
 std::map<std::string, LastReading> Desk::readings() const {
   const std::lock_guard lock(parts_->mutex);
   return parts_->readings;
@@ -188,8 +197,7 @@ std::map<std::string, LastReading> Desk::readings() const {
 
 std::shared_ptr<const operations::Cell> Desk::cell() const {
   const std::lock_guard lock(parts_->mutex);
-  if (!parts_->cell_copy) parts_->cell_copy = std::make_shared<operations::Cell>(parts_->cell);
-  return parts_->cell_copy;
+  return parts_->known_cell();
 }
 
 const std::string& Desk::epoch() const {

@@ -42,6 +42,7 @@ struct DeskOptions {
   operations::RefusedTogether refused_together{};
   RunHistory* runs = nullptr;  // gets each execution; null: nobody does. It outlives the desk
   RunRecording* recording = nullptr;  // is told when runs of the history begin and end; likewise
+  Pendant* pendant = nullptr;  // null: nobody can move the arm by hand. It outlives the desk
   /// How long the cell waits on the wall before it looks for an answer again. A cell in virtual time needs
   /// this: its own time would rush past.
   std::chrono::milliseconds answer_wait{0};
@@ -79,6 +80,8 @@ class Desk final {
   const operations::Sensors& sensors() const;
   /// Null: this cell cannot be taught.
   const Locations* locations() const;
+  /// Whether clients can move the arm by hand.
+  bool can_jog() const;
   /// What sensors showed when they were last read.
   std::map<std::string, LastReading> readings() const;
   /// What operations are checked against now.

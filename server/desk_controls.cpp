@@ -17,6 +17,9 @@ struct LeastRole {
   Role operator()(const WhereIsRobot&) const { return Role::viewer; }
   Role operator()(const ReadSensor&) const { return Role::viewer; }
   Role operator()(const RunSkill&) const { return Role::programmer; }
+  Role operator()(const StartJog&) const { return Role::programmer; }
+  Role operator()(const KeepJog&) const { return Role::programmer; }
+  Role operator()(const EndJog&) const { return Role::programmer; }
   Role operator()(const TeachLocation&) const { return Role::programmer; }
   Role operator()(const RenameLocation&) const { return Role::programmer; }
   Role operator()(const DeleteLocation&) const { return Role::programmer; }
@@ -138,6 +141,7 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, SetHold& command) {
                      std::chrono::system_clock::now()};
   publish(HoldChanged{status.hold, client.name});
   if (status.activity == Activity::operation) pause(client.name);
+  if (jogs) stop(client.name);
   return std::nullopt;
 }
 

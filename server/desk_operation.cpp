@@ -108,24 +108,30 @@ Desk::Parts::Result Desk::Parts::load(Asked& asked, LoadOperation command, const
     if (auto refusal = need_controls(asked.client)) return refusal;
     return need_rest();
   };
-  operations::Cell known;
+  std::shared_ptr<const operations::Cell> known;
   {
     const std::lock_guard lock(mutex);
     if (auto refusal = allowed()) return refusal;
-    known = cell;
+    known = known_cell();
   }
-  std::variant<operations::Program, Refusal> read = program_of(command, known, stop);
+  std::variant<operations::Program, Refusal> read = program_of(command, *known, stop);
   if (auto* refusal = std::get_if<Refusal>(&read)) return std::move(*refusal);
+  // A large operation takes a while to be made ready, and the one before it to be forgotten: neither is done
+  // with the lock, which a stop needs.
+  auto next =
+      std::make_unique<Executor>(std::move(std::get<operations::Program>(read)), asking_runner, this, &cell);
+  next->add_kept_breakpoints(most_breakpoints);
+  std::shared_ptr<const LoadedFiles> files = std::make_shared<LoadedFiles>(
+      LoadedFiles{std::move(command.files), std::move(command.main), std::move(command.stored)});
+  decltype(icons) icons_before;
   const std::lock_guard lock(mutex);
   if (auto refusal = allowed()) return refusal;
   give_controls(asked.client);
-  executor =
-      std::make_unique<Executor>(std::move(std::get<operations::Program>(read)), asking_runner, this, &cell);
-  loaded = std::make_shared<LoadedFiles>(
-      LoadedFiles{std::move(command.files), std::move(command.main), std::move(command.stored)});
+  executor.swap(next);
+  loaded.swap(files);
   changes.clear();
+  icons.swap(icons_before);
   forget_icons();
-  executor->add_kept_breakpoints(most_breakpoints);
   look_at_executor();
   asked.done.operation = status.operation;
   publish(OperationLoaded{status.operation, name_of(asked.client)});

@@ -79,6 +79,8 @@ struct Desk::Parts final : operations::StepObserver {
   void publish(decltype(Event::what) what);
   void publish_state();
   void look_at_executor();
+  /// A copy that does not change.
+  std::shared_ptr<const operations::Cell> known_cell() const;
   Duration time_now() const { return Duration(now.load(std::memory_order_relaxed)); }
   void set_time(Duration time) { now.store(time.count(), std::memory_order_relaxed); }
   const std::string& name_of(ClientId client) const;
@@ -113,6 +115,10 @@ struct Desk::Parts final : operations::StepObserver {
   Result obey(Asked& asked, DeleteLocation& command);
   Result obey(Asked& asked, WhereIsRobot& command);
   Result obey(Asked& asked, ReadSensor& command);
+  Result obey(Asked& asked, StartJog& command);
+  Result obey(Asked& asked, KeepJog& command);
+  Result obey(Asked& asked, EndJog& command);
+  Result need_jog(ClientId client) const;
   Result begin_service(Asked& asked, std::function<Served()> work);
   Result need_locations() const;
 
@@ -164,6 +170,7 @@ struct Desk::Parts final : operations::StepObserver {
   std::vector<std::pair<std::function<Reply()>, Answerer>> between;
   std::optional<SkillJob> skill_job;
   std::optional<ClientId> stops_without;  // a skill alone is stopped when this client goes
+  std::optional<ClientId> jogs;           // this client moves the arm by hand
   std::optional<OperationJob> operation_job;
   std::optional<ServiceJob> service_job;
 

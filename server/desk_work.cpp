@@ -182,6 +182,7 @@ void Desk::Parts::work_on(SkillJob& job) {
     status.pausing = status.stopping = false;
     status.running.reset();
     stops_without.reset();
+    jogs.reset();
     set_time(step.end);
     note_step(step);
     using Kind = operations::SkillResult::Kind;

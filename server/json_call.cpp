@@ -1,5 +1,7 @@
 #include "server/json_call.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -28,17 +30,19 @@ void Call::ask(Command command) const {
 
 namespace {
 
-/// What came of the work: a result as JSON, or why there is none. It is not copied from thread to thread.
-using Outcome = std::shared_ptr<const std::variant<std::string, Problem>>;
+/// What came of the work: the whole message that answers, or why there is none. It may be long, so the thread
+/// of the sockets neither makes nor copies it.
+using Outcome = std::shared_ptr<std::variant<std::string, Problem>>;
 
 Outcome outcome(std::variant<std::string, Problem> result) {
-  return std::make_shared<const std::variant<std::string, Problem>>(std::move(result));
+  return std::make_shared<std::variant<std::string, Problem>>(std::move(result));
 }
 
-Outcome outcome_of(const std::function<Json(const Workshop::Stop&)>& work, const Workshop::Stop& stop) {
+Outcome outcome_of(const std::function<Json(const Workshop::Stop&)>& work, const Json& id,
+                   const Workshop::Stop& stop) {
   try {
     if (stop()) return outcome(problem_of(Refusal{Refusal::Why::cancelled, "it was cancelled"}));
-    return outcome(dump(work(stop)));
+    return outcome(answer_text(id, work(stop)));
   } catch (const Problem& problem) {
     return outcome(problem);
   } catch (const std::exception& problem) {
@@ -50,11 +54,15 @@ constexpr const char* too_many = "too many requests of this client wait";
 
 }  // namespace
 
-void Call::answer_with(const std::variant<std::string, Problem>& outcome) const {
+std::string answer_text(const Json& id, const Json& result) {
+  return fmt::format(R"({{"jsonrpc":"2.0","id":{},"result":{}}})", dump(id), dump(result));
+}
+
+void Call::answer_with(std::variant<std::string, Problem>& outcome) const {
   if (const auto* problem = std::get_if<Problem>(&outcome)) {
     refuse(*problem);
-  } else {
-    text_result(std::get<std::string>(outcome));
+  } else if (answered_) {
+    home_->send_message(std::move(std::get<std::string>(outcome)));
   }
 }
 
@@ -62,7 +70,7 @@ void Call::beside(Workshop& workshop, std::function<Json(const Workshop::Stop&)>
   const auto ticket =
       workshop.submit(client(), [call = *this, alive = home_->alive(), turn = context().in_turn,
                                  work = std::move(work)](const Workshop::Stop& stop) {
-        turn([call, alive, outcome = outcome_of(work, stop)] {
+        turn([call, alive, outcome = outcome_of(work, call.id_, stop)] {
           const auto still = alive.lock();
           if (!still || !*still) return;
           call.home_->note_ticket(call.id_, nullptr);
@@ -95,10 +103,10 @@ void Call::load(LoadOperation command, std::function<void(LoadOperation&)> find)
         }
         desk.ask(
             client, std::move(command),
-            [answer](const Reply& reply) {
+            [answer, call](const Reply& reply) {
               if (const auto* refusal = std::get_if<Refusal>(&reply))
                 return answer(outcome(problem_of(*refusal)));
-              answer(outcome(dump(Json{{"operation", std::get<Done>(reply).operation}})));
+              answer(outcome(answer_text(call.id_, Json{{"operation", std::get<Done>(reply).operation}})));
             },
             stop);
       });
@@ -112,7 +120,7 @@ void Call::load(LoadOperation command, std::function<void(LoadOperation&)> find)
 const Method* find_method(std::string_view name) {
   for (const auto& group :
        {methods_of_the_cell(), methods_of_controls(), methods_of_operations(), methods_of_texts(),
-        methods_of_the_store(), methods_of_the_robot(), methods_of_the_history(), methods_of_studies(),
+        methods_of_the_store(), methods_of_the_robot(), methods_of_jogs(), methods_of_the_history(), methods_of_studies(),
         methods_of_the_scene()})
     for (const Method& method : group)
       if (method.name == name) return &method;

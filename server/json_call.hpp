@@ -14,6 +14,9 @@
 
 namespace pal::server {
 
+/// The message that answers the request of this id.
+std::string answer_text(const Json& id, const Json& result);
+
 /// The session behind a call; what a call needs of it.
 class CallHome {
  public:
@@ -22,8 +25,8 @@ class CallHome {
   virtual ClientId client() const = 0;
   virtual Role role() const = 0;
   virtual void send_result(const Json& id, const Json& result) = 0;
-  /// The result is JSON already.
-  virtual void send_text(const Json& id, const std::string& result) = 0;
+  /// The whole message, from answer_text().
+  virtual void send_message(std::string message) = 0;
   virtual void send_problem(const Json& id, const Problem& problem) = 0;
   /// So that `cancel` finds it, until it is answered.
   virtual void note_ticket(const Json& id, const Workshop::Ticket& ticket) = 0;
@@ -48,9 +51,6 @@ class Call {
   void result(const Json& result) const {
     if (answered_) home_->send_result(id_, result);
   }
-  void text_result(const std::string& result) const {
-    if (answered_) home_->send_text(id_, result);
-  }
   void refuse(const Problem& problem) const {
     if (answered_) home_->send_problem(id_, problem);
   }
@@ -63,7 +63,7 @@ class Call {
   void load(LoadOperation command, std::function<void(LoadOperation&)> find) const;
 
  private:
-  void answer_with(const std::variant<std::string, Problem>& outcome) const;
+  void answer_with(std::variant<std::string, Problem>& outcome) const;
 
   CallHome* home_;
   Members members_;
@@ -86,6 +86,7 @@ std::span<const Method> methods_of_operations();
 std::span<const Method> methods_of_texts();
 std::span<const Method> methods_of_the_store();
 std::span<const Method> methods_of_the_robot();
+std::span<const Method> methods_of_jogs();
 std::span<const Method> methods_of_the_history();
 std::span<const Method> methods_of_studies();
 std::span<const Method> methods_of_the_scene();

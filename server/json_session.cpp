@@ -69,10 +69,8 @@ class JsonSession final : public Session, private CallHome {
   SessionContext& context() override { return context_; }
   ClientId client() const override { return client_.value_or(0); }
   Role role() const override { return role_; }
-  void send_result(const Json& id, const Json& result) override { send_text(id, dump(result)); }
-  void send_text(const Json& id, const std::string& result) override {
-    output_.send(fmt::format(R"({{"jsonrpc":"2.0","id":{},"result":{}}})", dump(id), result));
-  }
+  void send_result(const Json& id, const Json& result) override { send_message(answer_text(id, result)); }
+  void send_message(std::string message) override { output_.send(std::move(message)); }
   void send_problem(const Json& id, const Problem& problem) override {
     output_.send(
         dump({{"jsonrpc", "2.0"},

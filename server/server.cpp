@@ -18,6 +18,7 @@
 
 #include "server/connections.hpp"
 #include "server/terminal.hpp"
+#include "server/urgency.hpp"
 
 namespace pal::server {
 namespace {
@@ -121,7 +122,10 @@ struct Server::Parts {
     if (lines) accept_line();
     if (terminal) enter(line_connection(*connection_context, std::move(*terminal)));
     if (serial) enter(line_connection(*connection_context, std::move(*serial)));
-    thread = std::thread([this] { io.run(); });
+    thread = std::thread([this] {
+      answer_soon();
+      io.run();
+    });
   }
 
   void stop() {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "server/urgency.hpp"
+
 namespace pal::server {
 
 Workshop::Workshop(bool thread) {
@@ -40,6 +42,7 @@ Workshop::Ticket Workshop::submit(ClientId client, Job job) {
 }
 
 void Workshop::work() {
+  work_beside();
   for (;;) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });

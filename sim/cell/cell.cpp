@@ -8,6 +8,7 @@
 #include "runtime/drivers/alter/driver.hpp"
 #include "runtime/drivers/force_torque/driver.hpp"
 #include "runtime/drivers/gripper/driver.hpp"
+#include "runtime/drivers/pendant/driver.hpp"
 #include "runtime/drivers/range_finder/driver.hpp"
 #include "runtime/drivers/val/alter_opener.hpp"
 #include "sim/cell/corrected_arm.hpp"
@@ -114,6 +115,7 @@ struct Cell::Parts {
     val.emulator->store().locations = workcell.locations();
     attach(*val.driver, val.wire);
     attach(alter, alter_wire);
+    station.add(pendant);
     attach_force_torque(options);
     if (workcell.tool_kind() == ToolKind::gripper) attach_gripper(options);
     if (workcell.tool_kind() == ToolKind::range_finder) attach_range_finder(options);
@@ -262,6 +264,7 @@ struct Cell::Parts {
   Attached<val::Controller, runtime::drivers::ValDriver> val;
   runtime::drivers::val::AlterOpener opener;
   runtime::drivers::AlterDriver alter;
+  runtime::drivers::PendantDriver pendant;
   std::optional<Attached<ForceTorqueEmulator, runtime::drivers::ForceTorqueDriver>> force_torque;
   std::optional<Attached<GripperEmulator, runtime::drivers::GripperDriver>> gripper;
   std::optional<Attached<RangeFinderEmulator, runtime::drivers::RangeFinderDriver>> range_finder;
@@ -329,6 +332,10 @@ const std::vector<PlannedFault>& Cell::faults_to_come() const {
 
 val::Store& Cell::val_store() {
   return parts_->val.emulator->store();
+}
+
+runtime::drivers::PendantDriver& Cell::pendant() {
+  return parts_->pendant;
 }
 
 runtime::drivers::ValDriver& Cell::val_driver() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/drivers/pendant/driver.hpp"
 #include "runtime/drivers/station.hpp"
 #include "runtime/drivers/val/driver.hpp"
 #include "runtime/drivers/wire.hpp"
@@ -47,7 +48,7 @@ struct CellOptions {
   std::vector<PlannedFault> faults;
 };
 
-/// Devices: val, alter, force-torque; gripper or range-finder where the scene's tool is one. ALTER is opened
+/// Devices: val, alter, force-torque, pendant; gripper or range-finder where the scene's tool is one. ALTER is opened
 /// for a skill that uses it, except for one that uses val, too: that opens and closes it itself, by VAL's
 /// commands.
 class Cell {
@@ -96,6 +97,8 @@ class Cell {
   /// Locations that skills can name, and programs: VAL's memory. At first it has the scene's locations.
   val::Store& val_store();
   runtime::drivers::ValDriver& val_driver();
+  /// What a person holds to move the arm.
+  runtime::drivers::PendantDriver& pendant();
 
  private:
   struct Parts;

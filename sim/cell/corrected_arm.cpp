@@ -8,6 +8,7 @@ std::string CorrectedArm::open(const AlterMode& mode) {
   if (!workcell_.idle()) return "the arm is moving";
   frame_ = keeps_first_turn_ ? CorrectionFrame::tool_at_open : CorrectionFrame::tool;
   if (mode.world) frame_ = CorrectionFrame::world;
+  if (mode.joints) frame_ = CorrectionFrame::joints;
   cumulative_ = mode.cumulative;
   workcell_.motion().open_corrections(workcell_.now());
   return {};

@@ -25,18 +25,41 @@ Trajectory::Trajectory(const Joints& start, runtime::Time period, const Pose& to
 
 std::optional<std::string> Trajectory::add(const Correction& correction, CorrectionFrame frame,
                                            runtime::Time begin, bool cumulative) {
+  if (frame == CorrectionFrame::joints) return turn_joints(correction, begin);
   const Pose goal = corrected(cumulative ? goal_ : opened_, correction, frame, opened_);
+  const InverseSolution solution = next_on_path(goal, tool_, configuration_, goal_joints_);
+  if (const auto refusal = refusal_of(solution)) return refusal->text;
+  return add(goal, solution.q, begin);
+}
+
+std::optional<std::string> Trajectory::turn_joints(const Correction& correction, runtime::Time begin) {
+  InverseSolution solution;
+  const std::array by{correction.dx, correction.dy, correction.dz, correction.rx, correction.ry, correction.rz};
+  for (std::size_t i = 0; i < joint_count; ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    solution.q[joint] = goal_joints_[joint] + radians(by[i]);
+    const bool within =
+        solution.q[joint] >= puma_limits[i].lower && solution.q[joint] <= puma_limits[i].upper;
+    if (within || by[i] == 0 || solution.problem != InverseProblem::none) continue;
+    solution.problem = InverseProblem::over_limit;
+    solution.joint = i;
+  }
+  if (const auto refusal = refusal_of(solution)) return refusal->text;
+  const auto refused = add(tool_pose(solution.q, tool_), solution.q, begin);
+  if (!refused) configuration_ = configuration_of(solution.q);
+  return refused;
+}
+
+std::optional<std::string> Trajectory::add(const Pose& goal, const Joints& joints, runtime::Time begin) {
   const double distance = (goal.translation() - goal_.translation()).norm();
   if (distance > straight_line_speed * seconds(period_))
     return "the tool would move at " + beyond_limit(distance / seconds(period_), straight_line_speed, "m/s");
-  const InverseSolution solution = next_on_path(goal, tool_, configuration_, goal_joints_);
-  if (const auto refusal = refusal_of(solution)) return refusal->text;
-  if (const auto refusal = too_fast((solution.q - goal_joints_) / seconds(period_))) return refusal->text;
+  if (const auto refusal = too_fast((joints - goal_joints_) / seconds(period_))) return refusal->text;
   if (count_ == capacity) return "corrections come faster than they can be moved";
   if (count_ > 0) begin = std::max(begin, segments_[count_ - 1].begin + period_);
-  segments_[count_++] = {begin, goal_joints_, solution.q};
+  segments_[count_++] = {begin, goal_joints_, joints};
   goal_ = goal;
-  goal_joints_ = solution.q;
+  goal_joints_ = joints;
   return std::nullopt;
 }
 

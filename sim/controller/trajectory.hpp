@@ -21,6 +21,7 @@ class Trajectory {
   /// Adds a relative motion, to be made from `begin` on or after those before it, whichever is later.
   /// Refused, with the reason, when the pose is out of reach, a joint would leave its range, or the motion is
   /// faster than the arm. Not cumulative: relative to the pose at opening, not to the corrections before it.
+  /// In the frame of the joints they always add up.
   std::optional<std::string> add(const Correction& correction, CorrectionFrame frame, runtime::Time begin,
                                  bool cumulative = true);
 
@@ -46,6 +47,9 @@ class Trajectory {
   const Joints& goal_joints() const { return goal_joints_; }
 
  private:
+  std::optional<std::string> add(const Pose& goal, const Joints& joints, runtime::Time begin);
+  std::optional<std::string> turn_joints(const Correction& correction, runtime::Time begin);
+
   struct Segment {
     runtime::Time begin{};
     Joints from = Joints::Zero();

@@ -289,18 +289,19 @@ void Instruction::take_here(Line& line) {
 }
 
 void Instruction::open_alter(Line& line) {
-  constexpr long cumulative = 1, world = 2, external = 16;
+  constexpr long cumulative = 1, world = 2, joints = 4, external = 16;
   line.expect('(');
   // Of one number the mode; of two the port, which is the only one, and the mode.
-  long mode = whole_number(line, machine_.values(), -1, external + world + cumulative);
-  if (line.take(',')) mode = whole_number(line, machine_.values(), 0, external + world + cumulative);
+  long mode = whole_number(line, machine_.values(), -1, external + joints + world + cumulative);
+  if (line.take(',')) mode = whole_number(line, machine_.values(), 0, external + joints + world + cumulative);
   line.expect(')');
   line.end();
-  if (mode < 0 || (mode & ~(external | world | cumulative)) != 0)
-    throw Error("Illegal value", "a mode is the sum of 1 (cumulative), 2 (world) and 16");
+  if (mode < 0 || (mode & ~(external | joints | world | cumulative)) != 0)
+    throw Error("Illegal value", "a mode is the sum of 1 (cumulative), 2 (world), 4 (joints) and 16");
   if (machine_.alter == nullptr) throw Error("No ALTER port");
   need_arm();
-  const std::string problem = machine_.alter->open({(mode & world) != 0, (mode & cumulative) != 0});
+  const std::string problem = machine_.alter->open(
+      {.world = (mode & world) != 0, .cumulative = (mode & cumulative) != 0, .joints = (mode & joints) != 0});
   if (!problem.empty()) throw Error("ALTER", problem);
 }
 

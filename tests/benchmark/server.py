@@ -95,14 +95,65 @@ class Attack(multiprocessing.Process):
         self.over, self.rounds = multiprocessing.Event(), multiprocessing.Value("i", 0)
 
     def run(self):
-        busy = quiet(self.server)
+        busy = Hasty(quiet(self.server))
         while not self.over.is_set():
             self.what(busy)
             self.rounds.value += 1
 
 
+class Hasty:
+    """Asks for the next before it has the answer, and looks into none: it leaves the processors to the server."""
+
+    def __init__(self, client):
+        self.client, self.owed = client, 0
+        client.socket.settimeout(None)
+        self.answers = client.socket.makefile("rb", buffering=1 << 16)
+
+    def ask(self, method, ahead=1, **params):
+        self.client.send(method, **params)
+        self.owed += 1
+        while self.owed > ahead:
+            self.skip()
+
+    def skip(self):
+        """Takes one message."""
+        while True:
+            first, second = self.answers.read(2)
+            size = second & 0x7f
+            if size > 125:
+                size = int.from_bytes(self.answers.read(2 if size == 126 else 8), "big")
+            data = self.answers.read(size)
+            assert first & 0x0f != 8, data
+            if first & 0x0f == 9:
+                self.client.frame(10, data)
+            elif first & 0x80:
+                self.owed -= 1
+                return
+
+
+class Echo(multiprocessing.Process):
+    """A server that does nothing else than to answer: how long the machine itself takes for a request and its answer."""
+
+    def __init__(self):
+        super().__init__(daemon=True)
+        self.listens = socket.create_server(("127.0.0.1", 0))
+        self.start()
+        self.socket = socket.create_connection(self.listens.getsockname())
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+
+    def run(self):
+        answers, _ = self.listens.accept()
+        answers.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        while data := answers.recv(1000):
+            answers.sendall(data)
+
+    def call(self):
+        self.socket.sendall(b"a stop as long as those of the protocol, in its frame and as JSON")
+        self.socket.recv(1000)
+
+
 def stop():
-    server = Server(given.workcell)
+    server, echo = Server(given.workcell), Echo()
     try:
         text = long_operation(7000)
         half = long_operation(3500)  # both together fit into a request
@@ -121,12 +172,6 @@ def stop():
             finally:
                 wrong.close()
 
-        def flood(busy):
-            for _ in range(50):
-                busy.send("state")
-            for _ in range(50):
-                busy.step()
-
         held = []
 
         def silent(busy):
@@ -136,11 +181,11 @@ def stop():
 
         attacks = {
             "nothing": None,
-            f"checks of an operation of {len(text) // 1024} KiB": lambda busy: busy.call("operation.check", main="f", files={"f": text}),
-            "loads of it": lambda busy: busy.call("operation.load", main="f", files={"f": text}),
-            "snapshots with it": lambda busy: busy.call("snapshot"),
-            "comparisons of it": lambda busy: busy.call("operation.difference", before=half, after=half_changed),
-            "a flood of requests": flood,
+            f"checks of an operation of {len(text) // 1024} KiB": lambda busy: busy.ask("operation.check", main="f", files={"f": text}),
+            "loads of it": lambda busy: busy.ask("operation.load", main="f", files={"f": text}),
+            "snapshots with it": lambda busy: busy.ask("snapshot"),
+            "comparisons of it": lambda busy: busy.ask("operation.difference", before=half, after=half_changed),
+            "a flood of requests": lambda busy: busy.ask("state", ahead=50),
             "sockets without a token": strangers,
             "wrong tokens": tokens,
             "16 silent sockets": silent}
@@ -148,18 +193,22 @@ def stop():
             thread = Attack(server, attack) if attack else None
             if thread:
                 thread.start()
-            client, times = quiet(server, "viewer"), []
+            client, times, plain = quiet(server, "viewer"), [], []
+            time.sleep(0.2)
             for _ in range(400):
-                begin = time.perf_counter()
-                client.call("stop")
-                times.append(time.perf_counter() - begin)
-                time.sleep(0.005)
+                for values, call in ((times, lambda: client.call("stop")), (plain, echo.call)):
+                    begin = time.perf_counter()
+                    call()
+                    values.append(time.perf_counter() - begin)
+                    time.sleep(0.005)
             client.close()
             if thread:
                 thread.over.set()
                 thread.join(60)
-            print(f"stop: during {name}: {spread(times)}" + (f"; {thread.rounds.value} rounds" if thread else ""), flush=True)
+            print(f"stop: during {name}: {spread(times)}; an echo meanwhile: {spread(plain)}"
+                  + (f"; {thread.rounds.value} rounds" if thread else ""), flush=True)
     finally:
+        echo.terminate()
         server.end()
 
 

@@ -61,6 +61,9 @@ operation = {"operation-format": 1, "name": "tap-once", "icons": [
 (work / "tap.op.json").write_text(json.dumps(operation))
 expect("tap", run(workcell, "operation", "run", "--skills", "tap/build/tap.so", "tap.op.json"))
 expect("tap", run(workcell, "operation", "run", "tap.op.json", status=1))
+expect("PAL1007", run(prefix / "bin/pal", "operation", "check", "tap.op.json", "--scene", "touch", status=1))
+told = run(prefix / "bin/pal", "operation", "check", "tap.op.json", "--scene", "touch", "--skills", "tap/build/tap.so")
+expect("tap in workcell\n  holds", told)
 
 # Its PAL has changed, and it was not built again.
 pal = work / "tap/tap.pal"

@@ -90,10 +90,10 @@ operations::Cell cell_of(const OperationOptions& options) {
   return cell;
 }
 
-void check_against_cell(const Session& session, Diagnostics& diagnostics) {
+void check_against_cell(const Session& session, const BuiltSkills& built, Diagnostics& diagnostics) {
   for (const pan::Network& skill : session.specification.skills)
     for (const pan::Environment& environment : session.specification.environments)
-      check::check_listed(skill, environment, diagnostics);
+      if (built.runs_in(skill, environment, session)) check::check_listed(skill, environment, diagnostics);
 }
 
 std::vector<Program> read_programs(const OperationOptions& options, const Console& console, bool& whole,
@@ -127,24 +127,36 @@ void name_icons(const std::vector<Program>& programs, const Session& session,
 
 }  // namespace
 
-ExitStatus check_operation(const OperationOptions& given, const Console& console) {
+ExitStatus check_operation(const OperationOptions& given, const Console& user) {
   OperationOptions options = given;
   operations::Cell cell = cell_of(options);
+  const std::vector<std::string> built_files = take_built(options.skills);
+  BuiltSkills built(user.files);
   if (!options.scene.empty()) {
     std::string problem;
-    auto known = cell_of_scene(options.scene, problem);
+    auto known = cell_of_scene(options.scene, built_files, problem);
     if (!known) {
-      console.err << fmt::format("pal: --scene {}: {}\n", options.scene, problem);
+      user.err << fmt::format("pal: --scene {}: {}\n", options.scene, problem);
       return ExitStatus::usage;
     }
     cell = std::move(known->cell);
     // The same skills in another folder are those that are meant.
     if (options.skills.empty()) options.skills = {known->skills};
     if (options.environments.empty()) options.environments = {known->environment};
+    built.add(std::move(known->further), options.skills, options.environments);
+  } else if (!built_files.empty()) {
+    user.err << fmt::format("pal: --skills {}: only the workcell reads a built skill: name a scene, too "
+                            "(--scene SCENE), or the skill's PAL\n",
+                            built_files.front());
+    return ExitStatus::usage;
   }
+  const Console console{user.out, user.err, built, user.terminal, user.colour_out, user.colour_err};
   Session session;
   session.max_errors = options.max_errors;
   const Interruption interruption;  // till all is written
+  options.limits.leaves_out = [&](const pan::Network& skill, const pan::Environment& environment) {
+    return !built.runs_in(skill, environment, session);
+  };
   limit_checks(options.limits, session);
   bool whole = true;  // false: --timeout or Ctrl-C ended it
   const std::vector<Program> programs = read_programs(options, console, whole, session);
@@ -155,13 +167,13 @@ ExitStatus check_operation(const OperationOptions& given, const Console& console
   if (well_formed && !options.skills.empty()) {
     std::set<std::string> used;
     for (const Program& program : programs) used.merge(operations::skills_of(program));
-    cell.skills = read_skills(options, used, console, session);
+    cell.skills = read_skills(options, used, console, session, built);
   }
   if (well_formed)
     for (const Program& program : programs)
       whole = operations::check_cell(program, cell, session.diagnostics, session.stop) && whole;
   if (well_formed && cell.skills) {
-    if (!session.diagnostics.has_errors()) check_against_cell(session, session.diagnostics);
+    if (!session.diagnostics.has_errors()) check_against_cell(session, built, session.diagnostics);
     if (!session.diagnostics.has_errors()) proofs = prove(session, options.limits);
     if (!session.diagnostics.has_errors())
       for (const Program& program : programs)

@@ -36,7 +36,8 @@ void forget_other_environments(const OperationOptions& options, const Console& c
 }  // namespace
 
 operations::Skills read_skills(const OperationOptions& options, const std::set<std::string>& used,
-                               const Console& console, Session& session) {
+                               const Console& console, Session& session,
+                               const BuiltSkills& built) {
   Selection selection;
   selection.max_errors = options.max_errors;
   selection.environments = options.environments;
@@ -48,6 +49,8 @@ operations::Skills read_skills(const OperationOptions& options, const std::set<s
     }
   }
   read(selection, console, session);
+  std::erase_if(session.specification.skills,
+                [&](const pan::Network& network) { return built.take_the_place_of(network, session); });
   operations::Skills skills;
   for (const pan::Network& network : session.specification.skills)
     skills.emplace(network.skill.name, network.skill);

@@ -30,7 +30,7 @@ ExitStatus tell_operation(const OperationOptions& options, const Console& consol
   if (program && !session.diagnostics.has_errors()) {
     operations::check_shape(*program, session.diagnostics);
     if (!options.skills.empty())
-      skills = read_skills(options, operations::skills_of(*program), console, session);
+      skills = read_skills(options, operations::skills_of(*program), console, session, BuiltSkills(console.files));
     if (!options.run.empty()) {
       auto content = console.files.read(options.run);
       if (const auto* error = std::get_if<FileError>(&content)) {

@@ -28,6 +28,9 @@ void add_operation(CLI::App& app, OperationOptions& check, OperationOptions& tel
   command->add_option("-e,--environment", check.environments, "PAL file with the cell; may be repeated")
       ->type_name("FILE")
       ->take_all();
+  command->get_option("--skills")->description(
+      "PAL files with the cell's skills, or folders with such files; with --scene also built skills, .so, beside "
+      "those of the scene");
   auto* scene = command
                     ->add_option("--scene", check.scene,
                                  "a scene of the workcell: with its skills, sensors and locations")

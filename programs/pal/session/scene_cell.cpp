@@ -35,19 +35,35 @@ SceneCell cell_of(const nlohmann::json& told) {
         result.cell.longest.emplace(std::pair(skill, std::stoi(code)), std::move(*formula));
   result.skills = told.at("skills").get<std::string>();
   result.environment = told.at("environment").get<std::string>();
+  for (const nlohmann::json& each : told.at("further")) {
+    const std::string folder = each.at("from").get<std::string>() + "/";
+    BuiltSkill& skill = result.further.emplace_back();
+    skill.name = each.at("skill").get<std::string>();
+    skill.pal = folder + each.at("pal").get<std::string>();
+    skill.environment = folder + each.at("environment").get<std::string>();
+    for (const auto& [name, text] : each.at("texts").items())
+      skill.texts[folder + name] = text.get<std::string>();
+  }
   return result;
 }
 
 }  // namespace
 
-std::optional<SceneCell> cell_of_scene(const std::string& scene, std::string& problem) {
-  const Spoken spoken = run_and_read(workcell_program(), {"list", "--cell", scene});
+std::optional<SceneCell> cell_of_scene(const std::string& scene, const std::vector<std::string>& built,
+                                       std::string& problem) {
+  std::vector<std::string> words{"list", "--cell", scene};
+  for (const std::string& file : built) {
+    words.emplace_back("--skills");
+    words.push_back(file);
+  }
+  const Spoken spoken = run_and_read(workcell_program(), words);
   if (spoken.status < 0 || spoken.status == 127) {
     problem = "there is no program 'workcell' beside this one or on the PATH, which knows the scenes";
     return std::nullopt;
   }
   if (spoken.status != 0) {
-    problem = "workcell does not know the scene";
+    problem = built.empty() ? "workcell does not know the scene"
+                            : "workcell does not know the scene, or cannot read a skill";
     return std::nullopt;
   }
   try {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <variant>
 
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/cell_runner.hpp"
@@ -60,6 +61,18 @@ void list_cell(const ListCommand& command, const std::vector<KnownSkill>& skills
     for (const auto& [of, formula] : all) json[of.first][std::to_string(of.second)] = formula.text();
     return json;
   };
+  Json further = Json::array();
+  for (const KnownSkill& skill : skills) {
+    if (skill.from.empty() || skill.pal_file.empty()) continue;
+    Json texts = Json::object();
+    for (const std::string& name : skill.text_names)
+      texts[name] = std::get<std::string>(skill.texts->read(name));
+    further.push_back({{"skill", skill.name},
+                       {"from", skill.from},
+                       {"pal", skill.pal_file},
+                       {"environment", skill.environment_file},
+                       {"texts", std::move(texts)}});
+  }
   std::string folder;
   for (const std::string& each : command.skill_folders)
     if (folder.empty() && std::filesystem::is_directory(each)) folder = each;
@@ -67,6 +80,7 @@ void list_cell(const ListCommand& command, const std::vector<KnownSkill>& skills
                   {"scene", scene.name},
                   {"skills", folder},
                   {"environment", folder + "/workcell.pal"},
+                  {"further", further},
                   {"locations", *known.locations},
                   {"sensors", sensors(*known.sensors)},
                   {"figures", sensors(*known.figures)},

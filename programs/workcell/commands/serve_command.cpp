@@ -54,6 +54,16 @@ std::unique_ptr<server::Server> open_server(const server::ServerOptions& options
   }
 }
 
+/// Orders of clients go to the cell's pendant.
+class CellPendant final : public server::Pendant {
+ public:
+  explicit CellPendant(sim::Cell& cell) : pendant_(cell.pendant()) {}
+  void order(const server::JogAxes& axes, bool held) override { pendant_.order({axes, held}); }
+
+ private:
+  runtime::drivers::PendantDriver& pendant_;
+};
+
 /// The file by which programs find the server, for as long as it serves.
 class Announced {
  public:
@@ -226,6 +236,9 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   desk_options.refused_together = known_of_cell.refused_together;
   desk_options.runs = &runs;
   desk_options.recording = &recording;
+  CellPendant pendant(cell);
+  // Where time rushes past, silence comes at once.
+  if (command.paced > 0) desk_options.pendant = &pendant;
   if (command.paced <= 0) desk_options.answer_wait = 10ms;
   server::Desk desk(runner, *known_of_cell.skills, *server, desk_options);
   clock_reader = &desk;

@@ -43,7 +43,9 @@ std::string needs(sim::ToolKind tool, const sim::Scene& scene) {
 std::optional<sim::ToolKind> needed_tool(const runtime::Skill& skill) {
   for (const sim::ServedPort& port : sim::served_ports())
     if (port.tool && uses(skill, port.name)) return port.tool;
-  if (uses(skill, "alter") && uses(skill, "force-torque")) return sim::ToolKind::pad;
+  // Skills that press use the pad. What a person moves by hand may carry any tool.
+  if (uses(skill, "alter") && uses(skill, "force-torque") && !uses(skill, "pendant"))
+    return sim::ToolKind::pad;
   return std::nullopt;
 }
 

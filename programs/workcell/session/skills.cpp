@@ -17,13 +17,18 @@ namespace fs = std::filesystem;
 
 KnownSkill known(const runtime::SkillPlugin& plugin) {
   auto texts = std::make_shared<MemoryFileSystem>();
-  for (const runtime::SourceText& source : plugin.sources)
-    texts->add(std::string(source.name), std::string(source.text));
+  std::vector<std::string> names;
+  for (const runtime::SourceText& source : plugin.sources) {
+    names.emplace_back(source.name);
+    texts->add(names.back(), std::string(source.text));
+  }
   return {std::string(plugin.name),
           plugin.make,
           std::string(plugin.pal_file),
           std::string(plugin.environment_file),
           std::move(texts),
+          std::move(names),
+          {},
           {}};
 }
 
@@ -76,6 +81,7 @@ void add_skills(std::vector<KnownSkill>& skills, const std::vector<std::string>&
       more.push_back(skill_of_file(path));
     }
     for (KnownSkill& skill : more) {
+      skill.from = path;
       std::erase_if(skills, [&](const KnownSkill& each) { return each.name == skill.name; });
       skills.push_back(std::move(skill));
     }

@@ -18,7 +18,9 @@ struct KnownSkill {
   std::string pal_file{};  // in `texts`; empty: nothing is proved of it
   std::string environment_file{};
   std::shared_ptr<const MemoryFileSystem> texts{};  // what it was generated from
-  std::map<int, std::string> longest{};  // formulas of its longest time in s, by completion code
+  std::vector<std::string> text_names{};           // of all of them
+  std::string from{};                              // the file or folder of --skills; empty: it is installed
+  std::map<int, std::string> longest{};            // formulas of its longest time in s, by completion code
 };
 
 /// Sorted by name. Throws Failure if one cannot be loaded.

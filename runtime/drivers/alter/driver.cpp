@@ -52,7 +52,19 @@ bool AlterDriver::ready() const {
 void AlterDriver::prepare() {
   trouble_.clear();
   if (opened_by_skill_) return release();
-  if (state_ == State::open) return;
+  if (state_ == State::open && !opened_otherwise_) return;
+  if (state_ != State::open) return open_port();
+  // A skill left it open, in a mode of its own.
+  timeline_.cancel(silence_);
+  state_ = State::closing;
+  asked_ = false;
+  opener_.close([this](std::string) {
+    if (state_ == State::closing) open_port();
+  });
+}
+
+void AlterDriver::open_port() {
+  opened_otherwise_ = false;
   decoder_.forget();
   asked_ = false;
   state_ = State::opening;
@@ -123,6 +135,7 @@ void AlterDriver::take(const alter::Frame& frame) {
 
 void AlterDriver::requested(const alter::Request& request) {
   state_ = State::open;
+  opened_otherwise_ = opened_otherwise_ || opened_by_skill_;
   request_ = request;
   requested_at_ = timeline_.now();
   asked_ = true;

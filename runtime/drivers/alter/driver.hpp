@@ -53,7 +53,8 @@ class AlterDriver final : public Driver, private LinkUser {
   std::string trouble() const override { return trouble_; }
 
   /// The skill itself opens and closes ALTER, by other means. So prepare() closes it, and a request that
-  /// comes later opens the session.
+  /// comes later opens the session. The next skill that does not open it itself finds it in
+  /// the mode of this driver's options.
   void leave_opening_to_skill(bool leave) { opened_by_skill_ = leave; }
 
   /// The first instant at or after `from` at which a request is expected; `from` itself if ALTER is not open.
@@ -62,6 +63,7 @@ class AlterDriver final : public Driver, private LinkUser {
  private:
   enum class State { closed, opening, open, closing };
 
+  void open_port();
   void on_bytes(Bytes bytes) override;
   void on_break(std::string_view reason) override;
   void take(const alter::Frame& frame);
@@ -81,6 +83,7 @@ class AlterDriver final : public Driver, private LinkUser {
   DeviceHost* host_ = nullptr;
   bool in_session_ = false;
   bool opened_by_skill_ = false;
+  bool opened_otherwise_ = false;  // it is open as a skill opened it
   State state_ = State::closed;
   std::string trouble_;
   bool asked_ = false;  // the controller waits for an answer

@@ -10,6 +10,7 @@ namespace pal::runtime::drivers::alter {
 struct Mode {
   bool world = false;      // in frame 0; otherwise in the tool's frame
   bool cumulative = true;  // they add up; otherwise each counts from where ALTER was opened
+  bool joints = false;     // of the joints, in degrees each, whatever `world` says; they always add up
 
   friend bool operator==(const Mode&, const Mode&) = default;
 };

@@ -5,8 +5,8 @@
 namespace pal::runtime::drivers::val {
 
 void AlterOpener::open(const alter::Mode& mode, Done done) {
-  // The sum that DO ALTER( … ) takes: 1 cumulative, 2 world.
-  const double sum = (mode.cumulative ? 1 : 0) + (mode.world ? 2 : 0);
+  // The sum that DO ALTER( … ) takes: 1 cumulative, 2 world, 4 joints.
+  const double sum = (mode.cumulative ? 1 : 0) + (mode.world ? 2 : 0) + (mode.joints ? 4 : 0);
   submit({.verb = Verb::open_alter, .location = {}, .second = {}, .figures = {sum}}, std::move(done));
 }
 

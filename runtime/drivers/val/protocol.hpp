@@ -41,7 +41,7 @@ enum class Verb : std::int64_t {
   straight_to = 40,        // [a … f: x y z mm, o a t deg] in a straight line
   straight_relative = 41,  // [location] from where the tool is, in a straight line
   straight_speed = 42,     // [a: mm/s] of the tip in straight motions, at a monitor speed of 100 per cent
-  open_alter = 43,         // [a: mode, the sum of 1 cumulative and 2 world]
+  open_alter = 43,         // [a: mode, the sum of 1 cumulative, 2 world and 4 joints]
   close_alter = 44,
   calibrate = 45,    // clears a fault of the arm
   configure = 46,    // [location: RIGHTY, LEFTY, ABOVE, BELOW, FLIP or NOFLIP] of the next `move`

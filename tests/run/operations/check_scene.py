@@ -1,6 +1,8 @@
 """`pal operation check --scene` knows the skills, sensors, figures and locations of a scene of the workcell.
 
-Usage: check_scene.py PAL OPERATION
+It also knows a skill that was built as a file: FILE, the built `touch`.
+
+Usage: check_scene.py PAL OPERATION FILE
 """
 import json
 import pathlib
@@ -8,14 +10,14 @@ import subprocess
 import sys
 import tempfile
 
-pal, operation = sys.argv[1:]
+pal, operation, built = sys.argv[1:]
 
 
-def check(text, scene):
+def check(text, scene, *further):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "o.op.json"
         path.write_text(text)
-        done = subprocess.run([pal, "operation", "check", path, "--scene", scene, "--format", "json"], capture_output=True, text=True)
+        done = subprocess.run([pal, "operation", "check", path, "--scene", scene, "--format", "json", *further], capture_output=True, text=True)
         found = json.loads(done.stdout)["diagnostics"] if done.stdout else []
         return done.returncode, [(each["code"], each.get("icon")) for each in found if each["severity"] == "error"], done.stderr
 
@@ -45,3 +47,24 @@ grip = one({"kind": "skill", "skill": "pick-at-location", "parameters": {"locati
 assert check(grip, "touch")[0] == 1, check(grip, "touch")
 status, _, error = check(home, "nowhere")
 assert status == 2 and "nowhere" in error, (status, error)
+
+# A built skill takes the place of the scene's own of its name, and is proved once, with the texts in its file.
+both = json.dumps({"operation-format": 1, "name": "both", "icons": [
+    {"id": "start", "kind": "start", "next": "up"},
+    {"id": "up", "kind": "skill", "skill": "relative-move", "parameters": {"dz": -5}, "next": "down", "error": "end"},
+    {"id": "down", "kind": "skill", "skill": "touch", "next": "end", "error": "end"}, {"id": "end", "kind": "exit"}]})
+with tempfile.TemporaryDirectory() as folder:
+    path = pathlib.Path(folder) / "o.op.json"
+    path.write_text(both)
+    done = subprocess.run([pal, "operation", "check", path, "--scene", "touch", "--skills", built], capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout.count("touch in workcell") == 1 and done.stdout.count("relative-move in workcell") == 1, done
+    assert done.stderr == "", done.stderr
+wrong = both.replace('"skill": "touch"', '"skill": "touch", "parameters": {"colour": 1}')
+assert check(wrong, "touch", "--skills", built)[1] == [("PAL1008", "down")], check(wrong, "touch", "--skills", built)
+status, _, error = check(home, "touch", "--skills", operation + ".so")
+assert status == 2 and "there is no such file" in error, (status, error)
+with tempfile.TemporaryDirectory() as folder:
+    path = pathlib.Path(folder) / "o.op.json"
+    path.write_text(both)
+    done = subprocess.run([pal, "operation", "check", path, "--skills", built], capture_output=True, text=True)
+    assert done.returncode == 2 and "--scene SCENE" in done.stderr, done

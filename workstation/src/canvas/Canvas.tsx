@@ -1,6 +1,6 @@
 // The canvas: icons and lines of the operation that is shown, an overview, and everything that is done there by
 // mouse or finger. The keyboard is in keys.ts.
-import { Background, BackgroundVariant, ConnectionMode, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd } from "@xyflow/react";
+import { Background, BackgroundVariant, ConnectionMode, ReactFlow, useReactFlow, type Connection, type NodeChange, type OnConnectEnd, type ReactFlowInstance } from "@xyflow/react";
 import "@xyflow/react/dist/base.css";
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, type DragEvent, type MouseEvent } from "react";
 import type { Point } from "../model/operation";
@@ -12,7 +12,7 @@ import { t } from "../words/words";
 import { CanvasTools } from "./CanvasTools";
 import { ConnectList } from "./ConnectList";
 import { EmptyCanvas } from "./EmptyCanvas";
-import { Follow } from "./Follow";
+import { Follow, readable } from "./Follow";
 import { FlowNodes } from "./flow";
 import { IconMenu } from "./IconMenu";
 import { IconNode, type IconNodeType } from "./IconNode";
@@ -44,7 +44,7 @@ export function Canvas() {
     // An empty canvas begins at the left, where START goes.
     const height = document.querySelector(".canvas")?.clientHeight ?? 800;
     if (shownOperation(useDrawing.getState()).icons.length === 0) void flow.setViewport({ x: 64, y: Math.round(height / 2.5), zoom: 1 });
-    else void flow.fitView({ maxZoom: 1, padding: 0.06 });
+    else void flow.fitView({ maxZoom: 1, padding: 0.06 }).then(() => beginAtLeft(flow));
   }), [fits, flow]);
 
   const onNodesChange = useCallback((changes: NodeChange<IconNodeType>[]) => changed(changes), []);
@@ -96,6 +96,14 @@ export function Canvas() {
       <IconMenu />
     </div>
   );
+}
+
+/** A finger needs icons of a finger's size: where all of a drawing is too small for that, its beginning is shown, and the overview has the rest. */
+function beginAtLeft(flow: ReactFlowInstance): void {
+  if (flow.getZoom() >= readable || !matchMedia("(pointer: coarse)").matches) return;
+  const { icons } = shownOperation(useDrawing.getState()), height = document.querySelector(".canvas")?.clientHeight ?? 600;
+  const first = icons.find((each) => each.kind === "start")?.at ?? [0, 0];
+  void flow.setViewport({ x: 24 - first[0] * readable, y: height / 2 - (first[1] + 20) * readable, zoom: readable });
 }
 
 function changed(changes: NodeChange<IconNodeType>[]): void {

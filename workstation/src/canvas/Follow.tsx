@@ -31,7 +31,7 @@ function reveal(flow: ReactFlowInstance, store: Store, icon: Icon, duration: num
 }
 
 /** The smallest size at which the words of icons are read well. */
-const readable = 0.6;
+export const readable = 0.6;
 
 /** True: all icons have room at a size at which they are read, and are shown so. */
 function showAll(flow: ReactFlowInstance, box: { width: number; height: number }, icons: readonly Icon[]): boolean {

@@ -16,12 +16,13 @@ import { t, type Word } from "../words/words";
 import { focusIcon } from "./keys";
 import { useView } from "./view";
 
-export function Item({ id, symbol, word, keys, danger = false, disabled = false }: { id: string; symbol: SymbolName; word: Word; keys?: string; danger?: boolean; disabled?: boolean }) {
+export function Item({ id, symbol, word, keys, danger = false, disabled = false, chosen = false }: { id: string; symbol: SymbolName; word: Word; keys?: string; danger?: boolean; disabled?: boolean; chosen?: boolean }) {
   return (
     <MenuItem id={id} className={danger ? "menu-item danger" : "menu-item"} textValue={t(word)} isDisabled={disabled}>
       <Symbol name={symbol} size={18} />
       <span className="name">{t(word)}</span>
       {keys && <kbd>{keys}</kbd>}
+      {chosen && <><Symbol name="tick" size={16} /><span className="hidden">{t("menu.on")}</span></>}
     </MenuItem>
   );
 }

@@ -6,7 +6,7 @@ import { hasSymbol, type SymbolName } from "../symbols/drawings";
 import type { Family } from "./shape";
 
 const known: Record<string, Family> = {
-  "move-to-location": "move", "move-cartesian": "move", "relative-move": "move",
+  "move-to-location": "move", "move-cartesian": "move", "relative-move": "move", jog: "move",
   touch: "sense", press: "sense", rub: "sense", standoff: "sense", align: "sense", "follow-edge": "sense",
   "pick-at-location": "grip", "place-at-location": "grip", palletize: "grip",
 };

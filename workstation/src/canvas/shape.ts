@@ -15,13 +15,19 @@ const row = 24;
 export function sizeOf(icon: Icon): Size {
   switch (icon.kind) {
     case "start": return { width: 104, height: 40 };
-    case "exit": return { width: 136, height: 40 };
+    case "exit": return { width: exitWidth(icon), height: 40 };
     case "restart": return { width: 120, height: 40 };
     case "merge": return { width: 40, height: 40 };
     case "case": return { width: 192, height: 40 + row * outputs(icon).length + 8 };
     case "question": return { width: 192, height: 48 + row * outputs(icon).length + 8 };
     default: return { width: 184, height: 56 };
   }
+}
+
+/** An exit is as wide as its name asks for: names such as "no-part-found" are what one looks for at the end of a line. */
+function exitWidth(icon: Icon): number {
+  const wanted = 56 + 8.2 * icon.id.length + (icon.code === undefined ? 0 : 32);
+  return Math.min(232, Math.max(136, Math.ceil(wanted / 8) * 8));
 }
 
 /** From the icon's top to the connector of its output. */

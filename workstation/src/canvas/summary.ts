@@ -1,7 +1,7 @@
 // What an icon says of itself in one line, below its name.
 import type { Sensor } from "../../generated/protocol";
 import { isSource, type Condition, type Icon, type Source } from "../model/operation";
-import { number, t } from "../words/words";
+import { number, t, unitText } from "../words/words";
 
 export function sourceText(source: Source): string {
   if ("count-of" in source) return t("source.count", { icon: source["count-of"] });
@@ -13,7 +13,7 @@ export function amountText(value: unknown, unit = ""): string {
   if (value === undefined) return "";
   if (isSource(value)) return sourceText(value);
   if (typeof value === "boolean") return t(value ? "value.true" : "value.false");
-  if (typeof value === "number") return unit === "" ? number(value) : `${number(value)} ${unit}`;
+  if (typeof value === "number") return unit === "" ? number(value) : `${number(value)} ${unitText(unit)}`;
   return String(value);
 }
 

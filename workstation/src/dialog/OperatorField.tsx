@@ -27,7 +27,7 @@ export function OperatorField({ icon, operation, parameter }: { icon: Icon; oper
   return (
     <div className="operator-field" data-free={free !== undefined || undefined}>
       <Button className="button quiet small" aria-pressed={free !== undefined} onPress={() => put(free ? undefined : {})}>
-        <Symbol name={free ? "person" : "lock"} size={14} /><span><span className="hidden">{parameter.name}: </span>{t(free ? "operator.isFree" : "operator.isLocked")}</span>
+        <Symbol name={free ? "person" : "lock"} size={14} /><span className="operator-word"><span className="hidden">{parameter.name}: </span>{t(free ? "operator.isFree" : "operator.isLocked")}</span>
       </Button>
       {free && numeric && (
         <div className="operator-limits">

@@ -31,7 +31,7 @@ export default function SkillHelp({ about }: { about: string }) {
       <List word="help.postconditions" items={skill.postconditions} />
       <section>
         <h3>{t("help.parameters")}</h3>
-        <table>
+        <table className="amounts">
           <thead><tr><th>{t("help.name")}</th><th>{t("help.default")}</th><th>{t("help.range")}</th><th>{t("help.meaning")}</th></tr></thead>
           <tbody>
             {skill.parameters.map((each) => (

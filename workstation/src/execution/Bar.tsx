@@ -102,16 +102,16 @@ function SettingsMenu() {
         <Menu className="menu" onAction={(key) => act(String(key))}>
           <Item id="breaks" symbol="breakpoint" word="settings.breakpoints" />
           <Item id="operator" symbol="person" word="settings.operator" />
-          <Item id="follow" symbol={follow ? "tick" : "target"} word={follow ? "settings.followOff" : "settings.followOn"} />
+          <Item id="follow" symbol="target" word="settings.follow" chosen={follow} />
           <Separator />
           <SubmenuTrigger>
-            <MenuItem className="menu-item"><Symbol name="settings" size={18} /><span className="name">{t("settings.theme")}</span><Symbol name="right" size={16} /></MenuItem>
+            <MenuItem className="menu-item"><Symbol name="contrast" size={18} /><span className="name">{t("settings.theme")}</span><Symbol name="right" size={16} /></MenuItem>
             <Popover className="popover"><Menu className="menu" onAction={(key) => act(String(key))}>
               {themes.map((each) => <MenuItem key={each} id={`theme:${each}`} className="menu-item" textValue={t(`theme.${each}`)}><span className="name">{t(`theme.${each}`)}</span>{theme() === each && <Symbol name="tick" size={16} />}</MenuItem>)}
             </Menu></Popover>
           </SubmenuTrigger>
           <SubmenuTrigger>
-            <MenuItem className="menu-item"><Symbol name="question" size={18} /><span className="name">{t("settings.language")}</span><Symbol name="right" size={16} /></MenuItem>
+            <MenuItem className="menu-item"><Symbol name="globe" size={18} /><span className="name">{t("settings.language")}</span><Symbol name="right" size={16} /></MenuItem>
             <Popover className="popover"><Menu className="menu" onAction={(key) => act(String(key))}>
               {(Object.keys(languages) as Language[]).map((each) => <MenuItem key={each} id={`language:${each}`} className="menu-item" textValue={languages[each]}><span className="name" lang={each}>{languages[each]}</span>{currentLanguage() === each && <Symbol name="tick" size={16} />}</MenuItem>)}
             </Menu></Popover>

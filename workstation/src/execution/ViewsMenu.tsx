@@ -7,7 +7,7 @@ import { call } from "../state/cell";
 import { openWindow, type WindowKind } from "../state/windows";
 import type { SymbolName } from "../symbols/drawings";
 import { Symbol } from "../symbols/Symbol";
-import { channelName, t } from "../words/words";
+import { channelName, t, unitText } from "../words/words";
 
 const symbols: Record<string, SymbolName> = { force: "sense", contacts: "press", gripper: "grip", profile: "scan", pose: "axes", "set-point": "axes" };
 
@@ -27,6 +27,7 @@ export function ViewsMenu() {
           <Item id="gauges" symbol="gauge" word="gauges.title" />
           <Item id="sensors" symbol="test" word="sensors.title" />
           <Item id="locations" symbol="move-to-location" word="teach.title" />
+          <Item id="jog" symbol="hand" word="jog.title" />
           <Item id="production" symbol="list" word="production.title" />
           <Separator />
           <Section items={channels} aria-label={t("views.channels")}>
@@ -34,7 +35,7 @@ export function ViewsMenu() {
             {channels.map((each) => (
               <MenuItem key={each.channel} id={`channel/${each.channel}`} className="menu-item" textValue={channelName(each.channel)}>
                 <Symbol name={symbols[each.channel] ?? "chart"} size={18} /><span className="name">{channelName(each.channel)}</span>
-                <span className="aside">{[...new Set(each.fields.map((one) => one.unit))].join(", ")}</span>
+                <span className="aside">{[...new Set(each.fields.map((one) => unitText(one.unit)))].join(", ")}</span>
               </MenuItem>
             ))}
           </Section>

@@ -5,7 +5,7 @@ import { ToggleButton } from "react-aria-components";
 import type { Channel } from "../../generated/protocol";
 import { useCell } from "../state/cell";
 import { Symbol } from "../symbols/Symbol";
-import { number, t } from "../words/words";
+import { number, t, unitText } from "../words/words";
 import { csvOf, saveFile, svgOf, type Field, type Panel } from "./export";
 import { eachFrame, trackOf, watch } from "./live";
 import { look, onLook, seriesColor, seriesDash } from "./look";
@@ -145,7 +145,7 @@ export function TimeChart({ source, span, onSpan, within }: { source: Source; sp
         onKeyDown={move} onPointerLeave={() => lookAt(undefined)}>
         {units.map((unit) => (
           <div key={unit} className="chart-panel" hidden={!shown.some((each) => each.unit === unit)}>
-            <span className="chart-unit">{unit}</span>
+            <span className="chart-unit">{unitText(unit)}</span>
             <div className="chart-plot" ref={(host) => void (host ? hosts.current.set(unit, host) : hosts.current.delete(unit))} />
           </div>
         ))}

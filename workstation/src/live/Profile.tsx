@@ -10,7 +10,7 @@ import { limitsOf, stepsWithin, type LimitLine } from "./steps";
 import { lookAt, useInstant } from "./time";
 import { ChartTools } from "./Tools";
 
-const width = 640, height = 360, left = 52, right = 12, top = 30, bottom = 30;
+const width = 640, height = 360, left = 52, right = 12, top = 40, bottom = 46;
 
 /** The newest profile, or the one of the instant at which people look. */
 function useProfile(held: ProfileFrame | undefined): ProfileFrame | undefined {
@@ -74,9 +74,9 @@ function Picture({ profile, channel, drawn }: { profile: ProfileFrame; channel: 
   return (
     <svg ref={drawn} className="profile-picture" viewBox={`0 0 ${width} ${height}`} role="img" aria-label={t("profile.picture", { count: profile.y.length, time: number(profile.time_s, 2) })}>
       {ticks(z[0], z[1]).map((each) => <g key={each}><path className="profile-grid" d={`M${left} ${pz(each)}H${width - right}`} /><text x={left - 8} y={pz(each)} textAnchor="end" dominantBaseline="middle">{number(each)}</text></g>)}
-      {ticks(y[0], y[1]).map((each) => <g key={each}><path className="profile-grid" d={`M${px(each)} ${top}V${height - bottom}`} /><text x={px(each)} y={height - 10} textAnchor="middle">{number(each)}</text></g>)}
-      <text x={6} y={top - 14} dominantBaseline="middle">{t("profile.depth")}</text>
-      <text x={6} y={height - 10}>{t("profile.across")}</text>
+      {ticks(y[0], y[1]).map((each) => <g key={each}><path className="profile-grid" d={`M${px(each)} ${top}V${height - bottom}`} /><text x={px(each)} y={height - bottom + 18} textAnchor="middle">{number(each)}</text></g>)}
+      <text x={6} y={12} dominantBaseline="middle">{t("profile.depth")}</text>
+      <text x={width - right} y={height - 8} textAnchor="end">{t("profile.across")}</text>
       <Scan profile={profile} />
       {limits.map((each, i) => <g key={i} className="profile-limit" data-kind={each.kind}><path d={`M${left} ${pz(each.value)}H${width - right}`} /><text x={width - right - 4} y={pz(each.value) - 5} textAnchor="end">{each.parameter}</text></g>)}
       <path className="profile-points" d={points} />

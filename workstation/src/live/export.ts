@@ -1,5 +1,6 @@
 // What a chart shows, as CSV and as SVG: plain functions from numbers to text.
 import type { LimitLine } from "./steps";
+import { unitText } from "../words/words";
 import type { Track } from "./track";
 
 export interface Field {
@@ -57,7 +58,7 @@ function panelSvg(track: Track, panel: Panel, begin: number, end: number, offset
   const parts: string[] = [];
   for (const each of ticks(low, high)) parts.push(`<path d="M${left} ${y(each)}H${width - right}" stroke="${paint.grid}"/><text x="${left - 6}" y="${y(each)}" text-anchor="end" dominant-baseline="middle">${plain(each)}</text>`);
   for (const each of ticks(begin, end)) parts.push(`<path d="M${x(each)} ${offset + top}V${offset + height - bottom}" stroke="${paint.grid}"/><text x="${x(each)}" y="${offset + height - bottom + 16}" text-anchor="middle">${plain(each)} s</text>`);
-  parts.push(`<text x="4" y="${offset + top}" dominant-baseline="hanging">${escaped(panel.unit)}</text>`);
+  parts.push(`<text x="4" y="${offset + top}" dominant-baseline="hanging">${escaped(unitText(panel.unit))}</text>`);
   const [from, to] = track.within(begin, end);
   panel.fields.forEach((each, place) => {
     const points = (row: Float64Array) => Array.from({ length: to - from }, (_, i) => `${x(track.times[from + i]!)} ${y(row[from + i]!)}`);

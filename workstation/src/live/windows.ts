@@ -2,6 +2,7 @@
 export { default as ChannelWindow } from "./ChannelWindow";
 export { default as Gauges, RequirementChart } from "./Gauges";
 export { default as Sensors } from "./Sensors";
+export { default as Jog } from "../jog/Jog";
 export { default as Locations } from "../teaching/Locations";
 export { default as Production } from "../production/Production";
 export { default as Tuning } from "../tuning/Tuning";

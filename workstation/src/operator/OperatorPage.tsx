@@ -67,7 +67,7 @@ export default function OperatorPage() {
         <span className="grow" />
         <ControlsButton />
         {(Object.keys(languages) as Language[]).filter((each) => each !== currentLanguage()).map((each) => <Button key={each} className="button quiet" onPress={() => setLanguage(each)}>{languages[each]}</Button>)}
-        <Button className="button quiet only" aria-label={t("settings.theme")} onPress={() => setTheme(theme() === "dark" ? "light" : "dark")}><Symbol name="settings" /></Button>
+        <Button className="button quiet only" aria-label={t("settings.theme")} onPress={() => setTheme(theme() === "dark" ? "light" : "dark")}><Symbol name="contrast" /></Button>
         {snapshot.role === "programmer" && <Button className="button" onPress={() => lookAsOperator(false)}><Symbol name="operation" size={18} />{t("operator.leave")}</Button>}
       </header>
       <main className="operator-middle">

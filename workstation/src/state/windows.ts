@@ -2,7 +2,7 @@
 import { create } from "zustand";
 
 export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways"
-  | "channel" | "scene" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "production";
+  | "channel" | "scene" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "jog" | "production";
 
 export interface OpenWindow {
   id: string;
@@ -54,7 +54,7 @@ function besideIcon(about: string): [number, number] | undefined {
   const id = about.slice(about.lastIndexOf("/") + 1);
   const box = document.querySelector(`.icon[data-id="${CSS.escape(id)}"]`)?.getBoundingClientRect();
   const told = document.querySelector(".go-on")?.getBoundingClientRect();
-  const top = box ? Math.max(80, Math.min(box.top - 64, innerHeight - 560)) : 96;
+  const top = box ? Math.max(80, Math.min(box.top - 64, innerHeight - 640)) : 96;
   const taken = useWindows.getState().open;
   const free = (x: number) => x >= 8 && x + room <= innerWidth && !(told && x < told.right && top < told.bottom) && !taken.some((each) => Math.abs(each.x - x) < 16 && Math.abs(each.y - top) < 16);
   const places = [...(box ? [box.right + 24, box.left - room] : []), ...(told ? [told.right + 12] : [])];

@@ -7,7 +7,7 @@ import { TextBox } from "../dialog/TextBox";
 import { ask } from "../state/acts";
 import { useCell } from "../state/cell";
 import { useDrawing } from "../state/drawing";
-import { openStored, unlessChanged } from "../state/keep";
+import { openStored, save, unlessChanged } from "../state/keep";
 import { closeWindow, openWindow } from "../state/windows";
 import { Symbol } from "../symbols/Symbol";
 import { moment, t } from "../words/words";
@@ -16,7 +16,11 @@ export default function StoreWindow() {
   const stored = useCell((state) => state.stored);
   const [text, setText] = useState("");
   if (stored === undefined) return <p className="nothing">{t("keep.noStore")} {t("keep.noStoreHint")}</p>;
-  if (stored.length === 0) return <p className="nothing">{t("store.empty")}</p>;
+  if (stored.length === 0)
+    return (
+      <div className="nothing store-empty"><p>{t("store.empty")} {t("store.emptyHint")}</p>
+        <Button className="button primary" onPress={() => (closeWindow("store:"), void save({ as: true }))}><Symbol name="save" size={18} />{t("file.saveAs")}</Button></div>
+    );
   const shown = stored.filter((each) => `${each.name} ${each.operation}`.toLowerCase().includes(text.toLowerCase()));
   return (
     <div className="store">

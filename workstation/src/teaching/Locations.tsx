@@ -1,54 +1,20 @@
 // The window in which locations are taught: where the robot is, moved by steps; all locations with their versions; a
 // pallet from three of them.
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { Button } from "react-aria-components";
 import type { Location } from "../../generated/protocol";
 import { Choose } from "../dialog/Choose";
 import { TextBox } from "../dialog/TextBox";
-import { trackOf, watch } from "../live/live";
 import { ask, notice } from "../state/acts";
 import { call, useCell } from "../state/cell";
 import { useDrawing } from "../state/drawing";
+import { openWindow } from "../state/windows";
 import { Symbol } from "../symbols/Symbol";
 import { moment, number, t } from "../words/words";
 import { Pallet } from "./Pallet";
 import { Steps } from "./Steps";
+import { useHere, usePoseNames } from "./here";
 import { apart, difference, freeLocation, needed } from "./places";
-
-export const poseNames = ["x", "y", "z", "O", "A", "T"] as const;
-
-interface Here {
-  pose: readonly number[];
-  joints: readonly number[];
-}
-
-/** Where the tip is, and the joints: by the encoders while the robot rests, and as they come while it moves. */
-function useHere(): Here | undefined {
-  const [here, setHere] = useState<Here>();
-  const rests = useCell((cell) => cell.link === "ready" && cell.present?.snapshot.activity === "idle");
-  useEffect(() => {
-    if (!rests) return;
-    let current = true;
-    call("locations.here").then((found) => current && setHere(found), () => {});
-    return () => void (current = false);
-  }, [rests]);
-  useEffect(() => {
-    if (rests) return;
-    const ends = [watch("pose", 0.02), watch("joints", 0.02)];
-    const pose = trackOf("pose", 6), joints = trackOf("joints", 6);
-    let seen = pose.version;
-    const timer = setInterval(() => {
-      if (pose.size === 0 || joints.size === 0 || seen === pose.version) return;
-      seen = pose.version;
-      setHere({ pose: pose.last.map((each) => each[pose.size - 1]!), joints: joints.last.map((each) => each[joints.size - 1]!) });
-    }, 100);
-    return () => {
-      clearInterval(timer);
-      for (const end of ends) end();
-    };
-  }, [rests]);
-  return here;
-}
 
 export default function Locations() {
   const locations = useCell((cell) => cell.locations);
@@ -74,6 +40,7 @@ export default function Locations() {
         <h3 className="section-title">{t("teach.here")}</h3>
         <Figures figures={here?.pose} />
         <Steps idle={idle} />
+        <div className="chips"><Button className="button" onPress={() => openWindow("jog")}><Symbol name="hand" size={16} />{t("jog.open")}</Button></div>
         <div className="teach-new">
           <TextBox label={t("teach.name")} value={name} onChange={(now) => setName(now.toUpperCase())} placeholder={freeLocation(locations)} hint={there ? t("teach.exists") : t("teach.names")} />
           <Button className="button primary" isDisabled={!idle || there} onPress={() => void teach()}><Symbol name="target" size={16} />{t("teach.teach", { name: fresh })}</Button>
@@ -89,6 +56,7 @@ export default function Locations() {
 }
 
 export function Figures({ figures }: { figures: readonly number[] | undefined }) {
+  const poseNames = usePoseNames();
   if (!figures) return <p className="hint">{t("teach.unknown")}</p>;
   return <dl className="figures">{poseNames.map((each, i) => <div key={each}><dt>{each}</dt><dd>{number(figures[i]!, 1)}{i < 3 ? "" : "°"}</dd></div>)}</dl>;
 }
@@ -129,6 +97,7 @@ function Row({ location, all, here, joints, idle, icons, open, onOpen, onRenamed
 
 /** Beside another one, or beside where the robot is. */
 function Compare({ location, all, here }: { location: Location; all: readonly Location[]; here: readonly number[] | undefined }) {
+  const poseNames = usePoseNames();
   const [with_, setWith] = useState("*");
   const other = with_ === "*" ? here : all.find((each) => each.location === with_)?.pose;
   const more = other && difference(location.pose, other);

@@ -85,6 +85,9 @@ export function number(value: number, digits?: number): string {
   return numberFormat(`${language}:${digits ?? ""}`).format(value);
 }
 
+/** A unit as people write it: "N·m" for PAL's "N*m". */
+export const unitText = (unit: string): string => unit.replaceAll("*", "\u00b7");
+
 /** A length of time with no more digits than it means: 0.35 s, 4.2 s, 38 s, 2 min, 2 min 5 s. */
 export function duration(seconds: number): string {
   if (seconds < 0.005) return "0 s";

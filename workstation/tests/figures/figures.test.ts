@@ -110,29 +110,6 @@ async function panning(from: Browser, served: Cell): Promise<void> {
   await page.context().close();
 }
 
-/** Processor time of the cell's own thread for one run of the operation: what a page costs the simulation. */
-async function slowed(from: Browser): Promise<void> {
-  const cost = async (pages: number): Promise<number> => {
-    const served = await cell("touch", ["--fast"]);
-    const driver = await openPage(from, served.url);
-    await imported(driver, example);
-    const others: Page[] = [];
-    for (let i = 1; i < pages; ++i) others.push(await openPage(from, served.url));
-    const took: number[] = [];
-    for (let i = 0; i < 5; ++i) {
-      await act(driver, "run").click();
-      await driver.waitForTimeout(200);
-      await untilState(driver, "Ended", 60000);
-      took.push(served.processorTime());
-    }
-    for (const each of [driver, ...others]) await each.context().close();
-    await served.end();
-    return (took.at(-1)! - took[0]!) / 4;
-  };
-  const one = await cost(1), three = await cost(3);
-  say("processor time of the simulation, two pages more", `${((three / one - 1) * 100).toFixed(1)} %`, "under 1 %");
-}
-
 /** A hundred random edits from each of twenty seeds, taken back one by one. */
 function undone(): void {
   const seeds = 20;
@@ -162,7 +139,6 @@ test("figures", async () => {
     await ready(chromium, served);
     await colours(chromium, served);
     await panning(chromium, served);
-    await slowed(chromium);
   } finally {
     await chromium.close();
     await served.end();

@@ -29,6 +29,18 @@ test("back to an icon at the left, around both", () => {
   check(route({ x: 440, y: 20 }, { x: 0, y: 20 }, [a, b]), [a, b], "back");
 });
 
+test("a connector inside its icon's rectangle, as at an arrow's head, needs no detour", () => {
+  const lift = rect(0, 0), failed = rect(256, 160);
+  assert.deepEqual(route({ x: 172, y: 44 }, { x: 256, y: 180 }, [lift, failed]), [{ x: 172, y: 44 }, { x: 240, y: 44 }, { x: 240, y: 180 }, { x: 256, y: 180 }]);
+});
+
+test("a line does not turn just before the input of another icon", () => {
+  const last = rect(0, 0), done = rect(256, 24, 136, 40), failed = rect(256, 160, 136, 40);
+  const points = route({ x: 184, y: 44 }, { x: 256, y: 180 }, [last, done, failed]);
+  check(points, [last, done, failed], "past done");
+  assert.equal(points[1]!.x, 200);
+});
+
 test("five hundred random pairs among random icons", () => {
   for (let seed = 1; seed <= 25; ++seed) {
     const random = randomOf(seed);

@@ -21,14 +21,28 @@ function simple(from: XY, to: XY, blocked: readonly Rect[]): XY[] | undefined {
   const out = { x: from.x + margin - 2, y: from.y }, into = { x: to.x - margin + 2, y: to.y };
   if (Math.abs(from.y - to.y) < 1) return free([out, into], blocked) ? [from, to] : undefined;
   // The turn is near the source: lines that leave one icon part at once, and those that meet run together.
-  for (const x of [to.x - margin, from.x + margin, from.x + gap / 2]) {
-    const turn = [{ x, y: from.y }, { x, y: to.y }];
-    if (free([out, ...turn, into], blocked)) return [from, ...turn, to];
-  }
-  return undefined;
+  const ways = [to.x - margin, from.x + margin, from.x + gap / 2].map((x) => [{ x, y: from.y }, { x, y: to.y }]).filter((turn) => free([out, ...turn, into], blocked));
+  const turn = ways.find(([corner]) => !misleads(corner!, to, blocked)) ?? ways[0];
+  return turn && [from, ...turn, to];
 }
 
-export function route(from: XY, to: XY, icons: readonly Rect[]): XY[] {
+/** A corner just before another icon looks as if the line led there. */
+function misleads(corner: XY, to: XY, blocked: readonly Rect[]): boolean {
+  return blocked.some((each) => corner.y > each.top && corner.y < each.bottom && each.left > corner.x - margin && each.left - corner.x < 2 * margin && !(to.y > each.top && to.y < each.bottom));
+}
+
+/** Where the line at a connector passes the side of its icon: an arrow's head has connectors inside its rectangle. */
+function atSide(point: XY, icons: readonly Rect[], side: "left" | "right"): XY {
+  const own = icons.find((each) => point.x > each.left && point.x < each.right && point.y > each.top && point.y < each.bottom);
+  return own ? { x: own[side], y: point.y } : point;
+}
+
+export function route(output: XY, input: XY, icons: readonly Rect[]): XY[] {
+  const from = atSide(output, icons, "right"), to = atSide(input, icons, "left");
+  return simplified([output, ...between(from, to, icons), input]);
+}
+
+function between(from: XY, to: XY, icons: readonly Rect[]): XY[] {
   const tight = icons.map((each) => inflate(each, 6));
   const quick = simple(from, to, tight);
   if (quick) return simplified(quick);
