@@ -48,7 +48,8 @@ struct Profile;
 
 /// One channel. A record of the cell has the raw numbers of all channels.
 struct Channel {
-  enum class Form { numbers, profile };
+  /// Rows: at an instant as many as there are bodies, contacts … (Rows).
+  enum class Form { numbers, profile, rows };
   std::string name, description;
   std::vector<ChannelField> fields;
   double rate_hz = 0;  // its own; 0: at no fixed rate
@@ -71,6 +72,13 @@ struct SampleBlock {
 
   std::size_t size() const { return times.size(); }
   std::span<const double> record(std::size_t at) const { return std::span(raw).subspan(at * width, width); }
+};
+
+/// A channel of rows at an instant. The cell fills it, and nobody changes it afterwards.
+struct Rows {
+  std::string channel;
+  Duration time{};  // of the cell
+  std::vector<float> numbers;  // row after row, each with the channel's fields
 };
 
 /// A block as the channels show it. Each channel is made when it is first asked for, and once for all

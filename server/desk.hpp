@@ -19,6 +19,7 @@
 #include "server/outlook.hpp"
 #include "server/role.hpp"
 #include "server/run_history.hpp"
+#include "server/run_recording.hpp"
 #include "server/status.hpp"
 
 namespace pal::server {
@@ -40,6 +41,7 @@ struct DeskOptions {
   operations::DeclaredTimes longest{};           // of its skills
   operations::RefusedTogether refused_together{};
   RunHistory* runs = nullptr;  // gets each execution; null: nobody does. It outlives the desk
+  RunRecording* recording = nullptr;  // is told when runs of the history begin and end; likewise
   Pendant* pendant = nullptr;  // null: nobody can move the arm by hand. It outlives the desk
   /// How long the cell waits on the wall before it looks for an answer again. A cell in virtual time needs
   /// this: its own time would rush past.

@@ -167,6 +167,7 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, RunOperation& command) {
   } else if (options.runs != nullptr) {
     status.run = operation_run;
     options.runs->change(operation_run, "running", std::nullopt, std::nullopt, "");
+    if (options.recording != nullptr) options.recording->begin(operation_run, time_now());
   }
   operation_job = OperationJob{command.how == RunOperation::How::step ? std::size_t{1} : 0};
   status.state = ExecutionState::running;

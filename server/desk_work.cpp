@@ -67,6 +67,7 @@ void Desk::Parts::note_begin(RunRecord::Kind kind, const std::string& name, Clie
     if (main != loaded->files.end()) text = main->second;
   }
   status.run = options.runs->begin(std::move(record), std::move(text));
+  if (options.recording != nullptr) options.recording->begin(status.run, time_now());
 }
 
 void Desk::Parts::note_step(const operations::Step& step) {
@@ -81,7 +82,9 @@ void Desk::Parts::note_step(const operations::Step& step) {
 }
 
 void Desk::Parts::note_end(const std::string& state, std::optional<int> code, const std::string& reason) {
-  if (options.runs != nullptr) options.runs->change(status.run, state, time_now(), code, reason);
+  if (options.runs == nullptr) return;
+  options.runs->change(status.run, state, time_now(), code, reason);
+  if (options.recording != nullptr) options.recording->end(time_now());
 }
 
 void Desk::Parts::change_between() {

@@ -89,6 +89,7 @@ std::span<const Method> methods_of_the_robot();
 std::span<const Method> methods_of_jogs();
 std::span<const Method> methods_of_the_history();
 std::span<const Method> methods_of_studies();
+std::span<const Method> methods_of_the_scene();
 
 /// The whole present state, as hello and snapshot give it.
 Json snapshot_json(const SessionContext& context, ClientId client);

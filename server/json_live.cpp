@@ -20,6 +20,11 @@ constexpr double most_bytes_a_second = 4e6;
 constexpr double quick = 2;  // times as quick as the wall
 // A number takes four times as long as text as in a binary frame.
 constexpr double text_costs = 4;
+// Rows of a channel come to a client at most so often, however quick the cell is; some may be a little early.
+constexpr std::chrono::nanoseconds rows_period = std::chrono::nanoseconds(1'000'000'000 / 30);
+constexpr std::chrono::milliseconds early(20);
+// No rows have come for so long: the cell stands.
+constexpr std::chrono::milliseconds stands(100);
 
 std::string notification(const char* method, Json params) {
   return dump({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
@@ -109,6 +114,27 @@ std::string profile_as_bytes(const std::string& channel, Duration time, const Pr
   std::string bytes = frame_head(head);
   add_numbers(bytes, profile.y);
   add_numbers(bytes, profile.z);
+  return bytes;
+}
+
+std::string rows_as_text(const Rows& rows, std::size_t fields, std::uint64_t dropped) {
+  Json params{
+      {"channel", rows.channel}, {"time_s", seconds(rows.time)}, {"rows", Json::array()}, {"dropped", dropped}};
+  for (std::size_t at = 0; at + fields <= rows.numbers.size(); at += fields)
+    params["rows"].push_back(std::vector<float>(rows.numbers.begin() + static_cast<std::ptrdiff_t>(at),
+                                                rows.numbers.begin() + static_cast<std::ptrdiff_t>(at + fields)));
+  return notification("rows", std::move(params));
+}
+
+std::string rows_as_bytes(const Rows& rows, std::size_t fields, std::uint64_t dropped) {
+  std::string bytes = frame_head({{"channel", rows.channel},
+                                  {"time_s", seconds(rows.time)},
+                                  {"rows", rows.numbers.size() / fields},
+                                  {"fields", fields},
+                                  {"dropped", dropped}});
+  const std::size_t begin = bytes.size();
+  bytes.resize(begin + rows.numbers.size() * sizeof(float));
+  std::memcpy(bytes.data() + begin, rows.numbers.data(), rows.numbers.size() * sizeof(float));
   return bytes;
 }
 
@@ -221,12 +247,49 @@ void LiveView::show(const ShownBlock& block) {
   }
 }
 
+void LiveView::show(const std::shared_ptr<const Rows>& rows) {
+  for (Watched& each : watched_) {
+    const Channel& channel = (*channels_)[each.channel];
+    if (channel.form != Channel::Form::rows || channel.name != rows->channel) continue;
+    each.came = clock_();
+    each.late = rows;
+    if (rows->time >= each.due && each.came + early >= each.due_on_the_wall) send(each, rows);
+  }
+}
+
+void LiveView::begin() {
+  if (latest_ == nullptr) return;
+  for (Watched& each : watched_) {
+    const auto found = latest_->find((*channels_)[each.channel].name);
+    if (found != latest_->end()) send(each, found->second);
+  }
+}
+
+void LiveView::catch_up() {
+  for (Watched& each : watched_)
+    if (each.late && clock_() - each.came >= stands) send(each, std::exchange(each.late, nullptr));
+}
+
+void LiveView::send(Watched& watched, const std::shared_ptr<const Rows>& rows) {
+  const Channel& channel = (*channels_)[watched.channel];
+  watched.late = nullptr;
+  // As spans: the places on the clock are those of all clients.
+  watched.due = (rows->time / watched.period + 1) * watched.period;
+  watched.due_on_the_wall = std::max(watched.due_on_the_wall, clock_()) + rows_period;
+  output_.send_sample(
+      {[rows, fields = channel.fields.size(), binary = watched.binary](std::uint64_t dropped) {
+         return binary ? rows_as_bytes(*rows, fields, dropped) : rows_as_text(*rows, fields, dropped);
+       },
+       watched.binary});
+}
+
 Json describe(const Channel& channel) {
   Json json{{"channel", channel.name}, {"description", channel.description}, {"fields", Json::array()}};
   for (const ChannelField& field : channel.fields)
     json["fields"].push_back({{"name", field.name}, {"unit", field.unit}});
   json["rate_hz"] = channel.rate_hz;
-  json["form"] = channel.form == Channel::Form::profile ? "profile" : "numbers";
+  static constexpr std::array forms{"numbers", "profile", "rows"};
+  json["form"] = forms[static_cast<std::size_t>(channel.form)];
   json["limits"] = Json::array();
   for (const ShownLimit& limit : channel.limits) json["limits"].push_back(limit_json(limit));
   return json;

@@ -93,6 +93,8 @@ Json snapshot_json(const SessionContext& context, ClientId client) {
   if (context.desk.locations() != nullptr) json["offers"].push_back("locations");
   if (context.desk.can_jog()) json["offers"].push_back("jog");
   if (context.channels != nullptr && !context.channels->empty()) json["offers"].push_back("channels");
+  if (context.scene != nullptr) json["offers"].push_back("scene");
+  if (context.recording != nullptr) json["offers"].push_back("replay");
   return json;
 }
 

@@ -24,7 +24,7 @@ class JsonSession final : public Session, private CallHome {
       : context_(context),
         output_(std::move(output)),
         alive_(std::make_shared<bool>(true)),
-        live_(output_, context.channels) {}
+        live_(output_, context.channels, context.latest) {}
   ~JsonSession() override {
     *alive_ = false;
     for (const auto& [id, ticket] : tickets_) *ticket = true;
@@ -57,6 +57,8 @@ class JsonSession final : public Session, private CallHome {
     live_.show(time, profile);
   }
   void show(const ShownBlock& block) override { live_.show(block); }
+  void show(const std::shared_ptr<const Rows>& rows) override { live_.show(rows); }
+  void catch_up() override { live_.catch_up(); }
   bool admitted() const override { return client_.has_value(); }
   bool extra() const override { return extra_; }
   bool looks() const override { return live_.looks(); }
@@ -234,6 +236,7 @@ class JsonSession final : public Session, private CallHome {
     live_.watch_channels(call.members());
     if (context_.looks_otherwise) context_.looks_otherwise();
     call.result(Json::object());
+    live_.begin();
     return nullptr;
   }
 

@@ -1,7 +1,6 @@
 #include "server/run_history.hpp"
 
 #include <fmt/format.h>
-#include <sqlite3.h>
 
 #include <condition_variable>
 #include <deque>
@@ -12,75 +11,13 @@
 #include <utility>
 
 #include "operations/step_log.hpp"
-#include "server/disk_file.hpp"
+#include "server/database.hpp"
 
 namespace pal::server {
 namespace {
 
 constexpr int history_format = 1;
 constexpr std::size_t most_notes_waiting = 10'000;
-
-[[noreturn]] void fail_in(sqlite3* database) {
-  refuse(Refusal::Why::failed, fmt::format("the history: {}", sqlite3_errmsg(database)),
-         "look at the disk of the cell's computer");
-}
-
-/// A statement that is used again and again.
-class Query {
- public:
-  Query(sqlite3* database, const char* text) : database_(database) {
-    if (sqlite3_prepare_v2(database, text, -1, &statement_, nullptr) != SQLITE_OK) fail_in(database);
-  }
-  ~Query() { sqlite3_finalize(statement_); }
-  Query(const Query&) = delete;
-  Query& operator=(const Query&) = delete;
-
-  Query& put(int at, std::int64_t value) {
-    sqlite3_bind_int64(statement_, at, value);
-    return *this;
-  }
-  Query& put(int at, const std::string& text) {
-    sqlite3_bind_text(statement_, at, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
-    return *this;
-  }
-  Query& put(int at, std::optional<std::int64_t> value) {
-    if (value) return put(at, *value);
-    sqlite3_bind_null(statement_, at);
-    return *this;
-  }
-  Query& put(int at, const std::optional<std::string>& text) {
-    if (text) return put(at, *text);
-    sqlite3_bind_null(statement_, at);
-    return *this;
-  }
-  /// Whether there is a further row.
-  bool next() {
-    const int result = sqlite3_step(statement_);
-    if (result == SQLITE_ROW) return true;
-    if (result != SQLITE_DONE) fail_in(database_);
-    return false;
-  }
-  void run() {
-    while (next()) {
-    }
-  }
-  std::int64_t number(int at) const { return sqlite3_column_int64(statement_, at); }
-  bool empty(int at) const { return sqlite3_column_type(statement_, at) == SQLITE_NULL; }
-  std::string text(int at) const {
-    const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, at));
-    return bytes == nullptr
-               ? std::string()
-               : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, at)));
-  }
-
- private:
-  sqlite3* database_;
-  sqlite3_stmt* statement_ = nullptr;
-};
-
-void execute(sqlite3* database, const char* text) {
-  if (sqlite3_exec(database, text, nullptr, nullptr, nullptr) != SQLITE_OK) fail_in(database);
-}
 
 constexpr const char* run_columns =
     "run, kind, name, begun_ms, ended_ms, begin_ns, end_ns, by, state, code, reason, steps";
@@ -112,30 +49,20 @@ std::string json_of_parameters(const std::vector<operations::Parameter>& paramet
 }  // namespace
 
 struct RunHistory::Parts {
-  Parts(const std::string& file, RunHistoryLimits the_limits) : limits(the_limits) {
-    const std::string path = file.empty() ? ":memory:" : file;
-    constexpr int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-    if (sqlite3_open_v2(path.c_str(), &database, flags, nullptr) != SQLITE_OK) {
-      const std::string why = sqlite3_errmsg(database);
-      sqlite3_close(database);
-      refuse(Refusal::Why::failed, fmt::format("{}: {}", path, why), "name a folder that can be written");
-    }
+  Parts(const std::string& file, RunHistoryLimits the_limits)
+      : limits(the_limits), database(file.empty() ? ":memory:" : file) {
     try {
       prepare();
     } catch (const StoreProblem& problem) {
-      sqlite3_close(database);
-      refuse(Refusal::Why::failed, fmt::format("{}: {}", path, problem.refusal.message),
+      refuse(Refusal::Why::failed, fmt::format("{}: {}", file, problem.refusal.message),
              "move the file away, and a new history begins");
     }
   }
-  ~Parts() { sqlite3_close(database); }
-  Parts(const Parts&) = delete;
-  Parts& operator=(const Parts&) = delete;
 
   void prepare() {
     // What the program has committed outlives the program; after a power cut the file is whole, too.
     execute(database, "PRAGMA auto_vacuum=INCREMENTAL; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;");
-    if (pragma("PRAGMA user_version") > history_format)
+    if (pragma(database, "PRAGMA user_version") > history_format)
       refuse(Refusal::Why::failed, "it was written by a newer program");
     execute(database,
             "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, kind INTEGER, name TEXT, begun_ms "
@@ -191,19 +118,11 @@ struct RunHistory::Parts {
       problem = failed.refusal;
     }
   }
-  std::int64_t pragma(const char* text) const {
-    Query query(database, text);
-    query.next();
-    return query.number(0);
-  }
-  std::int64_t bytes() const {
-    return (pragma("PRAGMA page_count") - pragma("PRAGMA freelist_count")) * pragma("PRAGMA page_size");
-  }
   void keep_limits() {
     for (;;) {
       Query count(database, "SELECT count(*), min(run) FROM runs");
       count.next();
-      const bool large = bytes() > static_cast<std::int64_t>(limits.most_bytes);
+      const bool large = bytes_of(database) > static_cast<std::int64_t>(limits.most_bytes);
       if (!large && count.number(0) <= static_cast<std::int64_t>(limits.most_runs)) return;
       if (count.number(0) == 0) return;
       const std::int64_t oldest = count.number(1);
@@ -227,7 +146,7 @@ struct RunHistory::Parts {
   }
 
   const RunHistoryLimits limits;
-  sqlite3* database = nullptr;
+  Database database;
   mutable std::mutex on_database;
   std::optional<Refusal> problem;  // of the last write
 
@@ -259,7 +178,7 @@ std::uint64_t RunHistory::begin(RunRecord run, std::optional<std::string> text) 
     run.run = parts_->next_run++;
   }
   const std::uint64_t number = run.run;
-  parts_->note([database = parts_->database, run = std::move(run), text = std::move(text)] {
+  parts_->note([database = static_cast<sqlite3*>(parts_->database), run = std::move(run), text = std::move(text)] {
     Query(database,
           "INSERT INTO runs (run, kind, name, begun_ms, begin_ns, by, state, reason, steps, text) "
           "VALUES (?, ?, ?, ?, ?, ?, 'running', '', 0, ?)")
@@ -277,7 +196,7 @@ std::uint64_t RunHistory::begin(RunRecord run, std::optional<std::string> text) 
 
 void RunHistory::step(std::uint64_t run, const operations::Step& step,
                       std::vector<operations::Parameter> all) {
-  parts_->note([database = parts_->database, run, step, all = std::move(all)] {
+  parts_->note([database = static_cast<sqlite3*>(parts_->database), run, step, all = std::move(all)] {
     const auto number = static_cast<std::int64_t>(step.number), key = static_cast<std::int64_t>(run);
     Query(database, "INSERT OR REPLACE INTO steps VALUES (?, ?, ?, ?)")
         .put(1, key)
@@ -297,7 +216,7 @@ void RunHistory::change(std::uint64_t run, std::string state, std::optional<Dura
     end_ns = end->count();
   }
   if (code) code_now = *code;
-  parts_->note([database = parts_->database, run, state = std::move(state), ended_ms, end_ns, code_now,
+  parts_->note([database = static_cast<sqlite3*>(parts_->database), run, state = std::move(state), ended_ms, end_ns, code_now,
                 reason = std::move(reason)] {
     Query(database, "UPDATE runs SET state = ?, ended_ms = ?, end_ns = ?, code = ?, reason = ? WHERE run = ?")
         .put(1, state)

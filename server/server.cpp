@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <csignal>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -31,6 +32,7 @@ using boost::system::error_code;
 constexpr std::size_t most_waiting = 10'000;
 constexpr std::size_t most_samples = 64;
 constexpr std::size_t most_blocks = 64;
+constexpr std::size_t most_rows = 256;
 // Records, so that requests come in between.
 constexpr std::size_t records_at_once = 80;
 
@@ -54,6 +56,7 @@ struct Waiting {
   std::deque<std::shared_ptr<const Telemetry>> telemetry;
   std::deque<std::pair<Duration, std::shared_ptr<Profile>>> profiles;
   std::deque<std::shared_ptr<const SampleBlock>> blocks;
+  std::deque<std::shared_ptr<const Rows>> rows;
   std::uint64_t lost = 0;  // samples of all these
 };
 
@@ -95,6 +98,9 @@ struct Server::Parts {
     context->runs = options.runs;
     context->studies = &*studies;
     context->trials = options.trials;
+    context->scene = options.scene;
+    context->recording = options.recording;
+    context->latest = &latest;
     context->full = [this] {
       return count_of([](Session& each) { return !each.extra(); }) >= options.most_clients;
     };
@@ -238,6 +244,10 @@ struct Server::Parts {
     }
     show_blocks(taken.blocks);
     for (const ConnectionPointer& client : clients) client->lose(taken.lost);
+    for (const auto& rows : taken.rows) {
+      latest[rows->channel] = rows;
+      for_each([&](Session& session) { session.show(rows); });
+    }
     for (const auto& telemetry : taken.telemetry)
       for_each([&](Session& session) { session.show(telemetry); });
     for (const auto& [time, profile] : taken.profiles) {
@@ -278,6 +288,7 @@ struct Server::Parts {
   /// Sessions come and go.
   void look_around() {
     see_who_looks();
+    for_each([](Session& session) { session.catch_up(); });
     glance.expires_after(std::chrono::milliseconds(50));
     glance.async_wait([this](const error_code& problem) {
       if (!problem) look_around();
@@ -301,6 +312,7 @@ struct Server::Parts {
   PageFiles page_files;
   Desk* desk = nullptr;
   History history;
+  std::map<std::string, std::shared_ptr<const Rows>> latest;  // by channel
   std::optional<Workshop> checks, disk, reading, studies;
   std::optional<SessionContext> context;
   std::optional<ConnectionContext> connection_context;
@@ -367,6 +379,7 @@ void Server::show(const Telemetry& telemetry) {
 }
 
 void Server::show(Duration time, const Profile& profile) {
+  if (parts_->options.recording != nullptr) parts_->options.recording->take(time, profile);
   parts_->leave([&] {
     auto& samples = parts_->waiting.profiles;
     samples.emplace_back(time, std::make_shared<Profile>(profile));
@@ -377,16 +390,30 @@ void Server::show(Duration time, const Profile& profile) {
 }
 
 bool Server::watched() const noexcept {
-  return parts_->watched.load(std::memory_order_relaxed);
+  return parts_->watched.load(std::memory_order_relaxed) ||
+         (parts_->options.recording != nullptr && parts_->options.recording->records());
 }
 
 void Server::show(std::shared_ptr<const SampleBlock> block) {
+  if (parts_->options.recording != nullptr) parts_->options.recording->take(block);
   parts_->leave([&] {
     auto& blocks = parts_->waiting.blocks;
     blocks.push_back(std::move(block));
     if (blocks.size() <= most_blocks) return;
     parts_->waiting.lost += blocks.front()->size();
     blocks.pop_front();
+  });
+}
+
+void Server::show(std::vector<std::shared_ptr<const Rows>> rows) {
+  if (parts_->options.recording != nullptr) parts_->options.recording->take(rows);
+  parts_->leave([&] {
+    auto& all = parts_->waiting.rows;
+    all.insert(all.end(), rows.begin(), rows.end());
+    while (all.size() > most_rows) {
+      all.pop_front();
+      ++parts_->waiting.lost;
+    }
   });
 }
 

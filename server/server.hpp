@@ -40,6 +40,8 @@ struct ServerOptions {
   Knowledge* knowledge = nullptr;    // of skills; null: none
   const RunHistory* runs = nullptr;  // null: no history is kept
   Trials* trials = nullptr;          // null: nothing can be tried aside
+  const Scene* scene = nullptr;      // whole when the server starts; null: it is not told
+  RunRecording* recording = nullptr;  // null: no run is recorded
   Channels channels;                 // of live data
   std::string version;               // of the program
 };
@@ -75,6 +77,7 @@ class Server final : public EventSink, public TelemetrySink {
   void show(Duration time, const Profile& profile) override;
   bool watched() const noexcept override;
   void show(std::shared_ptr<const SampleBlock> block) override;
+  void show(std::vector<std::shared_ptr<const Rows>> rows) override;
 
   struct Parts;
 

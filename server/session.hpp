@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,8 @@
 #include "server/history.hpp"
 #include "server/knowledge.hpp"
 #include "server/outbox.hpp"
+#include "server/run_recording.hpp"
+#include "server/scene.hpp"
 #include "server/store.hpp"
 #include "server/study.hpp"
 #include "server/telemetry.hpp"
@@ -46,6 +49,10 @@ struct SessionContext {
   const Channels* channels = nullptr;  // null: this cell has none
   Workshop* studies = nullptr;         // of trials
   Trials* trials = nullptr;            // null: nothing can be tried aside
+  const Scene* scene = nullptr;        // null: what the cell looks like is not told
+  const RunRecording* recording = nullptr;  // null: no run is recorded
+  /// The last rows of each channel that has such.
+  const std::map<std::string, std::shared_ptr<const Rows>>* latest = nullptr;
   /// Whether the places for clients that may do anything are taken. The next one may look, pause and stop.
   std::function<bool()> full{};
   /// A session asks for live data, or for others, from now on: a skill that its client begins next is seen from its
@@ -78,6 +85,9 @@ class Session {
   virtual void show(const std::shared_ptr<const Telemetry>& telemetry) = 0;
   virtual void show(Duration time, const std::shared_ptr<const Profile>& profile) = 0;
   virtual void show(const ShownBlock&) {}
+  virtual void show(const std::shared_ptr<const Rows>&) {}
+  /// Some time has passed: what waited for something newer is sent.
+  virtual void catch_up() {}
   /// It has shown the token.
   virtual bool admitted() const = 0;
   /// It came when the places were taken, and may look, pause and stop.

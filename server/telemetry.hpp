@@ -41,6 +41,8 @@ class TelemetrySink {
   /// Whether a client watches channels; otherwise no records need be written.
   virtual bool watched() const noexcept { return false; }
   virtual void show(std::shared_ptr<const SampleBlock>) {}
+  /// In the order of their times.
+  virtual void show(std::vector<std::shared_ptr<const Rows>>) {}
 };
 
 }  // namespace pal::server

@@ -22,9 +22,11 @@ class Refused(Exception):
 def frame_of(data):
     """A binary message of live data: its head, and the numbers behind it."""
     length = struct.unpack_from("<I", data)[0]
-    assert (4 + length) % 8 == 0 and (len(data) - 4 - length) % 8 == 0, len(data)
-    return {"method": "binary", "head": json.loads(data[4:4 + length]),
-            "numbers": struct.unpack_from(f"<{(len(data) - 4 - length) // 8}d", data, 4 + length)}
+    head = json.loads(data[4:4 + length])
+    size, kind = (4, "f") if "rows" in head else (8, "d")
+    assert (4 + length) % 8 == 0 and (len(data) - 4 - length) % size == 0, len(data)
+    return {"method": "binary", "head": head, "bytes": len(data),
+            "numbers": struct.unpack_from(f"<{(len(data) - 4 - length) // size}{kind}", data, 4 + length)}
 
 
 class Client:

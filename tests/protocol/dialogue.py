@@ -253,6 +253,18 @@ try:
     assert felt["more"] and all(each["step"]["skill"] == "touch" for each in felt["rows"]), felt
     assert felt["rows"][0]["step"]["measured"]["fresh-force"] < 0.01, felt
 
+    # What the cell looks like, and a run again.
+    looks = call("scene.get")
+    assert any(each["moves"] for each in looks["bodies"]) and any(each["kind"] == "sphere" for each in looks["shapes"]), looks["bodies"]
+    assert "SIDE" in [each["location"] for each in call("scene.locations")]
+    kept = call("replay.list")
+    assert kept[0]["run"] == runs["runs"][0]["run"] and {"poses", "force"} <= set(kept[0]["channels"]), kept
+    assert len(call("replay.read", run=kept[0]["run"], channel="poses")["times_s"]) > 3
+    call("channels.watch", channels=[{"channel": "poses"}, {"channel": "contact-points", "binary": True}])
+    cell.notice("rows")
+    cell.notice("binary", lambda each: each["head"]["channel"] == "contact-points")
+    call("channels.watch", channels=[])
+
     # Aside: the cell does not move.
     before = call("locations.here")
     tried = call("study.try", skill="touch", parameters={"approach-speed": 10}, before=[{"skill": "relative-move", "parameters": {"dz": -5}}])

@@ -14,6 +14,7 @@ import "./tuning/tuning.css";
 import "./operator/operator.css";
 import "./teaching/teaching.css";
 import "./production/production.css";
+import "./scene/scene.css";
 import { keepBreakpoints } from "./state/breakpoints";
 import { keepBackup, restore, restoreFromDisk } from "./state/backup";
 import { useCell } from "./state/cell";

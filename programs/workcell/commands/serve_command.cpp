@@ -13,6 +13,7 @@
 #include "programs/workcell/session/fault_file.hpp"
 #include "programs/workcell/session/instruments.hpp"
 #include "programs/workcell/session/live_channels.hpp"
+#include "programs/workcell/session/live_scene.hpp"
 #include "programs/workcell/session/margin_meter.hpp"
 #include "programs/workcell/session/skill_facts.hpp"
 #include "programs/workcell/session/taught_robot.hpp"
@@ -113,6 +114,16 @@ server::RunHistory open_history(const ServeCommand& command, const std::string& 
   }
 }
 
+/// Of runs that can be looked at again.
+server::RunRecording open_recording(const ServeCommand& command, const std::string& folder,
+                                    const server::Channels& channels) {
+  try {
+    return server::RunRecording(folder.empty() ? "" : folder + "/recording.sqlite", channels);
+  } catch (const server::StoreProblem& problem) {
+    fail_to_open(command, problem);
+  }
+}
+
 server::Locations open_locations(const ServeCommand& command, CellRobot& robot, const std::string& folder) {
   try {
     return server::Locations(robot.taught(), folder);
@@ -167,6 +178,11 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   SimulatedTrials trials(scene, known, times_named(command.times));
   offered.trials = &trials;
   offered.channels = live_channels(sim::tool_of(scene));
+  for (const server::Channel& each : scene_channels()) offered.channels.push_back(each);
+  server::RunRecording recording = open_recording(command, folder, offered.channels);
+  offered.recording = &recording;
+  server::Scene looks;
+  offered.scene = &looks;
   const auto server = open_server(offered);
 
   std::optional<runtime::drivers::Outside> wall;
@@ -194,7 +210,9 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     throw no_such_device(command.faults, problem);
   }
   sim::Cell& cell = *opened;
+  looks = scene_of(cell.workcell());
   LiveRecorder live(cell.workcell(), *server);
+  SceneRecorder bodies(cell.workcell(), *server);
   CellRobot robot(cell);
   server::Locations book = open_locations(command, robot, folder);
   robot.teach_all(book.list());
@@ -217,6 +235,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
                                    known_of_cell.longest};
   desk_options.refused_together = known_of_cell.refused_together;
   desk_options.runs = &runs;
+  desk_options.recording = &recording;
   CellPendant pendant(cell);
   // Where time rushes past, silence comes at once.
   if (command.paced > 0) desk_options.pendant = &pendant;
@@ -234,6 +253,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   while (!desk.ended()) {
     if (desk.work()) {
       live.flush();
+      bodies.flush();
       continue;
     }
     if (command.paced > 0) {

@@ -5,6 +5,7 @@ import type { Icon } from "../model/operation";
 import { hasInput, outputs } from "../model/ports";
 import { useCell } from "../state/cell";
 import { useDrawing } from "../state/drawing";
+import { acted, useReplayed } from "../state/replayed";
 import { Symbol } from "../symbols/Symbol";
 import { t, useLanguage } from "../words/words";
 import { Caption } from "./Caption";
@@ -33,7 +34,7 @@ export const IconNode = memo(function IconNode({ data, selected }: NodeProps<Ico
   const skill = useCell((state) => (icon.kind === "skill" ? state.skills.get(icon.skill ?? "") : undefined));
   const sensors = useCell((state) => state.sensors);
   const focused = useDrawing((state) => state.focus === icon.id);
-  const run = useRunState(path);
+  const run = useRunState(path), replayed = useReplayed((state) => acted(state, path));
   const lineFrom = useView((view) => (view.lineFrom?.icon === icon.id ? view.lineFrom.port : undefined));
   const family = familyOf(icon, skill);
   const size = sizeOf(icon);
@@ -41,7 +42,7 @@ export const IconNode = memo(function IconNode({ data, selected }: NodeProps<Ico
   const line = summary(icon, sensors);
   return (
     <div className="icon" role="group" aria-roledescription={t("icon.role")} aria-label={describe(icon, operation, path)}
-      tabIndex={focused ? 0 : -1} data-id={icon.id} data-kind={icon.kind} data-family={family} data-run={run}
+      tabIndex={focused ? 0 : -1} data-id={icon.id} data-kind={icon.kind} data-family={family} data-run={run} data-replayed={replayed || undefined}
       data-loose={reached ? undefined : true} data-selected={selected || undefined} style={{ width: size.width, height: size.height }}>
       <svg className="outline" width={size.width} height={size.height} aria-hidden="true">
         {icon.kind === "operation" && <path className="behind" d={outline(family, size)} transform="translate(6 6)" />}

@@ -14,11 +14,11 @@ const rare = (name: keyof Rare): LazyExoticComponent<Body> => lazy(async () => (
 const live = (name: keyof Live): LazyExoticComponent<Body> => lazy(async () => ({ default: (await import("../live/windows"))[name] as Body }));
 const later: Partial<Record<WindowKind, LazyExoticComponent<Body>>> = {
   skill: rare("SkillHelp"), explain: rare("Explain"), keys: rare("KeysHelp"), ways: rare("Ways"), breakpoints: rare("Breakpoints"), store: rare("StoreWindow"), versions: rare("Versions"),
-  channel: live("ChannelWindow"), sensors: live("Sensors"), gauges: live("Gauges"), requirement: live("RequirementChart"), tuning: live("Tuning"), locations: live("Locations"), jog: live("Jog"), production: live("Production"),
+  channel: live("ChannelWindow"), scene: lazy(() => import("../scene/SceneWindow")), sensors: live("Sensors"), gauges: live("Gauges"), requirement: live("RequirementChart"), tuning: live("Tuning"), locations: live("Locations"), jog: live("Jog"), production: live("Production"),
 };
 
-const wide = new Set<WindowKind>(["skill", "store", "explain", "versions", "channel", "requirement", "ways"]);
-const sizable = new Set<WindowKind>(["channel", "requirement"]);
+const wide = new Set<WindowKind>(["skill", "store", "explain", "versions", "channel", "requirement", "ways", "scene"]);
+const sizable = new Set<WindowKind>(["channel", "requirement", "scene"]);
 
 const split = (about: string): [string, string] => [about.slice(0, about.lastIndexOf("/")), about.slice(about.lastIndexOf("/") + 1)];
 
@@ -41,7 +41,7 @@ function Shown({ window: each }: { window: OpenWindow }) {
     return <FloatWindow window={each} title={icon === "" ? t("findings.all") : t("findings.title", { icon })}><FindingsList operation={operation} icon={icon} /></FloatWindow>;
   const titles: Partial<Record<WindowKind, string>> = {
     skill: t("help.title", { name: each.about }), explain: each.about, keys: t("keys.title"), ways: t("ways.title"), breakpoints: t("breaks.title"), store: t("store.title"),
-    versions: t("versions.title", { name: each.about }), channel: channelName(each.about), sensors: t("sensors.title"), gauges: t("gauges.title"), requirement: each.about.replace("/", " › "), tuning: t("tuning.title", { name: icon }), locations: t("teach.title"), jog: t("jog.title"), production: t("production.title"),
+    versions: t("versions.title", { name: each.about }), channel: channelName(each.about), scene: t("scene.title"), sensors: t("sensors.title"), gauges: t("gauges.title"), requirement: each.about.replace("/", " › "), tuning: t("tuning.title", { name: icon }), locations: t("teach.title"), jog: t("jog.title"), production: t("production.title"),
   };
   return (
     <FloatWindow window={each} title={titles[each.kind] ?? ""} wide={wide.has(each.kind)} sizable={sizable.has(each.kind)}>

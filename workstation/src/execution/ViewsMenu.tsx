@@ -13,7 +13,7 @@ const symbols: Record<string, SymbolName> = { force: "sense", contacts: "press",
 
 export function ViewsMenu() {
   const [channels, setChannels] = useState<readonly Channel[]>([]);
-  const opened = (open: boolean) => open && channels.length === 0 && void call("channels.list").then(setChannels, () => {});
+  const opened = (open: boolean) => open && channels.length === 0 && void call("channels.list").then((all) => setChannels(all.filter((each) => each.form !== "rows")), () => {});
   const act = (key: string) => {
     const [kind, about] = key.split("/");
     openWindow(kind as WindowKind, about ?? "");
@@ -23,6 +23,7 @@ export function ViewsMenu() {
       <Button className="button quiet only" aria-label={t("views.label")}><Symbol name="chart" /></Button>
       <Popover className="popover" placement="bottom end">
         <Menu className="menu" onAction={(key) => act(String(key))}>
+          <Item id="scene" symbol="cube" word="scene.title" />
           <Item id="gauges" symbol="gauge" word="gauges.title" />
           <Item id="sensors" symbol="test" word="sensors.title" />
           <Item id="locations" symbol="move-to-location" word="teach.title" />

@@ -4,10 +4,12 @@ import { useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react"
 import { ToggleButton } from "react-aria-components";
 import type { Channel } from "../../generated/protocol";
 import { useCell } from "../state/cell";
+import { Symbol } from "../symbols/Symbol";
 import { number, t, unitText } from "../words/words";
 import { csvOf, saveFile, svgOf, type Field, type Panel } from "./export";
 import { eachFrame, trackOf, watch } from "./live";
 import { look, onLook, seriesColor, seriesDash } from "./look";
+import { replayedTrack, useReplay } from "./replay";
 import { makePlot, rangeOf, type Around, type Plot } from "./plot";
 import { limitsOf, stepsWithin, useSteps } from "./steps";
 import { lookAt, useInstant } from "./time";
@@ -30,16 +32,29 @@ export function ChannelChart({ channel }: { channel: Channel }) {
   const period = periodFor(span);
   useEffect(() => watch(channel.channel, period), [channel.channel, period]);
   const around = useMemo<Around>(() => ({ steps: stepsWithin, limits: (begin, end) => stepsWithin(begin, end).flatMap((each) => limitsOf(each, channel)) }), [channel]);
+  const loaded = useReplay((state) => state.loaded);
+  // A run again: all of it, from what the server kept.
+  const again = useMemo<Around | undefined>(() => loaded && ({
+    steps: (begin, end) => loaded.steps.filter((each) => each.begin <= end && (each.end ?? Infinity) >= begin), limits: (begin, end) => loaded.steps.filter((each) => each.begin <= end && (each.end ?? Infinity) >= begin).flatMap((each) => limitsOf(each, channel)),
+  }), [loaded, channel]);
+  if (loaded && again)
+    return (
+      <>
+        <p className="chart-replayed"><Symbol name="versions" size={16} />{t("scene.notLive")}</p>
+        <TimeChart key={loaded.kept.run} source={{ title: channel.channel, fields, track: replayedTrack(channel.channel, fields.length), around: again }} span={span} onSpan={setSpan} within={loaded.kept} />
+      </>
+    );
   return <TimeChart source={{ title: channel.channel, fields, track: trackOf(channel.channel, fields.length), around }} span={span} onSpan={setSpan} />;
 }
 
 const digits = (unit: string) => (unit === "N" || unit === "mm" || unit === "deg" ? 2 : 3);
 
-export function TimeChart({ source, span, onSpan }: { source: Source; span: number; onSpan(span: number): void }) {
+/** `within`: what is seen first, in place of what comes now. */
+export function TimeChart({ source, span, onSpan, within }: { source: Source; span: number; onSpan(span: number): void; within?: { begin: number; end: number } }) {
   const { fields, track, around } = source;
   const units = [...new Set(fields.map((each) => each.unit))];
   const [hidden, setHidden] = useState<ReadonlySet<number>>(new Set());
-  const [held, setHeld] = useState<{ begin: number; end: number }>();
+  const [held, setHeld] = useState<{ begin: number; end: number } | undefined>(within && { begin: within.begin, end: within.end });
   const hosts = useRef(new Map<string, HTMLDivElement>());
   const plots = useRef<{ unit: string; plot: Plot }[]>([]);
   const view = useRef({ begin: 0, end: 1 });
@@ -53,7 +68,7 @@ export function TimeChart({ source, span, onSpan }: { source: Source; span: numb
     const zoomed = (begin: number, end: number) => setHeld({ begin, end });
     const made = units.flatMap((unit) => {
       const host = hosts.current.get(unit), of = shown.filter((each) => each.unit === unit);
-      return host && of.length > 0 ? [{ unit, host, plot: makePlot(host, track, of, around, zoomed, () => setHeld(undefined), host.clientHeight) }] : [];
+      return host && of.length > 0 ? [{ unit, host, plot: makePlot(host, track, of, around, zoomed, () => setHeld(within && { begin: within.begin, end: within.end }), host.clientHeight) }] : [];
     });
     plots.current = made;
     let seen = -1, drawn = "", was = useSteps.getState().steps, asked: number | undefined;
@@ -64,7 +79,7 @@ export function TimeChart({ source, span, onSpan }: { source: Source; span: numb
       const { steps } = useSteps.getState();
       const now = `${begin}:${end}`;
       const fresh = force || track.version !== seen || now !== drawn || steps !== was;
-      if (fresh && !(fixed && now === drawn && !force)) {
+      if (fresh && !(fixed && !within && now === drawn && !force)) {
         view.current = { begin, end };
         for (const { plot } of made) plot.draw(begin, end);
         if (track.size > 0) setEmpty(false);

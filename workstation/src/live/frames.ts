@@ -26,9 +26,22 @@ export interface ProfileFrame {
   dropped: number;
 }
 
-export function decode(bytes: ArrayBuffer): SpanFrame | ProfileFrame {
+/** One instant of a channel of rows. */
+export interface RowsFrame {
+  form: "rows";
+  channel: string;
+  time_s: number;
+  rows: number;
+  fields: number;
+  dropped: number;
+  numbers: Float32Array;
+}
+
+export function decode(bytes: ArrayBuffer): SpanFrame | ProfileFrame | RowsFrame {
   const length = new DataView(bytes).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
+  if (head.rows !== undefined)
+    return { form: "rows", channel: head.channel, time_s: head.time_s, rows: head.rows, fields: head.fields, dropped: head.dropped, numbers: new Float32Array(bytes, 4 + length, head.rows * head.fields) };
   const numbers = new Float64Array(bytes, 4 + length);
   if (head.points === undefined)
     return { form: "spans", channel: head.channel, count: head.spans, fields: head.fields, dropped: head.dropped, numbers };

@@ -4,6 +4,7 @@ import { create } from "zustand";
 import type { Channel } from "../../generated/protocol";
 import { call, onFrame, useCell } from "../state/cell";
 import { decode, type ProfileFrame } from "./frames";
+import { RowTrack } from "./rowTrack";
 import { Track } from "./track";
 
 export const useChannels = create<{ channels: readonly Channel[] | undefined }>()(() => ({ channels: undefined }));
@@ -26,6 +27,14 @@ export const droppedSamples = (): number => dropped;
 export function trackOf(channel: string, fields: number): Track {
   let track = tracks.get(channel);
   if (!track || track.fields !== fields) tracks.set(channel, (track = new Track(fields)));
+  return track;
+}
+
+const rowTracks = new Map<string, RowTrack>();
+/** What was seen of a channel of rows, for some minutes. */
+export function rowsOf(channel: string): RowTrack {
+  let track = rowTracks.get(channel);
+  if (!track) rowTracks.set(channel, (track = new RowTrack()));
   return track;
 }
 
@@ -70,6 +79,7 @@ async function readChannels(): Promise<void> {
 onFrame((bytes) => {
   const frame = decode(bytes);
   dropped = frame.dropped;
+  if (frame.form === "rows") return rowsOf(frame.channel).put(frame.time_s, frame.rows, frame.numbers);
   if (frame.form === "spans") return trackOf(frame.channel, frame.fields).take(frame.numbers, frame.count);
   if (profiles.length > 0 && frame.time_s < profiles.at(-1)!.time_s) profiles.length = 0;
   if (profiles.length >= most_profiles) profiles.splice(0, most_profiles / 4);
@@ -83,7 +93,7 @@ useCell.subscribe((state, before) => {
   // Another start of the server: its time begins anew.
   const now = state.present?.snapshot.epoch;
   if (now !== epoch) {
-    for (const each of tracks.values()) each.clear();
+    for (const each of [...tracks.values(), ...rowTracks.values()]) each.clear();
     profiles.length = 0;
     ++profileVersion.count;
     epoch = now;

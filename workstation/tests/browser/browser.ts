@@ -4,7 +4,8 @@ import { join } from "node:path";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
 const program = process.env.CHROMIUM ?? "/usr/bin/chromium";
-export const launch = { executablePath: program, args: process.getuid?.() === 0 ? ["--no-sandbox"] : [] };
+// WebGL 2 without a graphics card.
+export const launch = { executablePath: program, args: ["--enable-unsafe-swiftshader", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])] };
 
 export async function browser(): Promise<Browser> {
   if (!existsSync(program)) throw new Error(`${program} is missing: apt-get install chromium (scripts/setup does it)`);

@@ -99,3 +99,25 @@ test("what the sensors see", () => at("seam", ["--paced", "3"], async (page) => 
   await act(page, "stop").click();
   await untilState(page, "Stopped");
 }));
+
+test("the cell in three dimensions", () => at("pallet", ["--paced", "3"], async (page) => {
+  await imported(page, JSON.stringify({
+    "operation-format": 1, name: "pick one", icons: [
+      { id: "start", kind: "start", next: "pick" }, { id: "pick", kind: "skill", skill: "pick-at-location", parameters: { location: "PART1" }, next: "end", error: "end" }, { id: "end", kind: "exit" }],
+  }));
+  await view(page, "The cell in 3-D");
+  await page.waitForFunction(() => document.querySelector<HTMLElement>(".scene-frame")?.dataset["tip"] !== undefined);
+  await act(page, "run").click();
+  await untilState(page, "Ended", 60000);
+  await page.waitForTimeout(500);
+  const scene = page.locator('[data-window="scene"]');
+  await part(scene, "cell-scene");
+  await page.locator('[data-act="scene.replay"]').click();
+  const slider = page.getByRole("slider", { name: "Instant of the run" });
+  await slider.focus();
+  await page.keyboard.press("End");
+  await page.keyboard.press("PageDown");
+  await page.locator('[data-act="scene.follow"]').click();
+  await page.waitForTimeout(800);
+  await part(scene, "cell-scene-replay");
+}));

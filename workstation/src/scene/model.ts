@@ -1,0 +1,124 @@
+// The cell's shapes as three.js has them: one mesh and one set of edges for each body. It knows no server and no page.
+import {
+  BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial,
+  Quaternion, SphereGeometry, Vector3,
+} from "three";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import type { Scene, SceneShape } from "../../generated/protocol";
+
+const round = 32;
+
+/** The shape about its own origin; undefined: a plane, which is drawn as the floor. */
+function geometryOf(shape: SceneShape): BufferGeometry | undefined {
+  const [a, b, c] = shape.size;
+  switch (shape.kind) {
+    case "box":
+      return new BoxGeometry(2 * a, 2 * b, 2 * c);
+    case "sphere":
+      return new SphereGeometry(a, round, round / 2);
+    case "ellipsoid":
+      return new SphereGeometry(1, round, round / 2).scale(a, b, c);
+    // Those of three.js stand along y.
+    case "cylinder":
+      return new CylinderGeometry(a, a, 2 * b, round).rotateX(Math.PI / 2);
+    case "capsule":
+      return new CapsuleGeometry(a, 2 * b, 6, round / 2).rotateX(Math.PI / 2);
+    case "mesh": {
+      if (!shape.corners || !shape.triangles) return new BoxGeometry(2 * a, 2 * b, 2 * c);
+      const made = new BufferGeometry();
+      made.setAttribute("position", new BufferAttribute(Float32Array.from(shape.corners), 3));
+      made.setIndex(shape.triangles);
+      made.computeVertexNormals();
+      return made;
+    }
+    case "plane":
+      return undefined;
+  }
+}
+
+export const matrixOf = (position: readonly number[], turn: readonly number[]): Matrix4 =>
+  new Matrix4().compose(new Vector3(...(position as [number, number, number])), new Quaternion(...(turn as [number, number, number, number])), new Vector3(1, 1, 1));
+
+export interface Model {
+  /** All bodies; add it to a scene. */
+  root: Group;
+  /** In the order of the scene's bodies. */
+  bodies: readonly Group[];
+  /** Those that move, in the order of the rows of `poses`. */
+  moving: readonly number[];
+  edges: LineBasicMaterial;
+}
+
+/** A body's shapes with their colours in one geometry each for what is solid and what can be seen through. */
+export function modelOf(scene: Scene): Model {
+  const root = new Group();
+  const edges = new LineBasicMaterial({ transparent: true, opacity: 0.35 });
+  const solid = new MeshStandardMaterial({ vertexColors: true, roughness: 0.62, metalness: 0.05, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const clear = solid.clone();
+  Object.assign(clear, { transparent: true, opacity: 0.5 });
+  const bodies = scene.bodies.map((body, at) => {
+    const group = new Group(), parts: Record<"solid" | "clear", BufferGeometry[]> = { solid: [], clear: [] }, lines: BufferGeometry[] = [];
+    group.matrixAutoUpdate = false;
+    group.matrix.copy(matrixOf(body.position, body.turn));
+    for (const shape of scene.shapes.filter((each) => each.body === at)) {
+      const made = geometryOf(shape);
+      if (!made) continue;
+      made.deleteAttribute("uv");
+      made.applyMatrix4(matrixOf(shape.position, shape.turn));
+      const color = new Color().setRGB(shape.colour[0], shape.colour[1], shape.colour[2], "srgb"), count = made.getAttribute("position").count;
+      const colours = new Float32Array(3 * count);
+      for (let i = 0; i < count; ++i) color.toArray(colours, 3 * i);
+      made.setAttribute("color", new BufferAttribute(colours, 3));
+      if (shape.kind !== "mesh") lines.push(new EdgesGeometry(made, 32));
+      parts[shape.colour[3] < 1 ? "clear" : "solid"].push(made);
+    }
+    for (const kind of ["solid", "clear"] as const) {
+      const merged = parts[kind].length > 0 ? mergeGeometries(parts[kind]) : null;
+      if (!merged) continue;
+      const mesh = new Mesh(merged, kind === "solid" ? solid : clear);
+      mesh.castShadow = kind === "solid";
+      mesh.receiveShadow = true;
+      group.add(mesh);
+    }
+    if (lines.length > 0) group.add(new LineSegments(mergeGeometries(lines), edges));
+    root.add(group);
+    return group;
+  });
+  return { root, bodies, moving: scene.bodies.flatMap((body, at) => (body.moves ? [at] : [])), edges };
+}
+
+const one = new Vector3(1, 1, 1), place = new Vector3(), next = new Vector3(), turn = new Quaternion(), nextTurn = new Quaternion();
+const width = 7;
+
+/** Puts the bodies where the rows say; `part` of the way to the next rows, if there are such. */
+export function putBodies(model: Model, rows: Float32Array, later?: Float32Array, part = 0): void {
+  model.moving.forEach((body, i) => {
+    poseOf(rows, i, place, turn);
+    if (later && part > 0) {
+      poseOf(later, i, next, nextTurn);
+      place.lerp(next, part);
+      turn.slerp(nextTurn, part);
+    }
+    model.bodies[body]!.matrix.compose(place, turn, one);
+    model.bodies[body]!.matrixWorldNeedsUpdate = true;
+  });
+}
+
+function poseOf(rows: Float32Array, i: number, position: Vector3, rotation: Quaternion): void {
+  const at = i * width;
+  if (at + width > rows.length) return;
+  position.fromArray(rows, at);
+  rotation.fromArray(rows, at + 3);
+}
+
+/** A frame on a body, in the world, as these rows have it. */
+export function frameAt(scene: Scene, model: Model, frame: Scene["tip"], rows: Float32Array, into: Matrix4): Matrix4 {
+  const i = model.moving.indexOf(frame.body);
+  const body = scene.bodies[frame.body]!;
+  if (i < 0 || (i + 1) * width > rows.length) into.copy(matrixOf(body.position, body.turn));
+  else {
+    poseOf(rows, i, place, turn);
+    into.compose(place, turn, one);
+  }
+  return into.multiply(matrixOf(frame.position, frame.turn));
+}
