@@ -289,7 +289,7 @@ try:
     call("controls.take", force=True)
     call("controls.release")
 
-    missing = methods.keys() - asked
+    missing = methods.keys() - asked - {"jog.start", "jog.keep", "jog.stop"}  # jog.py: only at the pace of the wall
     assert not missing, f"not asked for: {sorted(missing)}"
     refused("no-method", call, "operation.fly")
     late.close()
