@@ -369,13 +369,13 @@ TEST_CASE("a cell's skills say which values they refuse together") {
   CHECK_FALSE(refused("juggle", {}));
 }
 
-TEST_CASE("every completion of a skill of the workcell has a longest time") {
+TEST_CASE("every completion of a skill of the workcell has a longest time, but of one that lasts as long as a person holds") {
   const auto known = installed_skills();
   const auto longest = longest_of(known);
   for (const auto& [name, skill] : templates_of(known))
     for (const auto& each : skill.completions) {
       INFO(name << ' ' << each.code);
-      CHECK(longest.count({name, each.code}) == 1);
+      CHECK(longest.count({name, each.code}) == (name == "jog" ? 0 : 1));
     }
 }
 

@@ -3,7 +3,7 @@ import { useEffect, useId, useLayoutEffect, useRef, type KeyboardEvent, type Poi
 import { Button } from "react-aria-components";
 import { focusIcon } from "../canvas/keys";
 import { useDrawing } from "../state/drawing";
-import { closeWindow, moveWindow, raise, type OpenWindow } from "../state/windows";
+import { closeWindow, moveWindow, raise, useWindows, type OpenWindow } from "../state/windows";
 import { Symbol } from "../symbols/Symbol";
 import { t } from "../words/words";
 import "./windows.css";
@@ -23,6 +23,7 @@ export function FloatWindow({ window: own, title, wide = false, sizable = false,
   const box = useRef<HTMLElement>(null);
   const before = useRef<Element | null>(null);
   const grip = useRef<{ x: number; y: number } | undefined>(undefined);
+  const moved = useRef(false); // by a person, who may put it beyond the edge
 
   // The focus comes into the window, and goes back to where it was.
   useEffect(() => {
@@ -35,10 +36,18 @@ export function FloatWindow({ window: own, title, wide = false, sizable = false,
     };
   }, []);
 
-  // A wide window that would open beyond the edge is put within it: its head has the button that closes it.
+  // A wide window that would open beyond the edge is put within it: its head has the button that closes it. Some are wide only
+  // when their part of the page has come.
   useLayoutEffect(() => {
-    const wide = box.current?.offsetWidth ?? 0, most = Math.max(8, innerWidth - wide - 12);
-    if (own.x > most) moveWindow(own.id, most, own.y);
+    const within = () => {
+      const now = useWindows.getState().open.find((each) => each.id === own.id);
+      const most = Math.max(8, innerWidth - (box.current?.offsetWidth ?? 0) - 12);
+      if (now && !moved.current && now.x > most) moveWindow(own.id, most, now.y);
+    };
+    within();
+    const watch = new ResizeObserver(within);
+    watch.observe(box.current!);
+    return () => watch.disconnect();
   }, []);
 
   const close = () => closeWindow(own.id);
@@ -54,6 +63,7 @@ export function FloatWindow({ window: own, title, wide = false, sizable = false,
   };
   const dragged = (event: PointerEvent) => {
     if (!grip.current) return;
+    moved.current = true;
     const x = Math.min(innerWidth - 80, Math.max(80 - (box.current?.offsetWidth ?? 0), event.clientX - grip.current.x));
     moveWindow(own.id, x, Math.min(innerHeight - 48, Math.max(0, event.clientY - grip.current.y)));
   };

@@ -23,6 +23,7 @@ const steps = [0, 0.1, 1, 5, 10]; // mm, or degrees
 /** A pair for each axis, plus and minus, in the place of the keys and not by their letters. */
 const keys: readonly [string, string][] = [["KeyQ", "KeyA"], ["KeyW", "KeyS"], ["KeyE", "KeyD"], ["KeyR", "KeyF"], ["KeyT", "KeyG"], ["KeyY", "KeyH"]];
 const letter = (code: string) => code.slice(3);
+const shortest = (value: number) => number(value, Number.isInteger(value) ? 0 : 1);
 
 const along = (axis: number, sign: number): Axes => [0, 1, 2, 3, 4, 5].map((each) => (each === axis ? sign : 0)) as Axes;
 const greatest = (known: Skill, name: string) => known.parameters.find((each) => each.name === name)?.high ?? 0;
@@ -62,7 +63,7 @@ function Panel({ known }: { known: Skill }) {
       <div className="jog-choices">
         <Choose label={t("jog.frame")} value={frame} onChange={(now) => (letAllGo(), setFrame(now as Frame))} options={frames.map((each) => ({ id: each, name: t(`jog.frame.${each}`) }))} />
         <Choose label={t("jog.speed")} value={String(percent)} onChange={(now) => setPercent(Number(now))} options={speeds.map((each) => ({ id: String(each), name: `${each} %`, aside: frame === "joints" ? `${number((greatest(known, "turn") * each) / 100, 1)} °/s` : `${number((greatest(known, "speed") * each) / 100, 0)} mm/s` }))} />
-        <Choose label={t("jog.step")} value={String(step)} onChange={(now) => setStep(Number(now))} options={steps.map((each) => ({ id: String(each), name: each === 0 ? t("jog.continuous") : frame === "joints" ? `${number(each, 1)}°` : t("jog.stepOf", { way: number(each, 1) }) }))} />
+        <Choose label={t("jog.step")} value={String(step)} onChange={(now) => setStep(Number(now))} options={steps.map((each) => ({ id: String(each), name: each === 0 ? t("jog.continuous") : frame === "joints" ? `${shortest(each)}°` : t("jog.stepOf", { way: shortest(each) }) }))} />
       </div>
       {!may && <p className="hint" role="note"><Symbol name="lock" size={16} /> {t("jog.role")}</p>}
       <div className="jog-axes" role="group" aria-label={t(`jog.frame.${frame}`)}>

@@ -36,7 +36,7 @@ export function openWindow(kind: WindowKind, about = ""): void {
   const there = open.find((each) => each.id === id);
   if (there) return raise(id);
   const shift = (opened++ % 6) * 28;
-  const [x, y] = (kind === "icon" ? besideIcon(about) : beyondTop(kind)) ?? [Math.max(12, Math.min(innerWidth - (kind === "scene" ? 772 : 480), 320 + shift)), 96 + shift];
+  const [x, y] = (kind === "icon" ? besideIcon(about) : beyondTop(kind)) ?? [Math.max(12, Math.min(innerWidth - 480, 320 + shift)), 96 + shift];
   useWindows.setState({ open: [...open, { id, key: opened, kind, about, x, y }] });
 }
 
