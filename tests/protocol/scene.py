@@ -45,8 +45,8 @@ def moved(options, skill, parameters):
         begin = time.monotonic()
         done = client.call("skill.run", skill=skill, parameters=parameters)
         assert done["kind"] == "normal", done
-        # The last poses come although the cell stands then.
-        last = done["end_s"] if "--fast" in options else done["end_s"] - 0.05
+        # The last poses come although the cell stands then. There is one for each millisecond.
+        last = done["end_s"] - (0.001 if "--fast" in options else 0.05)
         while not frames(client, "poses") or frames(client, "poses")[-1]["head"]["time_s"] < last:
             client.step()
         took = time.monotonic() - begin
