@@ -12,7 +12,7 @@ enum class AnalysisChoice {
   /// The cheapest first, until each requirement is decided: bounds, a few thousand classes, single runs,
   /// slices, all runs.
   automatic,
-  thorough,      // the same, and on till each bound is known to be attained
+  thorough,       // the same, and on till each bound is known to be attained
   exact,          // exact alone
   compositional,  // compositional alone
   /// The same with half-open windows, as textbooks have them: a job that is released at the instant at which

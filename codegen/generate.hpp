@@ -26,8 +26,8 @@ std::vector<GeneratedFile> emit(const Plan& plan, const EmitOptions& options = {
 /// The file that makes a plug-in of the skill: <skill>_plugin.cpp. It holds every text of `sources`.
 GeneratedFile emit_plugin(const Plan& plan, const SourceManager& sources);
 
-/// A file to begin with, which is never written again: every activity, empty, and the function that emit_plugin
-/// asks for. <skill>.cpp.
+/// A file to begin with, which is never written again: every activity, empty, and the function that
+/// emit_plugin asks for. <skill>.cpp.
 GeneratedFile emit_empty_activities(const Plan& plan);
 
 /// make_plan and emit. Nothing if the environment lacks something (reported).

@@ -77,7 +77,7 @@ struct SampleBlock {
 /// A channel of rows at an instant. The cell fills it, and nobody changes it afterwards.
 struct Rows {
   std::string channel;
-  Duration time{};  // of the cell
+  Duration time{};             // of the cell
   std::vector<float> numbers;  // row after row, each with the channel's fields
 };
 

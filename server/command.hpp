@@ -117,11 +117,11 @@ struct KeepJog {
 /// Its person has let go.
 struct EndJog {};
 
-using Command = std::variant<TakeControls, AskForControls, GiveControls, ReleaseControls, SetHold,
-                             ReleaseHold, RunSkill, LoadOperation, RunOperation, Pause, Stop, PutToken,
-                             SetParameter, SetBreakpoint, RemoveBreakpoint, ClearBreakpoints, AnswerQuestion,
-                             TeachLocation, RenameLocation, DeleteLocation, WhereIsRobot, ReadSensor,
-                             StartJog, KeepJog, EndJog>;
+using Command =
+    std::variant<TakeControls, AskForControls, GiveControls, ReleaseControls, SetHold, ReleaseHold, RunSkill,
+                 LoadOperation, RunOperation, Pause, Stop, PutToken, SetParameter, SetBreakpoint,
+                 RemoveBreakpoint, ClearBreakpoints, AnswerQuestion, TeachLocation, RenameLocation,
+                 DeleteLocation, WhereIsRobot, ReadSensor, StartJog, KeepJog, EndJog>;
 
 /// How a command ended that was obeyed.
 struct Done {

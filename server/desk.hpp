@@ -40,9 +40,9 @@ struct DeskOptions {
   std::map<std::string, std::string> unable{};   // skills that the cell cannot run, and why
   operations::DeclaredTimes longest{};           // of its skills
   operations::RefusedTogether refused_together{};
-  RunHistory* runs = nullptr;  // gets each execution; null: nobody does. It outlives the desk
+  RunHistory* runs = nullptr;         // gets each execution; null: nobody does. It outlives the desk
   RunRecording* recording = nullptr;  // is told when runs of the history begin and end; likewise
-  Pendant* pendant = nullptr;  // null: nobody can move the arm by hand. It outlives the desk
+  Pendant* pendant = nullptr;         // null: nobody can move the arm by hand. It outlives the desk
   /// How long the cell waits on the wall before it looks for an answer again. A cell in virtual time needs
   /// this: its own time would rush past.
   std::chrono::milliseconds answer_wait{0};

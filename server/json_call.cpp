@@ -120,8 +120,8 @@ void Call::load(LoadOperation command, std::function<void(LoadOperation&)> find)
 const Method* find_method(std::string_view name) {
   for (const auto& group :
        {methods_of_the_cell(), methods_of_controls(), methods_of_operations(), methods_of_texts(),
-        methods_of_the_store(), methods_of_the_robot(), methods_of_jogs(), methods_of_the_history(), methods_of_studies(),
-        methods_of_the_scene()})
+        methods_of_the_store(), methods_of_the_robot(), methods_of_jogs(), methods_of_the_history(),
+        methods_of_studies(), methods_of_the_scene()})
     for (const Method& method : group)
       if (method.name == name) return &method;
   return nullptr;

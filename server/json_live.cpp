@@ -94,9 +94,11 @@ Json scan_json(const Profile& profile) {
 
 Json limit_json(const ShownLimit& limit) {
   static constexpr std::array kinds{"band", "target", "stop", "error"};
-  Json json{{"skill", limit.skill},   {"parameter", limit.parameter}, {"fields", limit.fields},
-            {"factor", limit.factor}, {"both", limit.both},           {"kind", kinds[static_cast<std::size_t>(limit.kind)]}};
-  if (limit.around) json["around"] = {{"parameter", limit.around->parameter}, {"factor", limit.around->factor}};
+  Json json{{"skill", limit.skill},   {"parameter", limit.parameter},
+            {"fields", limit.fields}, {"factor", limit.factor},
+            {"both", limit.both},     {"kind", kinds[static_cast<std::size_t>(limit.kind)]}};
+  if (limit.around)
+    json["around"] = {{"parameter", limit.around->parameter}, {"factor", limit.around->factor}};
   return json;
 }
 
@@ -118,11 +120,14 @@ std::string profile_as_bytes(const std::string& channel, Duration time, const Pr
 }
 
 std::string rows_as_text(const Rows& rows, std::size_t fields, std::uint64_t dropped) {
-  Json params{
-      {"channel", rows.channel}, {"time_s", seconds(rows.time)}, {"rows", Json::array()}, {"dropped", dropped}};
+  Json params{{"channel", rows.channel},
+              {"time_s", seconds(rows.time)},
+              {"rows", Json::array()},
+              {"dropped", dropped}};
   for (std::size_t at = 0; at + fields <= rows.numbers.size(); at += fields)
-    params["rows"].push_back(std::vector<float>(rows.numbers.begin() + static_cast<std::ptrdiff_t>(at),
-                                                rows.numbers.begin() + static_cast<std::ptrdiff_t>(at + fields)));
+    params["rows"].push_back(
+        std::vector<float>(rows.numbers.begin() + static_cast<std::ptrdiff_t>(at),
+                           rows.numbers.begin() + static_cast<std::ptrdiff_t>(at + fields)));
   return notification("rows", std::move(params));
 }
 

@@ -125,19 +125,18 @@ void read_recording(const Call& call) {
       fail(bad_parameters, "'after_s' is a time of the cell in seconds");
     after = Duration(std::llround(given->get<double>() * 1e9));
   }
-  call.beside(call.context().disk,
-              [&recording = recording_of(call.context()), run, channel, after,
-               limit](const Workshop::Stop&) -> Json {
-                const RecordedPage page =
-                    with_store([&] { return recording.read(run, channel, after, limit); });
-                Json json{{"channel", channel},
-                          {"times_s", Json::array()},
-                          {"rows", page.rows},
-                          {"numbers", letters_of(page.numbers)},
-                          {"more", page.more}};
-                for (const Duration time : page.times) json["times_s"].push_back(seconds(time));
-                return json;
-              });
+  call.beside(
+      call.context().disk,
+      [&recording = recording_of(call.context()), run, channel, after, limit](const Workshop::Stop&) -> Json {
+        const RecordedPage page = with_store([&] { return recording.read(run, channel, after, limit); });
+        Json json{{"channel", channel},
+                  {"times_s", Json::array()},
+                  {"rows", page.rows},
+                  {"numbers", letters_of(page.numbers)},
+                  {"more", page.more}};
+        for (const Duration time : page.times) json["times_s"].push_back(seconds(time));
+        return json;
+      });
 }
 
 constexpr std::array scene_methods{

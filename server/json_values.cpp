@@ -71,7 +71,8 @@ Json describe(const operations::Source& source) {
 Json describe_step(const operations::Step& step, bool ended) {
   Json json = Json::parse(operations::log_line(step));
   if (ended) return json;
-  for (const char* later : {"reading", "readings", "answer", "figures", "measured", "kind", "code", "reason", "end_s"})
+  for (const char* later :
+       {"reading", "readings", "answer", "figures", "measured", "kind", "code", "reason", "end_s"})
     json.erase(later);
   return json;
 }

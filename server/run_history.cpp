@@ -178,19 +178,20 @@ std::uint64_t RunHistory::begin(RunRecord run, std::optional<std::string> text) 
     run.run = parts_->next_run++;
   }
   const std::uint64_t number = run.run;
-  parts_->note([database = static_cast<sqlite3*>(parts_->database), run = std::move(run), text = std::move(text)] {
-    Query(database,
-          "INSERT INTO runs (run, kind, name, begun_ms, begin_ns, by, state, reason, steps, text) "
-          "VALUES (?, ?, ?, ?, ?, ?, 'running', '', 0, ?)")
-        .put(1, static_cast<std::int64_t>(run.run))
-        .put(2, std::int64_t{run.kind == RunRecord::Kind::skill ? 0 : 1})
-        .put(3, run.name)
-        .put(4, milliseconds(run.begun))
-        .put(5, run.begin.count())
-        .put(6, run.by)
-        .put(7, text)
-        .run();
-  });
+  parts_->note(
+      [database = static_cast<sqlite3*>(parts_->database), run = std::move(run), text = std::move(text)] {
+        Query(database,
+              "INSERT INTO runs (run, kind, name, begun_ms, begin_ns, by, state, reason, steps, text) "
+              "VALUES (?, ?, ?, ?, ?, ?, 'running', '', 0, ?)")
+            .put(1, static_cast<std::int64_t>(run.run))
+            .put(2, std::int64_t{run.kind == RunRecord::Kind::skill ? 0 : 1})
+            .put(3, run.name)
+            .put(4, milliseconds(run.begun))
+            .put(5, run.begin.count())
+            .put(6, run.by)
+            .put(7, text)
+            .run();
+      });
   return number;
 }
 
@@ -216,8 +217,8 @@ void RunHistory::change(std::uint64_t run, std::string state, std::optional<Dura
     end_ns = end->count();
   }
   if (code) code_now = *code;
-  parts_->note([database = static_cast<sqlite3*>(parts_->database), run, state = std::move(state), ended_ms, end_ns, code_now,
-                reason = std::move(reason)] {
+  parts_->note([database = static_cast<sqlite3*>(parts_->database), run, state = std::move(state), ended_ms,
+                end_ns, code_now, reason = std::move(reason)] {
     Query(database, "UPDATE runs SET state = ?, ended_ms = ?, end_ns = ?, code = ?, reason = ? WHERE run = ?")
         .put(1, state)
         .put(2, ended_ms)
@@ -283,10 +284,11 @@ StepPage RunHistory::steps_of(const std::string& skill, std::optional<std::uint6
   const std::lock_guard lock(parts_->on_database);
   if (parts_->problem) throw StoreProblem{*parts_->problem};
   StepPage page;
-  Query query(parts_->database,
-              "SELECT s.run, r.name, r.begun_ms, s.step, s.parameters FROM steps s JOIN runs r ON r.run = s.run "
-              "WHERE json_extract(s.step, '$.skill') = ?1 AND s.run < ?2 ORDER BY s.run DESC, s.number DESC "
-              "LIMIT ?3");
+  Query query(
+      parts_->database,
+      "SELECT s.run, r.name, r.begun_ms, s.step, s.parameters FROM steps s JOIN runs r ON r.run = s.run "
+      "WHERE json_extract(s.step, '$.skill') = ?1 AND s.run < ?2 ORDER BY s.run DESC, s.number DESC "
+      "LIMIT ?3");
   query.put(1, skill);
   query.put(2, before ? static_cast<std::int64_t>(*before) : std::numeric_limits<std::int64_t>::max());
   query.put(3, static_cast<std::int64_t>(limit) + 1);

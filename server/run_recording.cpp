@@ -24,8 +24,10 @@ constexpr int recording_format = 1;
 // A channel's instants are written together when they last so long, or are so many numbers.
 constexpr Duration chunk_time = std::chrono::seconds(2);
 constexpr std::size_t chunk_numbers = 100'000;
-// What may wait for the writer; what comes beyond that is left out.
-constexpr std::size_t most_recordings_waiting = 64;
+// What may wait for the writer, in bytes: minutes of all channels. More than that is left out.
+constexpr std::size_t most_waiting = std::size_t{32} << 20;
+// Who asks for a recording waits so long for the writer.
+constexpr std::chrono::seconds longest_wait(20);
 
 /// Instants of a channel that are written as one.
 struct Chunk {
@@ -75,12 +77,11 @@ Chunk unpacked(const std::string& bytes, std::size_t instants, std::size_t plain
   uLongf size = plain_size;
   Chunk chunk;
   std::size_t at = 0;
-  const bool whole =
-      uncompress(reinterpret_cast<Bytef*>(plain.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                 bytes.size()) == Z_OK &&
-      size == plain_size && take_all(plain, at, chunk.times, instants) &&
-      take_all(plain, at, chunk.rows, instants) &&
-      take_all(plain, at, chunk.numbers, (plain_size - at) / sizeof(float));
+  const bool whole = uncompress(reinterpret_cast<Bytef*>(plain.data()), &size,
+                                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()) == Z_OK &&
+                     size == plain_size && take_all(plain, at, chunk.times, instants) &&
+                     take_all(plain, at, chunk.rows, instants) &&
+                     take_all(plain, at, chunk.numbers, (plain_size - at) / sizeof(float));
   if (!whole)
     refuse(Refusal::Why::failed, "a recording is damaged", "look at the disk of the cell's computer");
   return chunk;
@@ -115,20 +116,26 @@ struct RunRecording::Parts {
     execute(database, fmt::format("PRAGMA user_version={}", recording_format).c_str());
   }
 
-  // In any thread.
-  void note(std::function<void()> work, bool may_be_left_out) {
+  /// In any thread. The work keeps so many bytes; one that keeps none is never left out. Gives its number.
+  std::uint64_t note(std::function<void()> work, std::size_t bytes) {
+    std::uint64_t number = 0;
     {
       const std::lock_guard lock(mutex);
-      if (may_be_left_out && waiting.size() >= most_recordings_waiting) return;
+      if (bytes > 0 && waiting_bytes + bytes > most_waiting) return noted;
       waiting.push_back(std::move(work));
+      waiting_bytes += bytes;
+      number = ++noted;
     }
     changed.notify_all();
+    return number;
   }
   /// What came before is in the database.
   void write_all() {
-    note([this] { write_open(); }, false);
+    const std::uint64_t mine = note([this] { write_open(); }, 0);
     std::unique_lock lock(mutex);
-    written.wait_for(lock, std::chrono::seconds(2), [this] { return waiting.empty() && !writing; });
+    if (!written.wait_for(lock, longest_wait, [this, mine] { return done >= mine; }))
+      refuse(Refusal::Why::failed, "the recording is not on the disk yet",
+             "ask again; the cell's computer is busy");
   }
 
   // In the writer's thread.
@@ -140,12 +147,12 @@ struct RunRecording::Parts {
         changed.wait(lock, [this] { return ending || !waiting.empty(); });
         if (waiting.empty()) break;
         taken.swap(waiting);
-        writing = true;
+        waiting_bytes = 0;
       }
       for (const auto& each : taken) each();
       {
         const std::lock_guard lock(mutex);
-        writing = false;
+        done += taken.size();
       }
       written.notify_all();
     }
@@ -164,7 +171,8 @@ struct RunRecording::Parts {
     // Time that was there already: what comes late is of no use.
     if (!chunk.times.empty() && time.count() <= chunk.times.back()) return;
     chunk.add(time, rows, numbers);
-    if (chunk.numbers.size() < chunk_numbers && time.count() - chunk.times.front() < chunk_time.count()) return;
+    if (chunk.numbers.size() < chunk_numbers && time.count() - chunk.times.front() < chunk_time.count())
+      return;
     guarded([&] {
       write(channel, chunk);
       keep_limits();
@@ -255,9 +263,10 @@ struct RunRecording::Parts {
         continue;
       }
       // One run alone fills it: its first quarter goes.
-      Query(database,
-            "DELETE FROM chunks WHERE end_ns <= (SELECT min(begin_ns) + (max(end_ns) - min(begin_ns)) / 4 FROM "
-            "chunks)")
+      Query(
+          database,
+          "DELETE FROM chunks WHERE end_ns <= (SELECT min(begin_ns) + (max(end_ns) - min(begin_ns)) / 4 FROM "
+          "chunks)")
           .run();
       return;
     }
@@ -272,7 +281,9 @@ struct RunRecording::Parts {
   std::mutex mutex;
   std::condition_variable changed, written;
   std::deque<std::function<void()>> waiting;
-  bool writing = false, ending = false;
+  std::size_t waiting_bytes = 0;
+  std::uint64_t noted = 0, done = 0;  // works, since the beginning
+  bool ending = false;
   std::atomic<bool> records = false;
   std::atomic<std::int64_t> ends_at = std::numeric_limits<std::int64_t>::max();
 
@@ -301,13 +312,13 @@ RunRecording::~RunRecording() {
 
 void RunRecording::begin(std::uint64_t run, Duration at) {
   parts_->ends_at = std::numeric_limits<std::int64_t>::max();
-  parts_->note([parts = parts_.get(), run, at] { parts->begin(run, at); }, false);
+  parts_->note([parts = parts_.get(), run, at] { parts->begin(run, at); }, 0);
   parts_->records = true;
 }
 
 void RunRecording::end(Duration at) {
   parts_->ends_at = at.count();
-  parts_->note([parts = parts_.get(), at] { parts->to = at; }, false);
+  parts_->note([parts = parts_.get(), at] { parts->to = at; }, 0);
 }
 
 bool RunRecording::records() const noexcept {
@@ -318,21 +329,25 @@ void RunRecording::take(std::shared_ptr<const SampleBlock> block) {
   if (!records()) return;
   // The last block of a run comes after its end.
   if (block->size() > 0 && block->times.back().count() >= parts_->ends_at) parts_->records = false;
-  parts_->note([parts = parts_.get(), block = std::move(block)] { parts->add(*block); }, true);
+  const std::size_t bytes = (block->raw.size() + block->size()) * sizeof(double);
+  parts_->note([parts = parts_.get(), block = std::move(block)] { parts->add(*block); }, bytes);
 }
 
 void RunRecording::take(std::vector<std::shared_ptr<const Rows>> rows) {
   if (!records()) return;
+  std::size_t bytes = 1;
+  for (const auto& each : rows) bytes += each->numbers.size() * sizeof(each->numbers.front());
   parts_->note(
       [parts = parts_.get(), rows = std::move(rows)] {
         for (const auto& each : rows) parts->add(*each);
       },
-      true);
+      bytes);
 }
 
 void RunRecording::take(Duration time, const Profile& profile) {
   if (!records()) return;
-  parts_->note([parts = parts_.get(), time, profile] { parts->add(time, profile); }, true);
+  const std::size_t bytes = (profile.y.size() + profile.z.size()) * sizeof(double);
+  parts_->note([parts = parts_.get(), time, profile] { parts->add(time, profile); }, bytes);
 }
 
 std::vector<RecordedRun> RunRecording::list() const {
@@ -340,9 +355,10 @@ std::vector<RecordedRun> RunRecording::list() const {
   const std::lock_guard lock(parts_->on_database);
   if (parts_->problem) throw StoreProblem{*parts_->problem};
   std::vector<RecordedRun> result;
-  Query query(parts_->database,
-              "SELECT run, channel, min(begin_ns), max(end_ns) FROM chunks GROUP BY run, channel ORDER BY run "
-              "DESC, channel");
+  Query query(
+      parts_->database,
+      "SELECT run, channel, min(begin_ns), max(end_ns) FROM chunks GROUP BY run, channel ORDER BY run "
+      "DESC, channel");
   while (query.next()) {
     const auto run = static_cast<std::uint64_t>(query.number(0));
     const Duration begin(query.number(2)), end(query.number(3));
@@ -361,9 +377,10 @@ RecordedPage RunRecording::read(std::uint64_t run, const std::string& channel, D
   const std::lock_guard lock(parts_->on_database);
   if (parts_->problem) throw StoreProblem{*parts_->problem};
   RecordedPage page;
-  Query query(parts_->database,
-              "SELECT instants, plain, bytes FROM chunks WHERE run = ? AND channel = ? AND end_ns > ? ORDER BY "
-              "end_ns");
+  Query query(
+      parts_->database,
+      "SELECT instants, plain, bytes FROM chunks WHERE run = ? AND channel = ? AND end_ns > ? ORDER BY "
+      "end_ns");
   query.put(1, static_cast<std::int64_t>(run)).put(2, channel).put(3, after.count());
   while (query.next()) {
     const Chunk chunk = unpacked(query.text(2), static_cast<std::size_t>(query.number(0)),

@@ -16,7 +16,7 @@ struct RecordingLimits {
 };
 
 struct RecordedRun {
-  std::uint64_t run = 0;   // of the history
+  std::uint64_t run = 0;    // of the history
   Duration begin{}, end{};  // of the cell: the first and the last instant that is kept
   std::vector<std::string> channels;
 };
@@ -32,8 +32,8 @@ struct RecordedPage {
   bool more = false;  // there are later ones
 };
 
-/// For all threads. What comes is written by a thread of its own, so that neither the cell nor clients wait for
-/// the disk.
+/// For all threads. What comes is written by a thread of its own, so that neither the cell nor clients wait
+/// for the disk.
 class RunRecording {
  public:
   /// Spans of channels of numbers are so long.
@@ -60,7 +60,8 @@ class RunRecording {
 
   /// The newest first. Throws StoreProblem.
   std::vector<RecordedRun> list() const;
-  /// The instants of the channel after `after`, at most so many. Empty: the run has none. Throws StoreProblem.
+  /// The instants of the channel after `after`, at most so many. Empty: the run has none. Throws
+  /// StoreProblem.
   RecordedPage read(std::uint64_t run, const std::string& channel, Duration after, std::size_t limit) const;
 
  private:

@@ -1,4 +1,5 @@
-// What the cell looks like: its bodies with their shapes, which do not change. Where bodies are comes by the channel `poses`.
+// What the cell looks like: its bodies with their shapes, which do not change. Where bodies are comes by the
+// channel `poses`.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ namespace pal::server {
 
 /// A frame within another one.
 struct ScenePose {
-  std::array<double, 3> position{};     // m
+  std::array<double, 3> position{};        // m
   std::array<double, 4> turn{0, 0, 0, 1};  // unit quaternion: x, y, z, w
 };
 

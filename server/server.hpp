@@ -35,15 +35,15 @@ struct ServerOptions {
   std::chrono::milliseconds idle =
       std::chrono::seconds(30);  // a WebSocket that does not answer a ping is closed
   OutboxLimits outbox;
-  std::vector<PageFolder> pages;     // for browsers
-  Store* store = nullptr;            // operations on the disk; null: none
-  Knowledge* knowledge = nullptr;    // of skills; null: none
-  const RunHistory* runs = nullptr;  // null: no history is kept
-  Trials* trials = nullptr;          // null: nothing can be tried aside
-  const Scene* scene = nullptr;      // whole when the server starts; null: it is not told
+  std::vector<PageFolder> pages;      // for browsers
+  Store* store = nullptr;             // operations on the disk; null: none
+  Knowledge* knowledge = nullptr;     // of skills; null: none
+  const RunHistory* runs = nullptr;   // null: no history is kept
+  Trials* trials = nullptr;           // null: nothing can be tried aside
+  const Scene* scene = nullptr;       // whole when the server starts; null: it is not told
   RunRecording* recording = nullptr;  // null: no run is recorded
-  Channels channels;                 // of live data
-  std::string version;               // of the program
+  Channels channels;                  // of live data
+  std::string version;                // of the program
 };
 
 /// Keeps slow clients from the cell: it is only ever given a copy, and the rest is done in the server's

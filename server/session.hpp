@@ -41,22 +41,22 @@ struct SessionContext {
   std::function<void(std::function<void()>)> in_turn;
   Workshop& checks;  // of texts
   Workshop& disk;
-  Workshop& reading;                   // of long messages
-  Store* store = nullptr;              // null: this server has none
-  Knowledge* knowledge = nullptr;      // null: nothing is known of skills but what running needs
-  std::string version{};               // of the program
-  const RunHistory* runs = nullptr;    // null: no history is kept
-  const Channels* channels = nullptr;  // null: this cell has none
-  Workshop* studies = nullptr;         // of trials
-  Trials* trials = nullptr;            // null: nothing can be tried aside
-  const Scene* scene = nullptr;        // null: what the cell looks like is not told
+  Workshop& reading;                        // of long messages
+  Store* store = nullptr;                   // null: this server has none
+  Knowledge* knowledge = nullptr;           // null: nothing is known of skills but what running needs
+  std::string version{};                    // of the program
+  const RunHistory* runs = nullptr;         // null: no history is kept
+  const Channels* channels = nullptr;       // null: this cell has none
+  Workshop* studies = nullptr;              // of trials
+  Trials* trials = nullptr;                 // null: nothing can be tried aside
+  const Scene* scene = nullptr;             // null: what the cell looks like is not told
   const RunRecording* recording = nullptr;  // null: no run is recorded
   /// The last rows of each channel that has such.
   const std::map<std::string, std::shared_ptr<const Rows>>* latest = nullptr;
   /// Whether the places for clients that may do anything are taken. The next one may look, pause and stop.
   std::function<bool()> full{};
-  /// A session asks for live data, or for others, from now on: a skill that its client begins next is seen from its
-  /// beginning.
+  /// A session asks for live data, or for others, from now on: a skill that its client begins next is seen
+  /// from its beginning.
   std::function<void()> looks_otherwise{};
 
   std::shared_ptr<const Facts> facts() const {

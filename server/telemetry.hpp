@@ -24,9 +24,9 @@ struct Profile {
 
 struct Telemetry {
   Duration time{};  // of the cell
-  std::array<double, 6>
-      force{};                   // N and N*m in the frame of the force-torque sensor, as the world acts on it
-  std::array<double, 6> pose{};  // of the tool's tip: x, y, z in mm, then O, A, T in degrees
+  /// N and N*m in the frame of the force-torque sensor, as the world acts on it.
+  std::array<double, 6> force{};
+  std::array<double, 6> pose{};    // of the tool's tip: x, y, z in mm, then O, A, T in degrees
   std::array<double, 6> joints{};  // degrees
 };
 

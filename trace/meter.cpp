@@ -63,15 +63,15 @@ ResponseMeter::Birth ResponseMeter::answered_request(const Event& event) {
 void ResponseMeter::forget_what_nobody_carries() {
   const auto is_carried = [&](std::int64_t number) {
     const auto is = [number](const Birth& each) { return each.number == number; };
-    return std::any_of(channels_.begin(), channels_.end(), [&](const Channel& c) { return is(c.on_message); }) ||
+    return std::any_of(channels_.begin(), channels_.end(),
+                       [&](const Channel& c) { return is(c.on_message); }) ||
            std::any_of(actors_.begin(), actors_.end(), [&](const Actor& a) { return is(a.carried); }) ||
            std::any_of(serving_.begin(), serving_.end(), [&](const std::vector<Birth>& list) {
              return std::any_of(list.begin(), list.end(), is);
            });
   };
-  std::erase_if(awaiting_, [&](const Birth& birth) {
-    return birth.number < counts_from_ && !is_carried(birth.number);
-  });
+  std::erase_if(awaiting_,
+                [&](const Birth& birth) { return birth.number < counts_from_ && !is_carried(birth.number); });
 }
 
 /// One that is withdrawn before it is taken awaits nothing.
@@ -79,7 +79,8 @@ void ResponseMeter::drop(const Event& event) {
   if (event.actor >= 0) {
     if (event.value != unasked) answered_request(event);
   } else if (is_source(event)) {
-    std::erase_if(awaiting_, [&](const Birth& birth) { return birth.number == channel(event).on_message.number; });
+    std::erase_if(awaiting_,
+                  [&](const Birth& birth) { return birth.number == channel(event).on_message.number; });
   }
 }
 

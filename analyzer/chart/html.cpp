@@ -157,8 +157,8 @@ std::string data(const Book& book) {
   for (const Subject& subject : book.subjects) document["requirements"].push_back(subject_json(subject));
   for (const Timeline& run : book.runs) document["runs"].push_back(run_json(run));
   const std::string text = document.dump(-1, ' ', false, Json::error_handler_t::replace);
-  // No text of the program may end the script: in JSON, "<" stands in strings only. Nor does a page hold U+FFFE
-  // and U+FFFF.
+  // No text of the program may end the script: in JSON, "<" stands in strings only. Nor does a page hold
+  // U+FFFE and U+FFFF.
   std::string safe;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '<') {

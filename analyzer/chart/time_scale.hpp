@@ -1,5 +1,5 @@
-// The time axis of a chart: from time to place, and the marks of the axis. Linear, or several stretches of time
-// in one scale with folds between them.
+// The time axis of a chart: from time to place, and the marks of the axis. Linear, or several stretches of
+// time in one scale with folds between them.
 #pragma once
 
 #include <cstdint>

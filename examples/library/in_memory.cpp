@@ -1,5 +1,5 @@
-// Checks a text in memory as an editor does. It prints findings with their ranges and edits, and makes the edits.
-// It decides the requirements within a deadline. in_memory FILE MILLISECONDS
+// Checks a text in memory as an editor does. It prints findings with their ranges and edits, and makes the
+// edits. It decides the requirements within a deadline. in_memory FILE MILLISECONDS
 #include <chrono>
 #include <fstream>
 #include <iostream>

@@ -72,7 +72,7 @@ std::optional<Mistake> first_mistake(Tokens& tokens) {
 }
 
 std::optional<GoingOn> going_on_at(std::size_t place, std::vector<std::unique_ptr<antlr4::Token>> tokens,
-                                    antlr4::TokenSource& text) {
+                                   antlr4::TokenSource& text) {
   TokenList list(std::move(tokens), text);
   antlr4::CommonTokenStream stream(&list);
   Parser parser(&stream);

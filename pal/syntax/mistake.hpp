@@ -40,6 +40,6 @@ struct GoingOn {
 /// What could stand at token `place`, which fits nowhere. Nothing if a token before it cannot stand where it
 /// does.
 std::optional<GoingOn> going_on_at(std::size_t place, std::vector<std::unique_ptr<antlr4::Token>> tokens,
-                                    antlr4::TokenSource& text);
+                                   antlr4::TokenSource& text);
 
 }  // namespace pal::syntax

@@ -79,7 +79,8 @@ Diagnostic told(std::size_t at, const GoingOn& expected, const Tokens& tokens) {
                     "write " + words + " here");
 }
 
-/// What finishes the line before `at`, if the parser gets into the line after the mistake then. `words` go on there.
+/// What finishes the line before `at`, if the parser gets into the line after the mistake then. `words` go on
+/// there.
 std::optional<Change> finished_by(std::vector<std::size_t> words, std::size_t at, const Mistake& mistake,
                                   Tokens& tokens) {
   Change change{at, 0, std::move(words)};

@@ -15,9 +15,9 @@ struct UnfinishedLine {
   Diagnostic finding;  // at its last word
 };
 
-/// The line before the one with `mistake`, or up to two lines further up, if it is not finished. Once it is, the
-/// parser must get into the line after the mistake. So the next line begins something of its own, whatever its
-/// first words could mean: most keywords may be names, too. Nothing if there is no such line.
+/// The line before the one with `mistake`, or up to two lines further up, if it is not finished. Once it is,
+/// the parser must get into the line after the mistake. So the next line begins something of its own,
+/// whatever its first words could mean: most keywords may be names, too. Nothing if there is no such line.
 std::optional<UnfinishedLine> unfinished_line(const Mistake& mistake, Tokens& tokens);
 
 }  // namespace pal::syntax

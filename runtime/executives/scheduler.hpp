@@ -22,7 +22,7 @@ struct Processor {
   Thread* running = nullptr;
   bool working = false;  // `running` is at work on its statement, since `since`
   Time since{};
-  std::uint64_t end = 0;         // names the event at which the work will be done
+  std::uint64_t end = 0;  // names the event at which the work will be done
   ReadyQueue ready;
   std::vector<Thread*> arrived;  // became ready since the last dispatch
   bool changed = false;          // a thread came or went

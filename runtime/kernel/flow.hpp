@@ -43,8 +43,8 @@ class Flow {
   Journal& journal_;
   Skill& skill_;
   // Each thread is there at most once, so each has room for all.
-  std::vector<Thread*> set_going_;  // since a thread went on last, in this order
-  std::vector<Thread*> resuming_;   // the last one goes on next
+  std::vector<Thread*> set_going_;       // since a thread went on last, in this order
+  std::vector<Thread*> resuming_;        // the last one goes on next
   std::size_t going_ = 0, waiting_ = 0;  // how many there are
 };
 

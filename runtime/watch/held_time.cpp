@@ -30,7 +30,8 @@ Time processor_time() {
 }  // namespace
 
 // The processor time is read last and then first: it has the least of the other readings in it.
-HeldTime::HeldTime() : given_away_(given_away()), begun_(time_of(CLOCK_MONOTONIC)), worked_(processor_time()) {}
+HeldTime::HeldTime()
+    : given_away_(given_away()), begun_(time_of(CLOCK_MONOTONIC)), worked_(processor_time()) {}
 
 void HeldTime::end() {
   worked_ = processor_time() - worked_;

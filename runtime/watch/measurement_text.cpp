@@ -147,7 +147,8 @@ std::string Measurement::environment() const {
       "#\n"
       "# TIME, COST: how long the C++ of the activities held a processor of this computer, whatever time the "
       "skill ran in:\n"
-      "#   its processor time; if it slept or waited, the time on the wall. Reading the clock is in each: about " +
+      "#   its processor time; if it slept or waited, the time on the wall. Reading the clock is in each: "
+      "about " +
       written(cost_of_held_time()) +
       ".\n"
       "# DEVICE: in the time of the run, from a request to its answer, or from message to message.\n"

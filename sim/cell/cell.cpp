@@ -104,9 +104,10 @@ runtime::World& physics(std::unique_ptr<runtime::World>& world, Workcell& workce
 struct Cell::Parts {
   Parts(const Scene& scene, const CellOptions& options)
       : fixed_noise(options.seed, 7),
-        workcell(
-            scene,
-            {.raise = options.raise, .start = options.start, .machine_seed = options.machine_seed, .keep_log = options.keep_log}),
+        workcell(scene, {.raise = options.raise,
+                         .start = options.start,
+                         .machine_seed = options.machine_seed,
+                         .keep_log = options.keep_log}),
         world(watched(options, workcell)),
         station(physics(world, workcell), options.pace),
         arm(workcell),

@@ -48,10 +48,10 @@ struct CellOptions {
   std::vector<PlannedFault> faults;
 };
 
-/// Devices: val, alter, force-torque, pendant; gripper or range-finder where the scene's tool is one. ALTER is opened
-/// for a skill that uses it, except for one that uses val, too: that opens and closes it itself, by VAL's
-/// commands. What a skill's corrections are relative to is said by its integer parameter `frame`: 0 the joints,
-/// 1 frame 0, 2 the tool; the tool if it has none.
+/// Devices: val, alter, force-torque, pendant; gripper or range-finder where the scene's tool is one. ALTER
+/// is opened for a skill that uses it, except for one that uses val, too: that opens and closes it itself, by
+/// VAL's commands. What a skill's corrections are relative to is said by its integer parameter `frame`: 0 the
+/// joints, 1 frame 0, 2 the tool; the tool if it has none.
 class Cell {
  public:
   /// Throws SceneError; NoSuchDevice for a fault of a device that the cell does not have.

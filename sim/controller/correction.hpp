@@ -5,7 +5,8 @@
 
 namespace pal::sim {
 
-/// Millimetres and degrees; in the frame of the joints all six are degrees of joints 1 to 6. The rotation is about x first, then y, then z, each in the unturned frame.
+/// Millimetres and degrees; in the frame of the joints all six are degrees of joints 1 to 6. The rotation is
+/// about x first, then y, then z, each in the unturned frame.
 struct Correction {
   double dx = 0, dy = 0, dz = 0;
   double rx = 0, ry = 0, rz = 0;
@@ -21,8 +22,8 @@ enum class CorrectionFrame {
   joints,        // the joints, each by its own angle
 };
 
-/// The pose that `correction` makes of `pose`; not for the frame of the joints. `opened` is the pose at which ALTER was opened (for
-/// tool_at_open).
+/// The pose that `correction` makes of `pose`; not for the frame of the joints. `opened` is the pose at which
+/// ALTER was opened (for tool_at_open).
 Pose corrected(const Pose& pose, const Correction& correction, CorrectionFrame frame, const Pose& opened);
 
 }  // namespace pal::sim

@@ -34,7 +34,8 @@ std::optional<std::string> Trajectory::add(const Correction& correction, Correct
 
 std::optional<std::string> Trajectory::turn_joints(const Correction& correction, runtime::Time begin) {
   InverseSolution solution;
-  const std::array by{correction.dx, correction.dy, correction.dz, correction.rx, correction.ry, correction.rz};
+  const std::array by{correction.dx, correction.dy, correction.dz,
+                      correction.rx, correction.ry, correction.rz};
   for (std::size_t i = 0; i < joint_count; ++i) {
     const auto joint = static_cast<Eigen::Index>(i);
     solution.q[joint] = goal_joints_[joint] + radians(by[i]);

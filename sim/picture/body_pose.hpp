@@ -25,8 +25,8 @@ struct BodyShape {
   std::array<float, 3> position{};        // in the body's frame, m
   std::array<float, 4> turn{1, 0, 0, 0};  // w x y z
   std::array<float, 4> colour{};          // red, green, blue, opacity, 0 to 1
-  /// Of a mesh: x, y, z of each corner in the shape's frame, m, and three corners for each triangle. A surface
-  /// of heights is a mesh, too; of a fine one some corners are left out.
+  /// Of a mesh: x, y, z of each corner in the shape's frame, m, and three corners for each triangle. A
+  /// surface of heights is a mesh, too; of a fine one some corners are left out.
   std::vector<float> corners{};
   std::vector<std::uint32_t> triangles{};
 };
@@ -62,7 +62,8 @@ struct ContactPoint {
 
 SceneGeometry scene_geometry(Workcell& workcell);
 
-/// As of the last step: contacts of the arm and of its tool, and those of others that press with more than 2 N.
+/// As of the last step: contacts of the arm and of its tool, and those of others that press with more than 2
+/// N.
 std::vector<ContactPoint> contact_points(Workcell& workcell);
 
 /// As of the last step, in the order of SceneGeometry::bodies without the world. 28 bytes each: 364 in the

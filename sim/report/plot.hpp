@@ -36,9 +36,9 @@ struct ForcePlotOptions {
   std::optional<runtime::Time> end;  // of the skill
 };
 
-/// The contact force over time, the grip of a gripper's fingers, and the readings of every device that gives a force fz: what the skill saw of
-/// it. Levels far above all forces of the run are left out, except the lowest, because they would flatten the
-/// rest.
+/// The contact force over time, the grip of a gripper's fingers, and the readings of every device that gives
+/// a force fz: what the skill saw of it. Levels far above all forces of the run are left out, except the
+/// lowest, because they would flatten the rest.
 Plot force_plot(const std::vector<Sample>& log, const MessageLog& messages, const ForcePlotOptions& options);
 
 /// There is something to plot: a level, a reading, or a force that was met.

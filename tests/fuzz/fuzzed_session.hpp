@@ -45,8 +45,9 @@ class FuzzedSession final : public server::EventSink {
   using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
 
   explicit FuzzedSession(Make make)
-      : session(make(context, {[](const std::string&) {}, [](const server::LiveMessage& message) { message.make(0); },
-                               [this](const std::string&) { hung_up = true; }})) {
+      : session(make(context,
+                     {[](const std::string&) {}, [](const server::LiveMessage& message) { message.make(0); },
+                      [this](const std::string&) { hung_up = true; }})) {
     runner.desk = &desk;
   }
   void happened(const server::Event& event) override {

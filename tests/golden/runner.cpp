@@ -66,7 +66,8 @@ Outcome check(const std::string& file) {
     const auto proofs = pal::program::prove(session, limits);
     pal::program::report_unmet(proofs, false, session);
     if (first.starts_with("# --require-verdicts"))
-      pal::program::report_unchecked(pal::program::unchecked(session, proofs, pal::program::Unproved::nowhere), session);
+      pal::program::report_unchecked(
+          pal::program::unchecked(session, proofs, pal::program::Unproved::nowhere), session);
   }
   pal::render_text(session.diagnostics.sorted(), session.sources, out);
   return {out.str(), session.diagnostics.has_errors()};

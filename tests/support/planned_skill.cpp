@@ -19,8 +19,7 @@ runtime::Interval interval(const Interval& of) {
 /// Before the wait, which has a view of them.
 struct Targets {
   explicit Targets(const PlannedStatement& statement) {
-    for (const PlannedEnd& end : statement.ends)
-      all.push_back(runtime::from(static_cast<int>(end.channel)));
+    for (const PlannedEnd& end : statement.ends) all.push_back(runtime::from(static_cast<int>(end.channel)));
   }
   std::vector<runtime::Target> all;
 };

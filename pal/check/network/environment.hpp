@@ -7,8 +7,8 @@
 
 namespace pal::check {
 
-/// Reports figures that no workcell can have, as a period of 0 (PAL0708 to PAL0714, PAL0728). For environments
-/// whose figures were changed after they were read, too.
+/// Reports figures that no workcell can have, as a period of 0 (PAL0708 to PAL0714, PAL0728). For
+/// environments whose figures were changed after they were read, too.
 void check_figures(const pan::Environment& environment, Diagnostics& diagnostics);
 
 pan::Environment build_environment(const syntax::EnvironmentUnit& written, Diagnostics& diagnostics);

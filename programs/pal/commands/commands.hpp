@@ -31,7 +31,7 @@ struct CheckOptions {
   bool require_verdicts = false;    // a requirement without a verdict is an error
   bool warnings_as_errors = false;  // a warning is an error
   bool statistics = false;
-  std::string witness;  // where to write the witnesses
+  std::string witness;        // where to write the witnesses
   std::string changed_since;  // a revision of git; empty: all is proved
   std::string cache;          // folder with kept proofs; empty: none
   std::uint64_t cache_size = study::usual_store_size;

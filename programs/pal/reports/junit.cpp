@@ -131,8 +131,8 @@ std::vector<Suite> suites_of(const std::vector<Unchecked>& not_checked, bool req
     const bool fault = required && !row.left_out;
     suites.back().cases.push_back(
         {row.requirement.empty() ? "has a requirement" : row.requirement, fault ? "error" : "skipped",
-         fault ? "PAL0892" : "",
-         (row.skill.empty() ? "nothing was checked: " : "not checked: ") + row.reason, hint, 0});
+         fault ? "PAL0892" : "", (row.skill.empty() ? "nothing was checked: " : "not checked: ") + row.reason,
+         hint, 0});
   }
   return suites;
 }

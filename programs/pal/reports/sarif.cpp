@@ -183,7 +183,9 @@ std::string sarif(const Session& session, const std::vector<Unchecked>& not_chec
   if (!remark.empty()) invoked["toolExecutionNotifications"].push_back(notification("note", remark));
   for (const Unchecked& row : not_checked)
     invoked["toolExecutionNotifications"].push_back(notification(
-        row.left_out ? "note" : required ? "error" : "warning",
+        row.left_out ? "note"
+        : required   ? "error"
+                     : "warning",
         subject_of(row) + (row.skill.empty() ? " was checked: " : " was not checked: ") + row.reason));
   run["columnKind"] = "unicodeCodePoints";
   run["artifacts"] = log.artifacts();

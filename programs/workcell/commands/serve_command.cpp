@@ -141,8 +141,9 @@ void tell_addresses(const ServeCommand& command, const sim::Scene& scene, const 
   if (!command.line_serial.empty()) out << fmt::format("  lines at {}\n", command.line_serial);
   out << fmt::format("  the token is in {}\n", announcement);
   if (command.open) {
-    const std::string page = fmt::format(
-        "http://{}:{}/#token=", command.address == "localhost" ? "127.0.0.1" : command.address, server.port());
+    const std::string page =
+        fmt::format("http://{}:{}/#token=", command.address == "localhost" ? "127.0.0.1" : command.address,
+                    server.port());
     out << fmt::format("  a browser shows the cell at {}{}\n", page, tokens.programmer)
         << fmt::format("  an operator's page is at {}{}\n", page, tokens.operating);
   }

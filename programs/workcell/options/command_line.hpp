@@ -147,7 +147,8 @@ ExitStatus list(const ListCommand& command, const std::vector<KnownSkill>& skill
 ExitStatus run(const RunCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
 
 /// "workcell new-skill". Throws Failure.
-ExitStatus new_skill(const NewSkillCommand& command, const std::vector<KnownSkill>& skills, std::ostream& out);
+ExitStatus new_skill(const NewSkillCommand& command, const std::vector<KnownSkill>& skills,
+                     std::ostream& out);
 
 /// "workcell serve-port": emulated devices of one cell for any program, in real time, until `control` stops
 /// it. Throws Failure.

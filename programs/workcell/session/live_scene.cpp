@@ -47,7 +47,8 @@ server::Scene scene_of(sim::Workcell& workcell) {
   server::Scene scene;
   scene.bodies.push_back({geometry.bodies.front(), false, {}});
   for (std::size_t i = 1; i < geometry.bodies.size(); ++i)
-    scene.bodies.push_back({geometry.bodies[i], geometry.moves[i], pose_of(now[i - 1].position, now[i - 1].turn)});
+    scene.bodies.push_back(
+        {geometry.bodies[i], geometry.moves[i], pose_of(now[i - 1].position, now[i - 1].turn)});
   for (const sim::BodyShape& shape : geometry.shapes) scene.shapes.push_back(shape_of(shape));
   scene.tip = frame_of(geometry.tip);
   scene.sensor = frame_of(geometry.sensor);
@@ -69,13 +70,15 @@ server::Channels scene_channels() {
   using server::Channel;
   const double rate = 1 / std::chrono::duration<double>(watched_period).count();
   return {{poses,
-           "where each body is that moves, in the world: a row a body, in the order of the scene; the last four are a "
+           "where each body is that moves, in the world: a row a body, in the order of the scene; the last "
+           "four are a "
            "unit quaternion",
            {{"x", "m"}, {"y", "m"}, {"z", "m"}, {"qx", ""}, {"qy", ""}, {"qz", ""}, {"qw", ""}},
            rate,
            Channel::Form::rows},
           {contact_points,
-           "where the arm touches something, and where others press with more than 2 N, in the world: a row a contact; "
+           "where the arm touches something, and where others press with more than 2 N, in the world: a row "
+           "a contact; "
            "the force is what acts on the arm",
            {{"x", "m"}, {"y", "m"}, {"z", "m"}, {"fx", "N"}, {"fy", "N"}, {"fz", "N"}},
            rate,

@@ -1,4 +1,5 @@
-// What the cell looks like, and where its bodies are while it works: the simulator's shapes as clients see them.
+// What the cell looks like, and where its bodies are while it works: the simulator's shapes as clients see
+// them.
 #pragma once
 
 #include <chrono>

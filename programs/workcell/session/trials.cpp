@@ -9,8 +9,8 @@
 
 #include "programs/workcell/session/cell_runner.hpp"
 #include "programs/workcell/session/margin_meter.hpp"
-#include "programs/workcell/session/watched_world.hpp"
 #include "programs/workcell/session/taught_robot.hpp"
+#include "programs/workcell/session/watched_world.hpp"
 #include "server/knowledge.hpp"
 #include "sim/cell/cell.hpp"
 #include "sim/val/transformation.hpp"
@@ -28,9 +28,11 @@ server::TrialResult SimulatedTrials::run(const server::Trial& trial, const std::
   options.times = times_;
   options.keep_log = false;
   options.watch = [&](sim::Workcell& workcell) {
-    auto watched = std::make_unique<WatchedWorld>(workcell, std::vector{Watcher{look_each, [&] {
-                                                    if (runs != nullptr && stop()) runs->stop();
-                                                  }}});
+    auto watched =
+        std::make_unique<WatchedWorld>(workcell, std::vector{Watcher{look_each, [&] {
+                                                                       if (runs != nullptr && stop())
+                                                                         runs->stop();
+                                                                     }}});
     watched->begin(workcell.now());
     return watched;
   };

@@ -24,8 +24,8 @@ class Doorbell {
     if (state_.exchange(rung, std::memory_order_release) == asleep) futex(FUTEX_WAKE_PRIVATE, 1);
   }
 
-  /// Looks for a ring until `until` (monotonic) without sleeping, unless `enough` becomes true. Whether it was
-  /// rung.
+  /// Looks for a ring until `until` (monotonic) without sleeping, unless `enough` becomes true. Whether it
+  /// was rung.
   bool look_out(Time until, const std::atomic<bool>& enough) {
     for (;;) {
       if (state_.load(std::memory_order_acquire) == rung) return true;

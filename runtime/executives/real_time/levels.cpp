@@ -9,7 +9,8 @@ namespace pal::runtime {
 
 using State = ThreadControl::State;
 
-Levels::Levels(const Clock& clock, Journal& journal, const Wiring& wiring) : clock_(clock), journal_(journal) {
+Levels::Levels(const Clock& clock, Journal& journal, const Wiring& wiring)
+    : clock_(clock), journal_(journal) {
   for (const ProcessorSpec& spec : wiring.processors) processors_.emplace_back(spec, wiring.threads.size());
   std::map<std::pair<int, int>, Level*> known;  // by processor and priority
   for (const ThreadSpec& spec : wiring.threads) {

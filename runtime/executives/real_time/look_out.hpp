@@ -6,10 +6,10 @@
 
 namespace pal::runtime {
 
-/// For a thread that the system may interrupt for other work. While it polls it may take the CPU from the very
-/// thread that it waits for, and it uses up its share. So after each time in vain it sleeps at once for some
-/// waits: for more of them, the more often it was in vain. It forgets one of these times after many in which
-/// polling did pay.
+/// For a thread that the system may interrupt for other work. While it polls it may take the CPU from the
+/// very thread that it waits for, and it uses up its share. So after each time in vain it sleeps at once for
+/// some waits: for more of them, the more often it was in vain. It forgets one of these times after many in
+/// which polling did pay.
 class LookOut {
  public:
   /// Before a wait: whether to poll.

@@ -106,9 +106,9 @@ class RealExecutive final : public Executive {
   Sleeper ended_, watchdog_, closed_;
   // Since when they are called without the lock (monotonic); 0: they are not.
   std::atomic<Time::rep> in_world_ = 0, in_closing_ = 0;
-  std::atomic<bool> starting_ = true;  // devices are being attached, and the skill started
+  std::atomic<bool> starting_ = true;       // devices are being attached, and the skill started
   std::atomic<Time::rep> waits_until_ = 0;  // the world, apart; monotonic, 0: it does not wait
-  std::atomic<bool> over_ = false;  // as a world that is apart sees it
+  std::atomic<bool> over_ = false;          // as a world that is apart sees it
   Time origin_{};
   bool moving_ = false;  // something moves in the world by itself, with the lock
   bool told_ = false;    // all threads have been woken for the end

@@ -1,7 +1,7 @@
-// bench_runtime [ROUNDS]; bench_runtime none|last|all|two|eight, for a profiler: 20,000 round trips of a skill
-// with such a trace, or as many requirements. What a Send, Receive, Reply round trip costs, beside other ways to pass a message and its
-// answer. All are measured in turns in one run, in processor time, or by the wall where it says so. Figures
-// are medians (docs/internals/benchmarks.md).
+// bench_runtime [ROUNDS]; bench_runtime none|last|all|two|eight, for a profiler: 20,000 round trips of a
+// skill with such a trace, or as many requirements. What a Send, Receive, Reply round trip costs, beside
+// other ways to pass a message and its answer. All are measured in turns in one run, in processor time, or by
+// the wall where it says so. Figures are medians (docs/internals/benchmarks.md).
 #include <time.h>
 
 #include <algorithm>
@@ -57,8 +57,9 @@ Row watched(std::size_t requirements) {
 }
 
 Row starts(std::size_t threads, bool blocks) {
-  return {"a thread of " + std::to_string(threads) + (blocks ? " blocks" : "") + ", from its start to its end",
-          20'000, [threads, blocks](std::size_t count) { benchmark::skill_starts(count, threads, blocks); }};
+  return {
+      "a thread of " + std::to_string(threads) + (blocks ? " blocks" : "") + ", from its start to its end",
+      20'000, [threads, blocks](std::size_t count) { benchmark::skill_starts(count, threads, blocks); }};
 }
 
 Row skill(std::size_t threads, runtime::TraceMode mode, const std::string& trace) {

@@ -134,15 +134,17 @@ void compare(int rounds) {
   std::vector<double> rows[count];
   runtime::RealTimeReport report;
   for (int round = -1; round < rounds; ++round) {  // the first one warms up
-    const double values[] = {by_condition_variable(true), by_skill(true, look_out, report),
+    const double values[] = {by_condition_variable(true),          by_skill(true, look_out, report),
                              by_skill(true, Time::zero(), report), by_condition_variable(false),
-                             by_skill(false, look_out, report), by_skill(false, Time::zero(), report)};
+                             by_skill(false, look_out, report),    by_skill(false, Time::zero(), report)};
     for (std::size_t i = 0; i < count && round >= 0; ++i) rows[i].push_back(values[i]);
     if (round + 1 == rounds) by_skill(true, look_out, report);
   }
-  const char* names[] = {"mutex and condition variable, SCHED_FIFO, pinned", "a skill, SCHED_FIFO, pinned",
+  const char* names[] = {"mutex and condition variable, SCHED_FIFO, pinned",
+                         "a skill, SCHED_FIFO, pinned",
                          "a skill that sleeps at once (look_out 0), the same",
-                         "mutex and condition variable, ordinary threads", "a skill, ordinary threads",
+                         "mutex and condition variable, ordinary threads",
+                         "a skill, ordinary threads",
                          "a skill that sleeps at once, the same"};
   std::printf("%-52s %9s %6s\n", "one round trip between two processors", "us", "ratio");
   for (std::size_t i = 0; i < count; ++i)

@@ -369,7 +369,9 @@ TEST_CASE("a cell's skills say which values they refuse together") {
   CHECK_FALSE(refused("juggle", {}));
 }
 
-TEST_CASE("every completion of a skill of the workcell has a longest time, but of one that lasts as long as a person holds") {
+TEST_CASE(
+    "every completion of a skill of the workcell has a longest time, but of one that lasts as long as a "
+    "person holds") {
   const auto known = installed_skills();
   const auto longest = longest_of(known);
   for (const auto& [name, skill] : templates_of(known))

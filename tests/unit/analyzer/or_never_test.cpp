@@ -11,7 +11,6 @@ using namespace pal::analyzer;
 
 namespace {
 
-
 /// Weighs once: the answer comes within 100 ms, and is waited for in this way.
 std::string weighing(const std::string& wait, const std::string& never) {
   return R"(

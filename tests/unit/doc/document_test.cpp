@@ -50,9 +50,9 @@ TEST_CASE("arrays and texts are told as what they are") {
   const auto text = doc::markdown(doc::document(checked.specification.skills.at(0), checked.sources));
   CHECK(text.find("x, z: 255 x real, in mm; rank: 255 x integer; found: boolean; label: text") !=
         std::string::npos);
-  CHECK(
-      text.find("| `location` | location | `\"park\"` | up to 100 characters | taught \"location\" to go to |") !=
-      std::string::npos);
+  CHECK(text.find(
+            "| `location` | location | `\"park\"` | up to 100 characters | taught \"location\" to go to |") !=
+        std::string::npos);
   CHECK(text.find("| `suffix` | text | `\"\"` |") != std::string::npos);
 }
 

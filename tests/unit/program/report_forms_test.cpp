@@ -267,7 +267,8 @@ TEST_CASE("half-open bounds are named as such in every form, and closed ones are
 TEST_CASE("an undecided row of losses that is too long to be followed is told as one") {
   std::string text = project_file("tests/golden/check/loss_in_hundred.pal");
   const auto begin = text.find("  REQUIREMENT");
-  text.replace(begin, text.find("END SKILL") - begin, "  REQUIREMENT late : LOSS OF robot AT MOST 7 IN 200\n");
+  text.replace(begin, text.find("END SKILL") - begin,
+               "  REQUIREMENT late : LOSS OF robot AT MOST 7 IN 200\n");
   const Answer answer = check(text, {"--max-states", "2000", "--max-errors", "1"});
   INFO(answer.err);
   CHECK(answer.status == ExitStatus::not_met);

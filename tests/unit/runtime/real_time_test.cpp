@@ -509,8 +509,8 @@ TEST_CASE("real time: an activity that waits holds its processor, and is late") 
   CHECK(outcome.broken_promises[0].promise == "act of M (written.pal:1) takes at most 1 ms");
   CHECK(outcome.broken_promises[0].measured > 1ms);
   const std::string text = measurement.environment();
-  CHECK(text.find("  TIME act OF M : " + runtime::in_words(outcome.broken_promises[0].measured) + "  # 1 time") !=
-        std::string::npos);
+  CHECK(text.find("  TIME act OF M : " + runtime::in_words(outcome.broken_promises[0].measured) +
+                  "  # 1 time") != std::string::npos);
 }
 
 TEST_CASE("real time: what a more urgent thread takes is no part of an activity that waits") {

@@ -101,7 +101,7 @@ struct Acting {
 
 }  // namespace
 
-TEST_CASE("watchdog: attach, open and start that do not return end the process, devices closed") {
+TEST_CASE("attach, open and start that do not return end the process, devices closed") {
   const int where = GENERATE(0, 1, 2);
   const Ended ended = in_a_child([where] {
     struct Stuck final : ScriptedDevice {
@@ -139,7 +139,7 @@ TEST_CASE("watchdog: attach, open and start that do not return end the process, 
                                    : "device last has not returned") != std::string::npos);
 }
 
-TEST_CASE("watchdog: next_event and wait_until of a world apart that do not return end the process") {
+TEST_CASE("next_event and wait_until of a world apart that do not return end the process") {
   const bool waits = GENERATE(false, true);
   const Ended ended = in_a_child([waits] {
     struct Slow final : runtime::World {
@@ -172,7 +172,7 @@ TEST_CASE("watchdog: next_event and wait_until of a world apart that do not retu
                               : "the world with its devices has not returned") != std::string::npos);
 }
 
-TEST_CASE("watchdog: an activity that does not return ends the process, devices closed") {
+TEST_CASE("an activity that does not return ends the process, devices closed") {
   const bool spins = GENERATE(true, false);
   const Ended ended = in_a_child([spins] {
     Acting acting;
@@ -190,7 +190,7 @@ TEST_CASE("watchdog: an activity that does not return ends the process, devices 
         std::string::npos);
 }
 
-TEST_CASE("watchdog: a device that does not return ends the process, devices closed") {
+TEST_CASE("a device that does not return ends the process, devices closed") {
   const Ended ended = in_a_child([] {
     Acting acting;
     Telling device;
@@ -202,12 +202,13 @@ TEST_CASE("watchdog: a device that does not return ends the process, devices clo
   CHECK(ended.said.find("sensor closed\npal: device sensor has not returned for ") == 0);
 }
 
-TEST_CASE("watchdog: an answer to a broken promise that does not return is named, not the device") {
+TEST_CASE("an answer to a broken promise that does not return is named, not the device") {
   const Ended ended = in_a_child([] {
     Acting acting;
     Telling device;
     acting.work = [] {  // its worst time is 1 ms
-      for (const auto end = std::chrono::steady_clock::now() + 50ms; std::chrono::steady_clock::now() < end;) {
+      for (const auto end = std::chrono::steady_clock::now() + 50ms;
+           std::chrono::steady_clock::now() < end;) {
       }
     };
     acting.skill.on_promise_broken = [](const runtime::BrokenPromise&) -> bool { spin(); };
@@ -219,7 +220,7 @@ TEST_CASE("watchdog: an answer to a broken promise that does not return is named
         std::string::npos);
 }
 
-TEST_CASE("watchdog: a close that does not return ends the process, with a message") {
+TEST_CASE("a close that does not return ends the process, with a message") {
   const Ended ended = in_a_child([] {
     Acting acting;
     Telling device;
@@ -232,7 +233,7 @@ TEST_CASE("watchdog: a close that does not return ends the process, with a messa
   CHECK(ended.said.find("THE DEVICES COULD NOT BE CLOSED") != std::string::npos);
 }
 
-TEST_CASE("watchdog: a close that does not return after a good end ends the process") {
+TEST_CASE("a close that does not return after a good end ends the process") {
   const Ended ended = in_a_child([] {
     Acting acting;
     Telling device;

@@ -290,5 +290,8 @@ TEST_CASE("a profile says what was seen in it, and where the scan had no range")
   const Json told = Json::parse(viewer.said.back())["params"];
   CHECK(told["scanned"] == 4);
   CHECK(told["missing"] == Json::array({Json::array({1, 3})}));
-  CHECK(told["marks"][0] == Json{{"name", "nearest"}, {"points", Json::array({Json::array({1.0, 300.0})})}, {"value", 300.0}, {"unit", "mm"}});
+  CHECK(told["marks"][0] == Json{{"name", "nearest"},
+                                 {"points", Json::array({Json::array({1.0, 300.0})})},
+                                 {"value", 300.0},
+                                 {"unit", "mm"}});
 }

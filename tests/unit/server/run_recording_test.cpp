@@ -1,4 +1,5 @@
-// Runs that can be looked at again: what is kept of each channel, pages of it, limits, and what a damaged file does.
+// Runs that can be looked at again: what is kept of each channel, pages of it, limits, and what a damaged
+// file does.
 #include "server/run_recording.hpp"
 
 #include <filesystem>
@@ -18,7 +19,9 @@ namespace {
 
 Channels recorded_channels() {
   Channels result;
-  result.push_back({"force", "", {{"fx", "N"}}, 1000, Channel::Form::numbers, [](auto raw, auto shown) { shown[0] = raw[0]; }});
+  result.push_back({"force", "", {{"fx", "N"}}, 1000, Channel::Form::numbers, [](auto raw, auto shown) {
+                      shown[0] = raw[0];
+                    }});
   result.push_back({"profile", "", {{"y", "mm"}, {"z", "mm"}}, 0, Channel::Form::profile});
   result.push_back({"poses", "", {{"x", "m"}, {"y", "m"}}, 29, Channel::Form::rows});
   return result;
@@ -29,7 +32,8 @@ std::shared_ptr<const SampleBlock> samples(Duration begin, std::size_t count, do
   auto block = std::make_shared<SampleBlock>();
   block->width = 1;
   block->raw.assign(count, value);
-  for (std::size_t i = 0; i < count; ++i) block->times.push_back(begin + static_cast<std::int64_t>(i) * Duration(1ms));
+  for (std::size_t i = 0; i < count; ++i)
+    block->times.push_back(begin + static_cast<std::int64_t>(i) * Duration(1ms));
   return block;
 }
 
@@ -180,7 +184,8 @@ TEST_CASE("recording: clients read it as text of 64 letters") {
   fixture.say(R"({"jsonrpc": "2.0", "id": 1, "method": "hello", "params": {"token": "viewers"}})");
   const auto ask = [&](const std::string& method, const Json& params) {
     return Json::parse(
-        fixture.say(Json{{"jsonrpc", "2.0"}, {"id", 2}, {"method", method}, {"params", params}}.dump()).front());
+        fixture.say(Json{{"jsonrpc", "2.0"}, {"id", 2}, {"method", method}, {"params", params}}.dump())
+            .front());
   };
   CHECK(ask("replay.list", Json::object())["error"]["data"]["why"] == "absent");
   fixture.context.recording = &recording;
@@ -192,7 +197,9 @@ TEST_CASE("recording: clients read it as text of 64 letters") {
   CHECK(page["rows"] == Json({1}));
   CHECK(page["times_s"] == Json({1.0}));
   CHECK(page["more"] == false);
-  CHECK(ask("replay.read", {{"run", 2}, {"channel", "poses"}, {"after_s", 1.0}})["result"]["times_s"].empty());
+  CHECK(
+      ask("replay.read", {{"run", 2}, {"channel", "poses"}, {"after_s", 1.0}})["result"]["times_s"].empty());
   CHECK(ask("replay.read", {{"run", 0}, {"channel", "poses"}})["error"]["code"] == -32602);
-  CHECK(ask("replay.read", {{"run", 2}, {"channel", "poses"}, {"after_s", "now"}})["error"]["code"] == -32602);
+  CHECK(ask("replay.read", {{"run", 2}, {"channel", "poses"}, {"after_s", "now"}})["error"]["code"] ==
+        -32602);
 }

@@ -1,4 +1,5 @@
-// What the cell looks like, as clients are told, and rows of channels: how often, and the last ones when the cell stands.
+// What the cell looks like, as clients are told, and rows of channels: how often, and the last ones when the
+// cell stands.
 #include "server/scene.hpp"
 
 #include <cstring>
@@ -46,12 +47,14 @@ struct LiveFixture {
   std::map<std::string, std::shared_ptr<const Rows>> latest;
   std::chrono::steady_clock::time_point now{1h};
   std::vector<std::string> sent;
-  SessionOutput output{[](const std::string&) {}, [this](const LiveMessage& message) { sent.push_back(message.make(3)); },
+  SessionOutput output{[](const std::string&) {},
+                       [this](const LiveMessage& message) { sent.push_back(message.make(3)); },
                        [](const std::string&) {}};
   LiveView view{output, &channels, &latest, [this] { return now; }};
 
   void watch(bool binary, double period) {
-    Plain request{{"params", {{"channels", {{{"channel", "poses"}, {"binary", binary}, {"period_s", period}}}}}}};
+    Plain request{
+        {"params", {{"channels", {{{"channel", "poses"}, {"binary", binary}, {"period_s", period}}}}}}};
     nlohmann::ordered_json ordered = nlohmann::ordered_json::parse(request.dump());
     view.watch_channels(Members(ordered));
   }
@@ -74,8 +77,10 @@ TEST_CASE("clients are told what the cell looks like, with short numbers") {
   const Scene scene = two_bodies();
   fixture.context.scene = &scene;
   const Plain told = ask()["result"];
-  CHECK(told["bodies"][1] ==
-        Plain({{"name", "arm"}, {"moves", true}, {"position", {0.1, 0.2, 0.3}}, {"turn", {0.0, 0.0, 1.0, 0.0}}}));
+  CHECK(
+      told["bodies"][1] ==
+      Plain(
+          {{"name", "arm"}, {"moves", true}, {"position", {0.1, 0.2, 0.3}}, {"turn", {0.0, 0.0, 1.0, 0.0}}}));
   CHECK(told["shapes"][0]["kind"] == "box");
   CHECK_FALSE(told["shapes"][0].contains("corners"));
   CHECK(told["shapes"][1]["corners"].size() == 9);
@@ -95,8 +100,8 @@ TEST_CASE("locations are placed in the scene by the robot's own meaning of a pos
   };
   fixture.context.scene = &scene;
   fixture.say(R"({"jsonrpc": "2.0", "id": 1, "method": "hello", "params": {"token": "viewers"}})");
-  const Plain told =
-      Plain::parse(fixture.say(R"({"jsonrpc": "2.0", "id": 2, "method": "scene.locations"})").front())["result"];
+  const Plain told = Plain::parse(
+      fixture.say(R"({"jsonrpc": "2.0", "id": 2, "method": "scene.locations"})").front())["result"];
   REQUIRE(told.size() == 1);
   CHECK(told[0]["location"] == "HOME");
   CHECK(told[0]["position"] == Plain({0.1, 0.0, 0.7}));

@@ -30,7 +30,8 @@ struct Trying : pal::test::SessionFixture {
     context.studies = &at_once;
   }
   Json call(const std::string& method, const Json& params, const char* token = "secret") {
-    if (!greeted) say(Json{{"jsonrpc", "2.0"}, {"id", 1}, {"method", "hello"}, {"params", {{"token", token}}}}.dump());
+    if (!greeted)
+      say(Json{{"jsonrpc", "2.0"}, {"id", 1}, {"method", "hello"}, {"params", {{"token", token}}}}.dump());
     greeted = true;
     const auto told = say(Json{{"jsonrpc", "2.0"}, {"id", 2}, {"method", method}, {"params", params}}.dump());
     REQUIRE_FALSE(told.empty());
@@ -45,10 +46,9 @@ struct Trying : pal::test::SessionFixture {
 
 TEST_CASE("a skill is tried aside with what is run before it") {
   Trying client;
-  const Json got = client.call("study.try", {{"skill", "quick"},
-                                             {"before", {{{"skill", "quick"}}}},
-                                             {"joints", {1, 2, 3, 4, 5, 6}},
-                                             {"seed", 7}});
+  const Json got = client.call(
+      "study.try",
+      {{"skill", "quick"}, {"before", {{{"skill", "quick"}}}}, {"joints", {1, 2, 3, 4, 5, 6}}, {"seed", 7}});
   CHECK(got["code"] == 3);
   CHECK(got["kind"] == "normal");
   CHECK(got["figures"]["force"] == 2.5);
@@ -77,7 +77,8 @@ TEST_CASE("a trial that is wrong is refused, and so is a client that may not") {
 
 TEST_CASE("a channel tells which parameters are limits on it") {
   Channel channel{"force", "what presses", {{"fz", "N"}}, 1000};
-  channel.limits = {{"press", "band", {"fz"}, 1, true, ShownLimit::Kind::band, ShownLimit::Around{"force", -1}}};
+  channel.limits = {
+      {"press", "band", {"fz"}, 1, true, ShownLimit::Kind::band, ShownLimit::Around{"force", -1}}};
   const auto told = describe(channel)["limits"][0];
   CHECK(told["parameter"] == "band");
   CHECK(told["both"] == true);

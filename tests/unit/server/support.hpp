@@ -16,8 +16,7 @@ namespace pal::test {
 /// "quick" ends at once with the code that its parameter says, "long" when it is stopped or let go.
 class Clockwork final : public operations::SkillRunner {
  public:
-  operations::SkillResult run(const std::string& skill,
-                              const std::vector<operations::Parameter>& parameters,
+  operations::SkillResult run(const std::string& skill, const std::vector<operations::Parameter>& parameters,
                               std::optional<Duration>) override {
     ++runs;
     std::this_thread::sleep_for(lasts);

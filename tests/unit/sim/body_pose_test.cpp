@@ -38,9 +38,8 @@ TEST_CASE("a view elsewhere gets the shapes once and the poses each frame") {
   // The floor's world and the table stand still; all from the first link on moves.
   REQUIRE(geometry.moves.size() == geometry.bodies.size());
   for (std::size_t i = 0; i < geometry.bodies.size(); ++i)
-    CHECK(geometry.moves[i] ==
-          (geometry.bodies[i].rfind("link", 0) == 0 || geometry.bodies[i] == "sensor" ||
-           geometry.bodies[i] == "tool" || geometry.bodies[i] == "pad"));
+    CHECK(geometry.moves[i] == (geometry.bodies[i].rfind("link", 0) == 0 || geometry.bodies[i] == "sensor" ||
+                                geometry.bodies[i] == "tool" || geometry.bodies[i] == "pad"));
   CHECK(geometry.bodies.at(geometry.tip.body) == "tool");
   CHECK(geometry.tip.position[2] == Approx(0.060));
   CHECK(geometry.bodies.at(geometry.base.body) == "base");

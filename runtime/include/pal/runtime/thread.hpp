@@ -31,10 +31,10 @@ struct ThreadControl {
   bool resuming = false;           // its effect has taken place; the coroutine is about to go on
 
   // On the processor.
-  Time left{};                 // processor time that the statement still needs
-  bool begun = false;          // some of it was given
-  bool announced = false;      // the trace knows that the thread is ready
-  std::int64_t queue_key = 0;  // among equals the least goes first
+  Time left{};                  // processor time that the statement still needs
+  bool begun = false;           // some of it was given
+  bool announced = false;       // the trace knows that the thread is ready
+  std::int64_t queue_key = 0;   // among equals the least goes first
   std::size_t ready_place = 0;  // where it is among those that wait for its processor
 
   // Without a processor; each is set while it is true.
@@ -44,8 +44,8 @@ struct ThreadControl {
   std::size_t blocks_alive = 0;   // of `forked`: how many have not ended
   std::size_t blocks_ending = 0;  // how many of these can end
   bool blocks_told = false;       // those that have not ended were told to stop
-  Ticket expiry;     // when the wait gives up
-  int claimed = -1;  // the channel whose message it has begun to receive
+  Ticket expiry;                  // when the wait gives up
+  int claimed = -1;               // the channel whose message it has begun to receive
 
   // A block of CONCURRENT.
   Thread* parent = nullptr;
