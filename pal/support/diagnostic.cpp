@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal {
 
@@ -18,11 +19,8 @@ struct Row {
 };
 
 constexpr std::array rows{
-#define PAL_FAMILY(family)
 #define PAL_DIAGNOSTIC(code, severity, title) Row{#code, Severity::severity, title},
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
 /// The number of each row, and of the first one of each family.
@@ -30,16 +28,11 @@ enum RowNumber : int {
 #define PAL_FAMILY(family) first_##family, before_##family = first_##family - 1,
 #define PAL_DIAGNOSTIC(code, severity, title) row_##code,
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
 constexpr std::array first_rows{
 #define PAL_FAMILY(family) static_cast<int>(first_##family),
-#define PAL_DIAGNOSTIC(code, severity, title)
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
 const Row& row(Code code) {
@@ -94,8 +87,23 @@ Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message
       .emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
 }
 
+Diagnostic& Diagnostic::suggest(const std::optional<std::string>& near) {
+  if (near) hint = "did you mean '" + *near + "'?";
+  return *this;
+}
+
+Diagnostic& Diagnostics::report(const PartialDiagnostic& what, SourceSpan where) {
+  const FindingRow& row = pal::row(what.finding);
+  Diagnostic& made = report(row.code, where, filled(row.text, what), filled(row.hint, what));
+  made.finding = what.finding;
+  made.arguments = what.arguments;
+  return made;
+}
+
 Diagnostic& Diagnostics::report(const Diagnostic& found) {
   Diagnostic& finding = report(found.code, found.where, found.message, found.hint);
+  finding.finding = found.finding;
+  finding.arguments = found.arguments;
   finding.notes = found.notes;
   finding.fix = found.fix;
   finding.requirement = found.requirement;
