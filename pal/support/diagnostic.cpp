@@ -92,12 +92,16 @@ Diagnostic& Diagnostic::suggest(const std::optional<std::string>& near) {
   return *this;
 }
 
+Diagnostic& Diagnostic::say(const PartialDiagnostic& what) {
+  message = text_of(what);
+  hint = hint_of(what);
+  finding = what.finding;
+  arguments = what.arguments;
+  return *this;
+}
+
 Diagnostic& Diagnostics::report(const PartialDiagnostic& what, SourceSpan where) {
-  const FindingRow& row = pal::row(what.finding);
-  Diagnostic& made = report(row.code, where, filled(row.text, what), filled(row.hint, what));
-  made.finding = what.finding;
-  made.arguments = what.arguments;
-  return made;
+  return report(pal::row(what.finding).code, where, {}).say(what);
 }
 
 Diagnostic& Diagnostics::report(const Diagnostic& found) {

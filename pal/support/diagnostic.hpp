@@ -38,8 +38,8 @@ struct Edit {
 
 /// One finding. `message` is lower case without a full stop, and says what is wrong at `where`, the narrowest
 /// place possible. `hint` says what to do; following it makes the finding go away. If a program can follow
-/// it, `fix` has the edits, all of which must be made; else it is empty. Message and hint are made of the row of
-/// `finding` and of its `arguments`.
+/// it, `fix` has the edits, all of which must be made; else it is empty. Message and hint are made of the row
+/// of `finding` and of its `arguments`.
 struct Diagnostic {
   Code code;
   Severity severity;
@@ -52,6 +52,8 @@ struct Diagnostic {
   Finding finding = {};
   std::vector<std::string> arguments = {};
 
+  /// Is told in this way from now on.
+  Diagnostic& say(const PartialDiagnostic& what);
   /// Asks for the similar name `near`, if there is one, in place of the hint.
   Diagnostic& suggest(const std::optional<std::string>& near);
 };
@@ -72,8 +74,8 @@ class Diagnostics {
   /// memory.
   static constexpr std::size_t most_kept = 10'000;
 
-  /// Reports with the severity that the table gives the finding's code. There is an argument, a text or a whole
-  /// number, for each placeholder of its row, in the order in which they first stand in text and hint.
+  /// Reports with the severity that the table gives the finding's code. There is an argument, a text or a
+  /// whole number, for each placeholder of its row, in the order in which they first stand in text and hint.
   template <class... Arguments>
   Diagnostic& report(std::type_identity_t<FindingWith<sizeof...(Arguments)>> finding, SourceSpan where,
                      const Arguments&... arguments);

@@ -1,6 +1,7 @@
 #include "pal/support/finding.hpp"
 
 namespace pal {
+namespace {
 
 std::string filled(std::string_view text, const PartialDiagnostic& what) {
   const Placeholders known = placeholders(row(what.finding));
@@ -11,6 +12,16 @@ std::string filled(std::string_view text, const PartialDiagnostic& what) {
     text.remove_prefix(before + next.size());
   }
   return result.append(text);
+}
+
+}  // namespace
+
+std::string text_of(const PartialDiagnostic& what) {
+  return filled(row(what.finding).text, what);
+}
+
+std::string hint_of(const PartialDiagnostic& what) {
+  return filled(row(what.finding).hint, what);
 }
 
 }  // namespace pal

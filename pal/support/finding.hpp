@@ -1,5 +1,6 @@
-// The findings by name, each with its text and hint, from the one table in diagnostic_code.def. Whoever reports
-// one names it and gives the arguments of its placeholders; their number is checked when it is compiled.
+// The findings by name, each with its text and hint, from the one table in diagnostic_code.def. Whoever
+// reports one names it and gives the arguments of its placeholders; their number is checked when it is
+// compiled.
 #pragma once
 
 #include <array>
@@ -89,6 +90,13 @@ struct FindingWith {
   Finding finding;
 };
 
+/// One of two findings that have equally many placeholders.
+template <Finding yes, Finding no>
+constexpr auto either(bool condition) {
+  using Result = FindingWith<placeholders(row(yes)).count>;
+  return condition ? Result(yes) : Result(no);
+}
+
 inline std::string argument_text(std::string_view text) {
   return std::string(text);
 }
@@ -106,8 +114,9 @@ struct PartialDiagnostic {
   std::vector<std::string> arguments;
 };
 
-/// `text` with the arguments in the place of the finding's placeholders.
-std::string filled(std::string_view text, const PartialDiagnostic& what);
+/// The row's text and hint, with the arguments in the place of the placeholders.
+std::string text_of(const PartialDiagnostic& what);
+std::string hint_of(const PartialDiagnostic& what);
 
 template <class... Arguments>
 Diagnostic& Diagnostics::report(std::type_identity_t<FindingWith<sizeof...(Arguments)>> finding,
