@@ -156,7 +156,7 @@ class BodyPlanner {
       if (found == nullptr || found->module.empty()) found = &time;
     }
     if (found != nullptr) return found->time;
-    diagnostics_.report(Finding::activity_time_not_said, environment_.where, environment_.name, activity.name,
+    diagnostics_.report(Finding::activity_without_time, environment_.where, environment_.name, activity.name,
                         planned_.pal_name);
     return {};
   }

@@ -24,15 +24,14 @@ void place_threads(const pan::Environment& environment, Diagnostics& diagnostics
   for (PlannedThread& thread : threads) {
     const pan::Placement* place = place_of(environment, threads, thread);
     if (place == nullptr) {
-      diagnostics.report(Finding::thread_runs_nowhere, environment.where, environment.name, thread.pal_name);
+      diagnostics.report(Finding::thread_not_placed, environment.where, environment.name, thread.pal_name);
       continue;
     }
     const auto processor =
         std::find_if(environment.processors.begin(), environment.processors.end(),
                      [&](const pan::Processor& candidate) { return candidate.name == place->processor; });
     if (processor == environment.processors.end()) {
-      diagnostics.report(Finding::processor_not_in_environment, place->where, environment.name,
-                         place->processor);
+      diagnostics.report(Finding::unknown_processor, place->where, place->processor);
       continue;
     }
     thread.processor = static_cast<std::size_t>(processor - environment.processors.begin());

@@ -1,5 +1,4 @@
 // An operation against what is known of a cell: its sensors, the figures that its skills report, its skills.
-#include <fmt/format.h>
 
 #include "operations/check.hpp"
 #include "operations/check_codes.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "operations/check.hpp"
 #include "operations/check_values.hpp"

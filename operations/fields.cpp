@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"

@@ -1,7 +1,5 @@
 #include "operations/parse.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -200,7 +200,7 @@ void ProblemBuilder::processors() {
     problem_.processors.push_back(processor);
   }
   if (problem_.processors.empty()) {
-    diagnostics_.report(Finding::no_processor, environment_.where, environment_.name);
+    diagnostics_.report(Finding::environment_without_processor, environment_.where, environment_.name);
   }
 }
 
@@ -225,7 +225,7 @@ void ProblemBuilder::known_names() {
   std::set<std::string> placed;
   for (const Placement& placement : environment_.placements) {
     if (!processor_.contains(placement.processor)) {
-      diagnostics_.report(Finding::no_such_processor, placement.where, placement.processor);
+      diagnostics_.report(Finding::unknown_processor, placement.where, placement.processor);
     }
     if (!placed.insert(placement.thread).second) {
       diagnostics_.report(Finding::item_given_twice, placement.where, "the place of " + placement.thread);

@@ -5,7 +5,6 @@
 #include <string>
 #include <variant>
 
-#include "pal/check/report.hpp"
 #include "pal/support/duration_text.hpp"
 #include "pal/support/finding.hpp"
 

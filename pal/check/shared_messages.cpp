@@ -163,7 +163,7 @@ class Finder {
   }
 
   void report(const MessageUse& write, const MessageUse& other) {
-    const std::string message = quoted(network_.messages[write.message.index()].name);
+    const std::string& message = network_.messages[write.message.index()].name;
     const bool two = write.by.place->processor != other.by.place->processor;
     const std::string where = two ? "on " + write.by.place->processor + " and " + other.by.place->processor
                                   : "with two priorities on " + write.by.place->processor;

@@ -35,7 +35,7 @@ constexpr std::array first_rows{
 #include "pal/support/diagnostic_code.def"
 };
 
-const Row& row(Code code) {
+const Row& code_row(Code code) {
   return rows.at(static_cast<std::size_t>(code));
 }
 
@@ -46,17 +46,17 @@ auto place(const SourceSpan& span) {
 }  // namespace
 
 std::string_view name(Code code) {
-  return row(code).name;
+  return code_row(code).name;
 }
 Severity severity(Code code) {
-  return row(code).severity;
+  return code_row(code).severity;
 }
 Family family(Code code) {
   const auto after = std::upper_bound(first_rows.begin(), first_rows.end(), static_cast<int>(code));
   return static_cast<Family>(after - first_rows.begin() - 1);
 }
 std::string_view title(Code code) {
-  return row(code).title;
+  return code_row(code).title;
 }
 std::size_t code_count() {
   return rows.size();
@@ -74,21 +74,8 @@ std::string_view name(Severity severity) {
   return "error";
 }
 
-Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message, std::string hint) {
-  const auto level = severity(code);
-  const auto follows = std::any_of(distrusted_.begin(), distrusted_.end(), [&](const SourceSpan& place) {
-    return place.file == where.file && place.begin <= where.begin && where.begin < place.end;
-  });
-  if (!follows && level == Severity::error) ++errors_;
-  const bool full = kept_.of(level) == most_kept;
-  if (!follows) ++(full ? not_kept_ : kept_).of(level);
-  if (follows || full) dropped_.clear();
-  return (follows || full ? dropped_ : all_)
-      .emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
-}
-
-Diagnostic& Diagnostic::suggest(const std::optional<std::string>& near) {
-  if (near) hint = "did you mean '" + *near + "'?";
+Diagnostic& Diagnostic::suggest(const std::optional<std::string>& near, const char* quote) {
+  if (near) hint = "did you mean " + (quote + *near + quote) + "?";
   return *this;
 }
 
@@ -101,17 +88,27 @@ Diagnostic& Diagnostic::say(const PartialDiagnostic& what) {
 }
 
 Diagnostic& Diagnostics::report(const PartialDiagnostic& what, SourceSpan where) {
-  return report(pal::row(what.finding).code, where, {}).say(what);
+  const Code code = row(what.finding).code;
+  return keep({code, severity(code), where, {}, {}, {}, {}}).say(what);
 }
 
 Diagnostic& Diagnostics::report(const Diagnostic& found) {
-  Diagnostic& finding = report(found.code, found.where, found.message, found.hint);
-  finding.finding = found.finding;
-  finding.arguments = found.arguments;
-  finding.notes = found.notes;
-  finding.fix = found.fix;
-  finding.requirement = found.requirement;
-  return finding;
+  Diagnostic given = found;
+  given.severity = severity(given.code);
+  return keep(std::move(given));
+}
+
+Diagnostic& Diagnostics::keep(Diagnostic found) {
+  const SourceSpan where = found.where;
+  const auto level = found.severity;
+  const auto follows = std::any_of(distrusted_.begin(), distrusted_.end(), [&](const SourceSpan& place) {
+    return place.file == where.file && place.begin <= where.begin && where.begin < place.end;
+  });
+  if (!follows && level == Severity::error) ++errors_;
+  const bool full = kept_.of(level) == most_kept;
+  if (!follows) ++(full ? not_kept_ : kept_).of(level);
+  if (follows || full) dropped_.clear();
+  return (follows || full ? dropped_ : all_).emplace_back(std::move(found));
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

@@ -54,8 +54,8 @@ struct Diagnostic {
 
   /// Is told in this way from now on.
   Diagnostic& say(const PartialDiagnostic& what);
-  /// Asks for the similar name `near`, if there is one, in place of the hint.
-  Diagnostic& suggest(const std::optional<std::string>& near);
+  /// Asks for the similar name `near`, if there is one, in place of the hint. `quote` stands around it.
+  Diagnostic& suggest(const std::optional<std::string>& near, const char* quote = "'");
 };
 
 /// Numbers of findings.
@@ -81,9 +81,6 @@ class Diagnostics {
                      const Arguments&... arguments);
   Diagnostic& report(const PartialDiagnostic& what, SourceSpan where);
 
-  /// Reports with the severity that the table gives the code.
-  Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
-
   /// Reports what was found elsewhere.
   Diagnostic& report(const Diagnostic& found);
 
@@ -103,6 +100,8 @@ class Diagnostics {
   std::vector<Diagnostic> sorted() const;
 
  private:
+  Diagnostic& keep(Diagnostic found);
+
   std::vector<Diagnostic> all_;
   std::vector<SourceSpan> distrusted_;
   std::vector<Diagnostic> dropped_;  // the last one dropped, which its finder may still be writing to

@@ -28,7 +28,7 @@ struct FindingRow {
   std::string_view name;
   Code code;
   std::string_view text;
-  std::string_view hint;  // empty: who reports it gives one, or there is none
+  std::string_view hint;  // empty: there is none
 };
 
 /// All rows; a finding is its row's number.

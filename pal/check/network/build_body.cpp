@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "pal/check/report.hpp"
 #include "pal/support/finding.hpp"
 
 namespace pal::check {

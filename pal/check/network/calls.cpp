@@ -3,7 +3,6 @@
 #include <set>
 #include <string_view>
 
-#include "pal/check/report.hpp"
 #include "pal/support/finding.hpp"
 
 namespace pal::check {

@@ -144,7 +144,7 @@ class RequirementBuilder {
     const auto sender = names_.party(sample.from);
     if (!message || !sender) return std::nullopt;
     std::vector<pan::ChannelId> channels = channels_of(*message, *sender);
-    const std::string from = quoted(sample.from.name.text);
+    const std::string& from = sample.from.name.text;
     if (!is_device(*sender)) {
       diagnostics_.report(Finding::sample_from_no_device, sample.from.name.where, from);
       return std::nullopt;
@@ -210,7 +210,7 @@ class RequirementBuilder {
     auto& finding =
         only ? diagnostics_.report(Finding::no_such_statement_in_module, step.where, step.in->name.text)
              : diagnostics_.report(Finding::no_such_statement, step.where);
-    if (meant) finding.hint = "did you mean " + *meant + "?";
+    finding.suggest(meant, "");
     if (meant && !step.in) finding.fix = {{step.where, *meant}};
   }
 

@@ -1,7 +1,6 @@
 // Requests for one answer in two blocks at once.
 #include <map>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/blocks.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"

@@ -1,6 +1,5 @@
 // What condition_runs found of each CASE and each UNTIL, as findings: no arm may hold, an arm never holds, a
 // loop never ends.
-#include <string>
 
 #include "pal/check/conditions/condition_runs.hpp"
 #include "pal/check/rules/families.hpp"

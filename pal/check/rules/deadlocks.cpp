@@ -1,9 +1,7 @@
 // Deadlocks and lost messages, as findings.
-#include <string>
 
 #include "pal/check/deadlock/explore.hpp"
 #include "pal/check/deadlock/story.hpp"
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/finding.hpp"

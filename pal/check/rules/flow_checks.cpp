@@ -1,8 +1,6 @@
 // Statements that are never reached, and loops that spin.
-#include <string>
 #include <vector>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/check/rules/zero_time.hpp"
 #include "pal/pan/dump.hpp"

@@ -1,11 +1,9 @@
 // Activities and conditions that read a message which never comes, or has not come yet.
 #include <algorithm>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/check/rules/steady_conditions.hpp"
 #include "pal/support/finding.hpp"

@@ -1,9 +1,7 @@
 // The start of the skill and its completions; contingency methods that nothing executes.
 #include <algorithm>
 #include <set>
-#include <string>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/support/finding.hpp"

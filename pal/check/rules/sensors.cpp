@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "pal/check/report.hpp"
 #include "pal/support/finding.hpp"
 
 namespace pal::check {

@@ -1,7 +1,5 @@
 // Modules that begin with something other than a wait.
-#include <string>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/flow.hpp"

@@ -3,7 +3,6 @@
 #include <set>
 #include <vector>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/blocks.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/support/finding.hpp"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "pal/check/conditions/guards.hpp"
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/support/finding.hpp"
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <variant>
 
-#include "pal/check/report.hpp"
 #include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 

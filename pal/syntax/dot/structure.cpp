@@ -92,9 +92,7 @@ class StructureReader {
       const std::string& word = kind(at);
       if (word == "end" || word == "merge" || word == "until" || word == "join") return at;
       visit(at);
-      if (word == "start" || word == "guard") {
-        fail(at, {either<Finding::misplaced_start, Finding::misplaced_guard>(word == "start")});
-      }
+      if (word == "guard") fail(at, {Finding::misplaced_guard});
       Statement statement = std::move(contents_.statements[at]);
       next = on_from(at, depth, statement);
       to.push_back(std::move(statement));
