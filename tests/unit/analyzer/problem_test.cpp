@@ -129,7 +129,8 @@ TEST_CASE("figures of an environment that no text has are told") {
     pan::Environment environment = skill->specification.environments.front();
     change(environment);
     Diagnostics diagnostics;
-    CHECK_FALSE(make_problem(skill->specification.skills.front(), environment, diagnostics, &skill->sources));
+    CHECK_FALSE(analyzer::make_problem(skill->specification.skills.front(), environment, diagnostics,
+                                       &skill->sources));
     return diagnostics.all().front().message;
   };
   const auto time = [&](Duration best, Duration worst) {

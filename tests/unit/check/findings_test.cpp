@@ -50,7 +50,7 @@ TEST_CASE("what is not DOT is told") {
           {"digraph { } digraph { }", "nothing is expected after the graph"},
           {"digraph { a -- b }", "'->' is expected: the ways of a program have directions"},
           {"digraph { subgraph x { } subgraph x { } }", "a subgraph of this name stands before"},
-          {"digraph { pc-force [pal_kind=start] }", "'}' is expected"},
+          {"digraph { pc-force [pal_kind=start] }", "a name is expected"},
           {"digraph " + std::string(300, '{') + std::string(300, '}'), "subgraphs are nested too deeply"},
           {"digraph { {" + nodes + "} -> {" + nodes + "} }", "the graph has more than 200000 edges"},
           {"digraph { " + many + "}", "the graph has more than 100000 nodes"},
@@ -89,8 +89,13 @@ TEST_CASE("nodes that are no statements are told") {
 }
 
 TEST_CASE("edges that make no program are told") {
-  const std::string cases =
-      "c [pal_kind=case]; g [pal_kind=guard pal_guard=a]; h [pal_kind=guard pal_guard=b]; ";
+  std::string loops;
+  std::string ways = "s";
+  for (int i = 0; i < 250; ++i) {
+    const std::string n = std::to_string(i);
+    loops += "r" + n + " [pal_kind=repeat] u" + n + " [pal_kind=until]\n";
+    ways += " -> r" + n;
+  }
   const std::string wait =
       "n [pal_kind=wait pal_message=\"a;b\" pal_sender=\"LS1;LS1\"]; x [pal_kind=nothing]; m "
       "[pal_kind=merge]; ";

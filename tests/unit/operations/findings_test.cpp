@@ -27,7 +27,8 @@ operations::Cell cell() {
   place.name = "place";
   place.type = pan::ScalarType::text;
   go.parameters = {force, place};
-  go.completions = {{0, {}}, {1, {}}};
+  go.completions.resize(2);
+  go.completions[1].code = 1;
   result.skills = operations::Skills{{"go", go}};
   result.sensors = operations::Sensors{{"scale", {"N", "", {}}}};
   result.unable = {{"go", "it has no gripper"}};
@@ -126,7 +127,7 @@ TEST_CASE("wrong fields of a test are told") {
 TEST_CASE("wrong lines of an operation are told") {
   expect_findings({
       {test::operation(R"({"id": "a", "kind": "delay", "seconds": 1})"),
-       "the output next of 'a' leads nowhere"},
+       "the output 'next' of 'a' leads nowhere"},
       {test::operation(R"({"id": "a", "kind": "delay", "seconds": 1, "next": "start"})"),
        "START has no input"},
       {icon(R"("kind": "delay", "seconds": {"count-of": "end"})"),
@@ -152,7 +153,7 @@ TEST_CASE("what does not fit the cell is told") {
        "an operator may set 'force' beyond what skill 'go' allows: 1 to 40"},
       {icon(R"("kind": "wait", "sensor": "scale", "at-least": {"argument": "x"})",
             R"(, "arguments": {"x": {"default": 1, "from": 1, "to": 2}})"),
-       "{argument} is a plain number, and the sensor is in N"},
+       "the argument x is a plain number, and the sensor is in N"},
       {test::operation(
            R"({"id": "a", "kind": "skill", "skill": "go", "next": "c", "error": "c"},)"
            R"({"id": "c", "kind": "case", "ways": [{"codes": [0], "to": "end"}, {"codes": [7], "to":)"
