@@ -1,5 +1,4 @@
 // Findings of texts and drawings: each is told by its text, of a file that has it.
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 

@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "pal/support/finding.hpp"
-#include "pal/support/finding.hpp"
 #include "pal/support/render.hpp"
 
 using namespace pal;
