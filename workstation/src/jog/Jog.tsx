@@ -54,7 +54,7 @@ function Panel({ known }: { known: Skill }) {
   const gamepad = useGamepad(usable);
   const part = percent / 100;
   const speed = greatest(known, "speed") * part, turn = greatest(known, "turn") * part;
-  set({ frame, speed, turn, way: step, angle: step });
+  useEffect(() => set({ frame, speed, turn, way: step, angle: step }), [frame, speed, turn, step]);
   useEffect(() => letAllGo, []);
   const box = useRef<HTMLDivElement>(null);
   useKeys(box, usable);

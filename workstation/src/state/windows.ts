@@ -1,7 +1,7 @@
 // Which windows are open, in what order they lie, and which panels are shown.
 import { create } from "zustand";
 
-export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways"
+export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways" | "storyboard"
   | "channel" | "scene" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "jog" | "production";
 
 export interface OpenWindow {
