@@ -96,7 +96,9 @@ void pose_on_surface(const Call& call) {
   const auto frame = surface_frame(place_of(call, scene, "origin"), place_of(call, scene, "along"),
                                    place_of(call, scene, "beside"));
   if (!frame)
-    fail(bad_parameters, "the three locations are no surface: they lie on a line, or two are at one place");
+    fail(Refusal::Why::wrong,
+         "the three locations are no surface: they lie on a line, or two are at one place",
+         "teach the second 5 mm away or more, and the third beside their line");
   call.result({{"pose", scene.figures(*frame)}});
 }
 

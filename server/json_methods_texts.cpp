@@ -105,7 +105,7 @@ void tell_story(const Call& call) {
                                       &context = call.context()](const Workshop::Stop& stop) {
     static const operations::Skills none;
     const auto cell = context.desk.cell();
-    const std::map<std::string, std::string> files = members.files();
+    std::map<std::string, std::string> files = members.files();
     return told_as_story(RequestFiles(files, context.store), main, cell->skills ? *cell->skills : none, stop);
   });
 }
