@@ -154,6 +154,8 @@ try:
     # A late client sees the same, and may stop.
     late = server.client(seen, "viewer", "late")
     assert late.hello["question"]["icon"] == "ask" and late.hello["icons"], late.hello
+    touched = next(each for each in late.hello["icons"] if each["icon"] == "touch")
+    assert touched["reason"] == "The tool touches the surface." and touched["took_s"] > 0, touched
     refused("role", late.call, "operation.answer", icon="ask", answer=0)
     late.call("operation.pause")
     assert cell.until(event="pausing")["by"] == "late"
