@@ -13,7 +13,7 @@ import re
 import sys
 from pathlib import Path
 
-MOST_UNSEEN = 0
+MOST_UNSEEN = 6
 ROW = re.compile(r'^PAL_FINDING\((PAL\d{4}), (\w+), ("(?:[^"\\]|\\.)*"), ("(?:[^"\\]|\\.)*")\)$')
 CODE = re.compile(r"^PAL_DIAGNOSTIC\((PAL\d{4}), (?:error|warning|note), \"[^\"]+\"\)$")
 OWN_TEXT = [(re.compile(r"\breport\(\s*Code::"), "reports a code; name a finding"),
