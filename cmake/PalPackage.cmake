@@ -23,6 +23,9 @@ set(CPACK_DEBIAN_WORKCELL_PACKAGE_SECTION science)
 set(pal_this_version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 # Static libraries and CMake files: building with them needs a compiler, and the pal of the same version.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "pal-tools (= ${pal_this_version}), g++ (>= 4:12) | clang, cmake (>= 3.25), make | ninja-build")
+if(PAL_BUILD_WORKCELL)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libeigen3-dev")  # headers of pal::drivers and pal::sensing
+endif()
 # pal draws with Graphviz; the workcell loads EGL or OSMesa for a picture, and starts ffmpeg and gnuplot.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "pal-development (= ${pal_this_version})")
 set(CPACK_DEBIAN_WORKCELL_PACKAGE_RECOMMENDS "libegl1, libosmesa6")

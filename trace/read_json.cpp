@@ -44,11 +44,11 @@ Integer integer(const ParsedJson& value, const std::string& where) {
   return static_cast<Integer>(wide);
 }
 
-template <class Row, class Read>
-std::vector<Row> read_table(const ParsedJson& root, const char* key, Read read) {
+template <class Row, class List = std::vector<Row>, class Read>
+List read_table(const ParsedJson& root, const char* key, Read read) {
   const ParsedJson& rows = member(root, key, "the file");
   if (!rows.is_array()) fail(key, "expected a list");
-  std::vector<Row> result;
+  List result;
   result.reserve(rows.size());
   for (const ParsedJson& row : rows) {
     result.push_back(read(row, std::string(key) + "[" + std::to_string(result.size()) + "]"));
@@ -159,7 +159,7 @@ Trace from_json(const ParsedJson& root) {
   trace.conditions = read_table<std::string>(root, "conditions", plain_text);
   trace.faults = read_table<std::string>(root, "faults", plain_text);
   if (root.contains("promises")) trace.promises = read_table<std::string>(root, "promises", plain_text);
-  trace.events = read_table<Event>(root, "events", event);
+  trace.events = read_table<Event, Events>(root, "events", event);
   check(trace);
   return trace;
 }

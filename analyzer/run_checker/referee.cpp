@@ -7,7 +7,7 @@ namespace pal::analyzer::run_checker {
 
 constexpr std::size_t events_between_stops = 1'000;
 
-Referee::Referee(const Problem& problem, const Requirement* requirement, const std::vector<Event>& events,
+Referee::Referee(const Problem& problem, const Requirement* requirement, const trace::Events& events,
                  BusyFrom busy_from)
     : problem_(problem),
       events_(events),

@@ -22,7 +22,7 @@ class Broken : public std::runtime_error {
 
 class Referee {
  public:
-  Referee(const Problem& problem, const Requirement* requirement, const std::vector<trace::Event>& events,
+  Referee(const Problem& problem, const Requirement* requirement, const trace::Events& events,
           BusyFrom busy_from);
 
   /// Checks everything up to the end, and on to `until` without a further event; throws Broken. False:
@@ -216,7 +216,7 @@ class Referee {
   const std::string& name(ThreadId thread) const { return thread_of(thread).name; }
 
   const Problem& problem_;
-  const std::vector<Event>& events_;
+  const trace::Events& events_;
   std::vector<std::vector<std::size_t>> events_of_;  // by actor
   std::size_t at_ = 0;                               // the event in question
   std::size_t effects_ = 0;  // before it: what does not follow from something else at its instant

@@ -49,15 +49,19 @@ class EventQueue {
 
   /// The number that names the event.
   std::uint64_t push(Time time, Event::Kind kind, std::int32_t subject) {
-    const Event event{time, ++order_, kind, subject};
-    if (empty() || before(event, next())) {
+    const std::uint64_t order = ++order_;
+    if (empty() || time < next().time) {  // of one instant it would be the last
       if (held_) push_heap(next_);
-      next_ = event;
+      // One by one: copying an event that was just made waits for its parts.
+      next_.time = time;
+      next_.order = order;
+      next_.kind = kind;
+      next_.subject = subject;
       held_ = true;
     } else {
-      push_heap(event);
+      push_heap({time, order, kind, subject});
     }
-    return event.order;
+    return order;
   }
   std::uint64_t push_action(Time time, int device, std::function<void()> action);
 

@@ -127,15 +127,21 @@ void Scheduler::announce(Processor& processor) {
   arrived.clear();
 }
 
-void Scheduler::dispatch() {
-  if (changes_ > 1)
-    std::sort(changed_.begin(), changed_.begin() + static_cast<std::ptrdiff_t>(changes_),
-              [](const Processor* a, const Processor* b) { return a->index < b->index; });
+void Scheduler::dispatch_all() {
+  std::sort(changed_.begin(), changed_.begin() + static_cast<std::ptrdiff_t>(changes_),
+            [](const Processor* a, const Processor* b) { return a->index < b->index; });
   for (std::size_t i = 0; i < changes_; ++i) {
     changed_[i]->changed = false;
     dispatch(*changed_[i]);
   }
   changes_ = 0;
+}
+
+void Scheduler::dispatch() {
+  if (changes_ != 1) return dispatch_all();
+  changes_ = 0;  // the usual case
+  changed_.front()->changed = false;
+  dispatch(*changed_.front());
 }
 
 }  // namespace pal::runtime

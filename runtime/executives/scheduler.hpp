@@ -52,6 +52,7 @@ class Scheduler {
 
  private:
   void dispatch(Processor& processor);
+  [[gnu::noinline]] void dispatch_all();
   void start(Processor& processor, Thread& thread);
   void start_first(Processor& processor);
   void interrupt(Processor& processor);

@@ -30,7 +30,8 @@ class Flow {
   template <class GoOn>
   void settle(GoOn go_on) {
     while (!journal_.over()) {
-      while (going_ > 1) resuming_[waiting_++] = set_going_[--going_];
+      if (going_ > 1) [[unlikely]]
+        put_others_back();
       if (going_ == 0 && waiting_ == 0) return;
       Thread& thread = going_ > 0 ? *set_going_[--going_] : *resuming_[--waiting_];
       thread.control.resuming = false;
@@ -39,6 +40,11 @@ class Flow {
   }
 
  private:
+  /// All that were set going but the first wait, the second one the last of them.
+  [[gnu::noinline]] void put_others_back() {
+    while (going_ > 1) resuming_[waiting_++] = set_going_[--going_];
+  }
+
   Executive& executive_;
   Journal& journal_;
   Skill& skill_;

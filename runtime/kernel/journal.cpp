@@ -13,8 +13,9 @@ Journal::Journal(const Clock& clock, const Skill& skill, const RunOptions& optio
       skill_(skill),
       recorder_(skill.wiring(), options.trace, options.trace_capacity, options.spool),
       live_(options.live),
-      kept_(options.trace != TraceMode::none || live_ != nullptr ? EventRoutes::all_kinds : 0),
-      wanted_(kept_) {}
+      kept_(options.trace != TraceMode::none ? EventRoutes::all_kinds : 0) {
+  routes_changed();
+}
 
 void Journal::overrun(int device, int channel) {
   ++outcome_.overruns;

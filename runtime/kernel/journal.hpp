@@ -57,7 +57,10 @@ class Journal {
     routes_changed();
   }
   /// The routes may want other kinds than before.
-  void routes_changed() { wanted_ = kept_ | routes_->kinds(); }
+  void routes_changed() {
+    shown_ = routes_->kinds() | (live_ != nullptr && !over_ ? EventRoutes::all_kinds : 0);
+    wanted_ = kept_ | shown_;
+  }
   /// A promise that was broken, in words; they are numbered from 0.
   void name_promise(const std::string& promise) { recorder_.add_promise(promise); }
   /// Actor, statement and channel may be -1.
@@ -85,7 +88,11 @@ class Journal {
   Outcome take();
 
  private:
-  const trace::Event& write(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+  void write(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+    keep(kind, actor, statement, subject, value);
+    if (live_ != nullptr) live_->put({clock_.now.count(), kind, actor, statement, subject, value});
+  }
+  void keep(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
     trace::Event& event = recorder_.next();
     event.time_ns = clock_.now.count();
     event.kind = kind;
@@ -93,14 +100,25 @@ class Journal {
     event.statement = statement;
     event.subject = subject;
     event.value = value;
-    if (live_ != nullptr) live_->put(event);
-    return event;
   }
   /// Whether anybody wants events of the kind.
   bool is_wanted(trace::Kind kind) const { return (wanted_ & EventRoutes::bit(kind)) != 0; }
-  // Apart from what records, which stays small where nothing is recorded.
+  // Apart from what records, which stays small where nothing is recorded. What is seldom, or costs much
+  // anyway, comes last and in functions of its own: the rest needs no stack.
   [[gnu::noinline]] void add(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
-    if (kept_ != 0) write(kind, actor, statement, subject, value);
+    if (kept_ != 0) {
+      if (!recorder_.has_room()) return add_with_room(kind, actor, statement, subject, value);
+      keep(kind, actor, statement, subject, value);
+    }
+    if ((shown_ & EventRoutes::bit(kind)) != 0) show(kind, actor, statement, subject, value);
+  }
+  [[gnu::noinline]] void add_with_room(trace::Kind kind, int actor, int statement, int subject,
+                                       std::int32_t value) {
+    recorder_.make_room();
+    add(kind, actor, statement, subject, value);
+  }
+  [[gnu::noinline]] void show(trace::Kind kind, int actor, int statement, int subject, std::int32_t value) {
+    if (live_ != nullptr) live_->put({clock_.now.count(), kind, actor, statement, subject, value});
     if ((routes_->kinds() & EventRoutes::bit(kind)) == 0) return;
     const auto meters = routes_->of(kind, actor, statement, subject);
     if (!meters.empty() || routes_->wants_everything())
@@ -118,11 +136,12 @@ class Journal {
   const Skill& skill_;
   Recorder recorder_;
   TraceRing* live_;
-  std::uint32_t kept_;  // the kinds that go to the trace, or to somebody who follows the run
+  std::uint32_t kept_;  // the kinds that go to the trace
   EventWatcher* watcher_ = nullptr;
   const EventRoutes* routes_ = &EventRoutes::none();
   Outcome outcome_;
-  std::uint32_t wanted_;  // the kinds that are kept, or that the routes want
+  std::uint32_t shown_ = 0;   // the kinds that the routes want, or somebody who follows the run
+  std::uint32_t wanted_ = 0;  // these, and those that are kept
   bool over_ = false;
 };
 

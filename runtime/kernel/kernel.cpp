@@ -10,7 +10,7 @@ Kernel::Kernel(const Clock& clock, Executive& the_executive, Journal& the_journa
                const std::vector<Connection>& connections, const RunOptions& options)
     : executive(the_executive),
       journal(the_journal),
-      promises(clock, journal, skill, options.on_broken_promise, options.margins),
+      promises(clock, journal, skill, options),
       flow(executive, journal, skill),
       mail(executive, journal, flow, devices, promises, skill.wiring()),
       blocks(executive, journal, flow, mail, threads_),

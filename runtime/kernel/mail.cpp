@@ -117,9 +117,9 @@ void Mail::stop_waiting(Thread& thread) {
 void Mail::claim(WaitOperation& wait, int target) {
   Thread& thread = wait.thread();
   wait.chosen = target;
-  Slot& slot = at(wait.targets()[static_cast<std::size_t>(target)].channel);
-  slot.claimed = &thread;
-  thread.control.claimed = index(slot);
+  const int channel = wait.targets()[static_cast<std::size_t>(target)].channel;
+  at(channel).claimed = &thread;
+  thread.control.claimed = channel;
   stop_waiting(thread);
   executive_.need_processor(thread, wiring_.statements[static_cast<std::size_t>(wait.statement())].cost);
 }
@@ -221,7 +221,7 @@ void Mail::put_done(SendOperation& send) {
   journal_.record(Kind::put, thread, send.channel(), in_trace(slot.serial));
   journal_.record(Kind::done, thread);
   flow_.proceed(thread);
-  set_out(slot, thread);
+  set_out(slot, send.channel(), thread);
 }
 
 void Mail::fill(Slot& slot, std::span<const double> fields) {
@@ -234,8 +234,7 @@ void Mail::fill(Slot& slot, std::span<const double> fields) {
 }
 
 /// What was put goes on its way.
-void Mail::set_out(Slot& slot, const Thread& sender) {
-  const int channel = index(slot);
+void Mail::set_out(Slot& slot, int channel, const Thread& sender) {
   if (slot.spec->request) ask(slot, &sender);
   if (slot.spec->to_device) {
     if (!parties_[static_cast<std::size_t>(slot.device)].sends_events) devices_.open(slot.device);

@@ -93,7 +93,7 @@ class Mail {
   void look(WaitOperation& wait);
   void claim(WaitOperation& wait, int target);
   void give_up(WaitOperation& wait);
-  void set_out(Slot& slot, const Thread& sender);
+  void set_out(Slot& slot, int channel, const Thread& sender);
   void stop_waiting(Thread& thread);
   void stop_sending(Slot& slot, Thread& thread);
   void release(Slot& slot, const Thread& thread);

@@ -16,17 +16,24 @@ BrokenPromise::Unit unit_of(const RequirementSpec& requirement) {
 
 // The promises of a device.
 constexpr std::size_t not_later = 0, not_sooner = 1, once = 2, promises_of_a_device = 3;
+
+DeviceTimes with_tolerance(DeviceTimes times, Time tolerance) {
+  times.jitter += tolerance;
+  times.answer.best = std::max(Time::zero(), times.answer.best - tolerance);
+  times.answer.worst += tolerance;
+  return times;
+}
 }  // namespace
 
-Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy,
-                   Margins* margins)
+Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, const RunOptions& options)
     : clock_(clock),
       journal_(journal),
       skill_(skill),
       wiring_(skill.wiring()),
-      policy_(policy),
-      requirements_(wiring_, journal.tables(), margins) {
-  for (const DeviceTimes& times : wiring_.times) devices_.emplace_back(times);
+      policy_(options.on_broken_promise),
+      requirements_(wiring_, journal.tables(), options.margins) {
+  const Time tolerance = options.real_time ? options.real_time->tolerance : Time::zero();
+  for (const DeviceTimes& times : wiring_.times) devices_.emplace_back(with_tolerance(times, tolerance));
   rows_.resize(row_of_requirement(wiring_.requirements.size()));
   late_devices_.reserve(devices_.size());
   if (requirements_.any()) journal.watch(this, &requirements_.routes());

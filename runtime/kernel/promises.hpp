@@ -22,7 +22,7 @@ namespace pal::runtime {
 class Promises final : public EventWatcher {
  public:
   /// All outlive the promises. `connections`: as many as the run has devices.
-  Promises(const Clock& clock, Journal& journal, Skill& skill, OnBrokenPromise policy, Margins* margins);
+  Promises(const Clock& clock, Journal& journal, Skill& skill, const RunOptions& options);
 
   // What devices do.
   void opened(int device) {

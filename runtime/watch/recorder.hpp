@@ -25,13 +25,12 @@ class Recorder {
   /// The place of the next event, valid until the next call. Fill in all its members, one by one. (Copying an
   /// event that was just made takes longer, because the copy waits for its parts.)
   trace::Event& next() {
-    if (next_ != end_) return *next_++;
-    if (mode_ == TraceMode::all) {
-      if (spool_ != nullptr && trace_.events.size() == capacity_) hand_on();
-      return trace_.events.emplace_back();
-    }
-    return mode_ == TraceMode::none ? unkept_ : next_of_last();
+    if (!has_room()) make_room();
+    return *next_++;
   }
+  bool has_room() const { return next_ != end_; }
+  /// For one event or more.
+  void make_room();
   /// Indices of the text, for the events that name it.
   std::int32_t add_promise(const std::string& promise) {
     trace_.promises.push_back(promise);
@@ -48,22 +47,11 @@ class Recorder {
   trace::Trace take();
 
  private:
-  void hand_on() noexcept {
-    spool_->append(trace_.events.data(), trace_.events.size());
-    trace_.events.clear();
-  }
-  trace::Event& next_of_last() {
-    if (trace_.events.size() < capacity_) return trace_.events.emplace_back();
-    next_ = trace_.events.data();  // the oldest one
-    end_ = next_ + capacity_;
-    return *next_++;
-  }
-
   TraceMode mode_;
-  trace::EventSpool* spool_;
+  trace::EventSpool* spool_;  // null: none
   std::size_t capacity_;
-  // Of the last ones, once there are as many as are kept: the oldest, and the end of them all.
-  trace::Event *next_ = nullptr, *end_ = nullptr;
+  trace::Event *next_ = nullptr, *end_ = nullptr;  // the room
+  bool has_all_ = false;  // of the last ones: as many as are kept; the oldest is at next_
   trace::Event unkept_;
   trace::Trace trace_;
 };

@@ -297,6 +297,12 @@ inline bool RequirementWatch::see_usual(Watched& watched, const trace::Event& ev
       response->meter.take(event);
       return true;
     }
+    trace::ResponseMeter::Birth cause;
+    if (event.kind == Kind::done && response->meter.answer_oldest(event, cause)) {
+      check(watched, trace::Occurrence{cause.time_ns, event.time_ns, event.actor, event.statement},
+            cause.time_ns <= response->noted_ns);
+      return true;
+    }
   } else if (auto* interval = std::get_if<trace::IntervalMeter>(&watched.meter)) {
     check(watched, interval->see(event));
     return true;

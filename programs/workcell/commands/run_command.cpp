@@ -26,6 +26,9 @@
 namespace pal::workcell {
 namespace {
 
+/// As skills_pal/workcell_real_time.pal declares; all skills hold their requirements there.
+constexpr auto tolerance_in_real_time = std::chrono::milliseconds(1);
+
 const KnownSkill& find_skill(const std::string& wanted, const std::vector<KnownSkill>& skills) {
   std::vector<std::string> names;
   for (const KnownSkill& known : skills) {
@@ -232,7 +235,11 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   session.on_broken_promise = policy_named(command.on_broken_promise);
   const auto live = live_trace(command, skill.wiring());
   if (live) session.live = &live->ring();
-  if (command.real_time) session.real_time.emplace().hang_status = static_cast<int>(ExitStatus::hung);
+  if (command.real_time) {
+    runtime::RealTime& real_time = session.real_time.emplace();
+    real_time.hang_status = static_cast<int>(ExitStatus::hung);
+    real_time.tolerance = tolerance_in_real_time;
+  }
   try {
     SessionResult result = run_session(skill, session);
     if (live && !live->end(result.outcome))
@@ -291,7 +298,9 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
                        *threshold);
   if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
   std::vector<Promise> proved;
-  if (command.proof) proved = promises(known, outcome, result.events.get());
+  if (command.proof)
+    proved = promises(known, outcome, result.events.get(),
+                      session.real_time ? session.real_time->tolerance : Duration());
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 

@@ -1,8 +1,10 @@
 #include "programs/workcell/session/promise.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <utility>
+#include <variant>
 
 #include "programs/pal/reports/proof_chart.hpp"
 #include "programs/pal/session/memory.hpp"
@@ -25,10 +27,22 @@ trace::Trace around(const trace::Trace& tables, const trace::EventSpool& events,
   return part;
 }
 
+/// As RealTime::tolerance widens what a run is watched with. PAL has no word for frames that are late.
+void widen(pan::Environment& environment, Duration tolerance) {
+  for (pan::DeviceTiming& device : environment.devices) {
+    if (auto* events = std::get_if<pan::EventDevice>(&device.behaviour)) {
+      events->jitter += tolerance;
+    } else if (auto* served = std::get_if<pan::RequestDevice>(&device.behaviour)) {
+      served->answer.best = std::max(Duration::zero(), served->answer.best - tolerance);
+      served->answer.worst += tolerance;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
-                              const trace::EventSpool* events) {
+                              const trace::EventSpool* events, Duration tolerance) {
   const trace::Trace& run = outcome.trace;
   std::vector<Promise> result;
   if (skill.pal_file.empty()) return result;
@@ -40,6 +54,7 @@ std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& o
   selection.skill = skill.name;
   const program::Console console{out, err, *skill.texts};
   const bool chosen = program::read(selection, console, session);
+  for (pan::Environment& environment : session.specification.environments) widen(environment, tolerance);
   std::vector<program::Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = program::prove(session, {});
   program::give_back_memory();

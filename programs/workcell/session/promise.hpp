@@ -32,8 +32,9 @@ struct Promise {
 };
 
 /// Proves the skill from the PAL that it was generated from, and lays the run beside it. Throws Failure if
-/// this pal finds the PAL wrong. A skill that names no PAL has no promises.
+/// this pal finds the PAL wrong. A skill that names no PAL has no promises. What is proved holds with devices
+/// whose answers come sooner or later by `tolerance`, and whose events have so much more jitter.
 std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
-                              const trace::EventSpool* events = nullptr);
+                              const trace::EventSpool* events = nullptr, Duration tolerance = {});
 
 }  // namespace pal::workcell

@@ -60,7 +60,7 @@ sim::PeakHistory distances(const sim::MessageLog& messages) {
 /// Gives the trace its events: all of them, or of a long run the last ones.
 void take_events(SessionResult& result, std::shared_ptr<trace::EventSpool> spool) {
   const std::size_t count = spool->size();
-  std::vector<trace::Event>& events = result.outcome.trace.events;
+  trace::Events& events = result.outcome.trace.events;
   events.reserve(std::min(count, most_events));
   spool->for_each([&events](const trace::Event& event) { events.push_back(event); },
                   count - std::min(count, most_events));

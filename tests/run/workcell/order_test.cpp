@@ -112,7 +112,7 @@ TEST_CASE("events that go to the disk are those of the run") {
   };
   trace::EventSpool spool;
   CHECK(run(&spool).empty());
-  std::vector<trace::Event> events;
+  trace::Events events;
   spool.for_each([&events](const trace::Event& event) { events.push_back(event); });
   CHECK(events.size() > 1000);
   CHECK(events == run(nullptr));

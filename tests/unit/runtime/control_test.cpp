@@ -108,7 +108,7 @@ TEST_CASE("a stop at every instant of a run, during every statement of every kin
     CHECK(outcome.duration == instant);
     CHECK(each.sensor.closed == 1);
     // What happened before is what happens without a stop.
-    std::vector<trace::Event> before = outcome.trace.events;
+    trace::Events before = outcome.trace.events;
     std::erase_if(before, [&](const trace::Event& event) { return Time(event.time_ns) >= instant; });
     CHECK(std::equal(before.begin(), before.end(), complete.trace.events.begin()));
     ++stopped;

@@ -19,8 +19,8 @@ trace::Event event(std::int64_t number) {
   return {number, trace::Kind::put, 0, 0, 0, 0};
 }
 
-std::vector<trace::Event> all_of(TraceRing& ring) {
-  std::vector<trace::Event> result(ring.capacity());
+trace::Events all_of(TraceRing& ring) {
+  trace::Events result(ring.capacity());
   result.resize(ring.take(result));
   return result;
 }
@@ -59,7 +59,7 @@ TEST_CASE("a ring keeps the order; events that find it full are dropped and coun
   REQUIRE(ring.take(room) == 3);
   CHECK(room[2] == event(2));
   ring.put(event(6));
-  CHECK(all_of(ring) == std::vector{event(3), event(6)});
+  CHECK(all_of(ring) == trace::Events{event(3), event(6)});
   CHECK(all_of(ring).empty());
 }
 
@@ -71,6 +71,30 @@ TEST_CASE("an observer gets the events of the trace, also if the run keeps none"
     CHECK(outcome.code == 0);
     CHECK(ring.dropped() == 0);
     CHECK(all_of(ring) == run(expected.skill).trace.events);
+  }
+}
+
+TEST_CASE("a trace that outgrows its room many times is whole; its end and its file have the same events") {
+  const auto traced = [](runtime::RunOptions options) {
+    Talk talk(10'000);
+    const auto outcome = run(talk.skill, {}, options);
+    CHECK(outcome.code == 0);
+    return outcome.trace.events;
+  };
+  TraceRing ring(1U << 18U);
+  const trace::Events all = traced({.trace_capacity = 1, .live = &ring});
+  REQUIRE(all.size() > 100'000);
+  CHECK(ring.dropped() == 0);
+  CHECK((all == all_of(ring)));  // not printed: there are too many
+  for (const std::size_t capacity : {4095U, 4096U, 5000U, 70'000U}) {
+    const trace::Events last = traced({.trace = TraceMode::last, .trace_capacity = capacity});
+    REQUIRE(last.size() == capacity);
+    CHECK(std::equal(last.begin(), last.end(), all.end() - static_cast<std::ptrdiff_t>(capacity)));
+    trace::EventSpool spool;
+    CHECK(traced({.trace_capacity = capacity, .spool = &spool}).empty());
+    trace::Events spooled;
+    spool.for_each([&spooled](const trace::Event& event) { spooled.push_back(event); });
+    CHECK((spooled == all));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <semaphore>
 #include <thread>
+#include <utility>
 
 #include "pal/runtime/measurement.hpp"
 #include "pal/runtime/run_control.hpp"
@@ -477,6 +478,41 @@ TEST_CASE("real time: a request reaches an idle device at the instant at which i
   CHECK(put.size() == 50);
   CHECK(handed.at == put);
   if (says_when_busy) CHECK(taken == put);
+}
+
+TEST_CASE("real time: what the tolerance allows a device is no broken promise") {
+  using Behaviour = runtime::DeviceTimes::Behaviour;
+  const auto broken = [](runtime::Time tolerance) {
+    WrittenSkill skill;
+    const int p = skill.processor("P");
+    skill.devices = {"sensor"};
+    skill.times = {{.behaviour = Behaviour::on_request, .answer = {15ms, 16ms}}};
+    const int request = skill.channel("A", "request x", "sensor");
+    skill.channels.back().to_device = true;
+    const int x = skill.channel("sensor", "x", "A");
+    skill.channels.back().from_device = true;
+    skill.channels.front().answer = x;
+    const int send = skill.statement("send", 1s), receive = skill.statement("receive", 1s);
+    skill.thread("A", p, 1, [=](Thread& t) -> Task {
+      for (int i = 0; i < 2; ++i) {
+        co_await t.send(send, request);
+        co_await t.wait(receive, from(x));
+      }
+      co_await t.complete(send, 0);
+    });
+    ScriptedDevice device = sensor();
+    bool late = false;
+    device.on_receive = [&](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+      host.at(host.now() + (std::exchange(late, true) ? 30ms : 1us), [&host] { host.deliver(1, {}); });
+    };
+    auto options = real_time();
+    options.real_time->tolerance = tolerance;
+    const auto outcome = run(skill, {&device}, options);
+    CHECK(outcome.code == 0);
+    return outcome.broken_promises.size();
+  };
+  CHECK(broken(0ms) == 2);  // one sooner, one later
+  CHECK(broken(30s) == 0);
 }
 
 TEST_CASE("real time: an activity that waits holds its processor, and is late") {

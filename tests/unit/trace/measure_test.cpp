@@ -9,7 +9,7 @@ namespace pal::trace {
 namespace {
 
 /// A thread that hears a bell, asks a meter, and rings back when it has the answer.
-Trace asking(std::vector<Event> events) {
+Trace asking(Events events) {
   Trace trace;
   trace.actors = {{"A", false, "P0", 1}, {"bell", true, "", 0}, {"meter", true, "", 0}};
   trace.statements = {{"A", "TXM( back to bell )", "asking.pal", 9}};
@@ -24,15 +24,15 @@ constexpr std::int32_t request = 1;
 constexpr std::int32_t value = 2;
 
 /// Two rings and a request for each; the second waits in its slot until the meter is done with the first.
-const std::vector<Event> two_requests = {
+const Events two_requests = {
     {0, Kind::put, 1, -1, ring, 1},  {1, Kind::take, 0, -1, ring, 1},     {2, Kind::put, 0, -1, request, 1},
     {2, Kind::busy, 2, -1, -1, 0},   {2, Kind::take, 2, -1, request, 1},  {5, Kind::put, 1, -1, ring, 2},
     {6, Kind::take, 0, -1, ring, 2}, {7, Kind::put, 0, -1, request, 2},   {10, Kind::idle, 2, -1, -1, 0},
     {10, Kind::busy, 2, -1, -1, 0},  {10, Kind::take, 2, -1, request, 2},
 };
 
-Responses responses_after(std::vector<Event> rest) {
-  std::vector<Event> events = two_requests;
+Responses responses_after(Events rest) {
+  Events events = two_requests;
   events.insert(events.end(), rest.begin(), rest.end());
   return responses(asking(std::move(events)), "bell", "ring", {{"A", "TXM( back to bell )", 9}});
 }
@@ -63,7 +63,7 @@ TEST_CASE("a request whose answer is lost or discarded is answered") {
 }
 
 /// The age of the meter's value at the thread's statement, as the events show it.
-std::int64_t age_of_value(const std::vector<Event>& events) {
+std::int64_t age_of_value(const Events& events) {
   const Trace tables = asking({});
   Marks channels(tables.channels.size()), at(tables.statements.size());
   channels[value] = at[0] = true;

@@ -6,7 +6,7 @@
 namespace pal::trace {
 namespace {
 
-Trace two_actors(std::vector<Event> events) {
+Trace two_actors(Events events) {
   Trace trace;
   trace.actors = {{"SM1", false, "P0", 1}, {"force-torque", true, "", 0}};
   trace.statements = {{"SM1", "WTM( Zforce from LS1 )", "touch.pal", 3}, {"SM1", "advance", "touch.pal", 4}};

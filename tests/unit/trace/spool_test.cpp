@@ -35,10 +35,9 @@ TEST_CASE("a spool gives back what it was given, from any place on") {
   spool.append(trace.events.data() + 5, trace.events.size() - 5);
   CHECK(spool.size() == trace.events.size());
   for (const std::size_t from : {std::size_t{0}, std::size_t{2048}, std::size_t{8999}, std::size_t{9000}}) {
-    std::vector<Event> back;
+    Events back;
     spool.for_each([&back](const Event& event) { back.push_back(event); }, from);
-    CHECK(back ==
-          std::vector<Event>(trace.events.begin() + static_cast<std::ptrdiff_t>(from), trace.events.end()));
+    CHECK(back == Events(trace.events.begin() + static_cast<std::ptrdiff_t>(from), trace.events.end()));
   }
   // Reading does not end writing.
   spool.append(trace.events.front());

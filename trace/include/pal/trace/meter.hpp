@@ -56,6 +56,12 @@ class IntervalMeter {
 /// Responses to the messages that are put into `channels`, at the effects of the statements of `at`.
 class ResponseMeter {
  public:
+  /// A message that awaits its response.
+  struct Birth {
+    std::int64_t number = 0;  // from 1 on; 0: none
+    std::int64_t time_ns = 0;
+  };
+
   ResponseMeter(const Trace& tables, Marks channels, Marks at);
 
   struct Reading {
@@ -99,14 +105,19 @@ class ResponseMeter {
       by.carried = taken.on_message;
     }
   }
+  /// The usual answer, to the message that awaits it for longest and counts; the same holds of its actor.
+  /// True: it is `cause`, and awaits nothing any more. False: nothing was done.
+  [[gnu::always_inline]] bool answer_oldest(const Event& event, Birth& cause) {
+    cause = actor(event).carried;
+    if (awaiting_.empty() || awaiting_.front().number != cause.number || cause.number < counts_from_ ||
+        !has_effect_at(event, at_))
+      return false;
+    forget_oldest();
+    return true;
+  }
   /// Whether the event puts a message that counts.
   bool counts(const Event& event) const { return is_source(event) && counts_from_ != none_counts; }
 
-  /// A message that awaits its response.
-  struct Birth {
-    std::int64_t number = 0;  // from 1 on; 0: none
-    std::int64_t time_ns = 0;
-  };
   /// The oldest after number `after` that counts; null: none.
   const Birth* awaiting(std::int64_t after) const;
 
@@ -125,12 +136,15 @@ class ResponseMeter {
     if (awaiting_.front().number != cause.number || cause.number < counts_from_) return answer_later(event);
     Reading reading;
     reading.answered = Occurrence{cause.time_ns, event.time_ns, event.actor, event.statement};
+    forget_oldest();
+    return reading;
+  }
+  void forget_oldest() {
     if (awaiting_.size() == 1) {
       awaiting_.pop_back();
     } else {
       awaiting_.erase(awaiting_.begin());
     }
-    return reading;
   }
   Reading answer_later(const Event& event);
   bool is_awaiting(const Birth& birth) const {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "pal/trace/large_pages.hpp"
+
 namespace pal::trace {
 
 enum class Kind : std::uint8_t {
@@ -53,6 +55,9 @@ struct Event {
   friend bool operator==(const Event&, const Event&) = default;
 };
 
+/// A long run has millions of them.
+using Events = std::vector<Event, LargePages<Event>>;
+
 /// A thread, or a device.
 struct Actor {
   std::string name;
@@ -86,7 +91,7 @@ struct Trace {
   std::vector<std::string> conditions;
   std::vector<std::string> faults;
   std::vector<std::string> promises;  // those that were broken, in words; a file without it has none
-  std::vector<Event> events;          // in order of time; events at one instant in order of cause
+  Events events;                      // in order of time; events at one instant in order of cause
 };
 
 /// Writes the JSON form. The same trace gives the same bytes.
