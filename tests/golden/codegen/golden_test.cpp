@@ -188,7 +188,7 @@ TEST_CASE("an environment that lacks something gives findings and no code") {
   SECTION("a place on no processor") {
     std::erase_if(environment.processors, [](const auto& processor) { return processor.name == "P2"; });
     code = "PAL0713";
-    message = "environment workcell has no processor P2";
+    message = "there is no processor 'P2' in this environment";
   }
   SECTION("an activity without a time") {
     std::erase_if(environment.activities, [](const auto& time) { return time.activity == "hold"; });
