@@ -4,7 +4,7 @@
 
 #include "codegen/file_names.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::codegen {
 
@@ -156,10 +156,8 @@ class BodyPlanner {
       if (found == nullptr || found->module.empty()) found = &time;
     }
     if (found != nullptr) return found->time;
-    diagnostics_.report(Code::PAL0725, environment_.where,
-                        "environment " + environment_.name + " does not say how long " + activity.name +
-                            " of " + planned_.pal_name + " takes",
-                        "add TIME " + activity.name + " OF " + planned_.pal_name + " : … to the environment");
+    diagnostics_.report(Finding::activity_without_time, environment_.where, environment_.name, activity.name,
+                        planned_.pal_name);
     return {};
   }
 

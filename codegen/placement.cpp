@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pal/pan/threads.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::codegen {
 
@@ -24,19 +24,14 @@ void place_threads(const pan::Environment& environment, Diagnostics& diagnostics
   for (PlannedThread& thread : threads) {
     const pan::Placement* place = place_of(environment, threads, thread);
     if (place == nullptr) {
-      diagnostics.report(
-          Code::PAL0721, environment.where,
-          "environment " + environment.name + " does not say where " + thread.pal_name + " runs",
-          "add PLACE " + thread.pal_name + " ON … to the environment");
+      diagnostics.report(Finding::thread_not_placed, environment.where, environment.name, thread.pal_name);
       continue;
     }
     const auto processor =
         std::find_if(environment.processors.begin(), environment.processors.end(),
                      [&](const pan::Processor& candidate) { return candidate.name == place->processor; });
     if (processor == environment.processors.end()) {
-      diagnostics.report(Code::PAL0713, place->where,
-                         "environment " + environment.name + " has no processor " + place->processor,
-                         "add PROCESSOR " + place->processor + " to the environment");
+      diagnostics.report(Finding::unknown_processor, place->where, place->processor);
       continue;
     }
     thread.processor = static_cast<std::size_t>(processor - environment.processors.begin());

@@ -13,7 +13,7 @@
 #include "codegen/runners.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/threads.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::codegen {
 
@@ -153,9 +153,7 @@ class Planner {
   bool threads() {
     const std::vector<pan::SkillThread> found = pan::threads_of(network_, most_threads);
     if (found.size() > most_threads) {
-      diagnostics_.report(Code::PAL0730, network_.skill.where,
-                          "skill " + network_.skill.name + " has more threads than can be generated",
-                          "execute modules that have a CONCURRENT in fewer blocks");
+      diagnostics_.report(Finding::too_many_threads, network_.skill.where, network_.skill.name);
       return false;
     }
     std::vector<std::size_t> order(found.size());

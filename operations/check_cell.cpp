@@ -1,5 +1,4 @@
 // An operation against what is known of a cell: its sensors, the figures that its skills report, its skills.
-#include <fmt/format.h>
 
 #include "operations/check.hpp"
 #include "operations/check_codes.hpp"
@@ -9,7 +8,7 @@
 #include "operations/cure.hpp"
 #include "operations/graph.hpp"
 #include "operations/suggestion.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
@@ -24,12 +23,12 @@ class KnownNames {
     }
   }
   /// The sensor or figure; null, with a finding, if there is none.
-  const Sensor* find(const std::string& name, SourceSpan where, Code code, const std::string& missing) {
+  const Sensor* find(const std::string& name, SourceSpan where, FindingWith<2> missing) {
     const auto found = known_.find(name);
     if (found != known_.end()) return &found->second;
     const auto near = suggestions_.nearest_to(name, names_);
-    auto& finding = diagnostics_.report(
-        code, where, missing, did_you_mean(near, list_.empty() ? std::string("there is none") : list_));
+    auto& finding = diagnostics_.report(missing, where, name, list_.empty() ? "there is none" : list_);
+    finding.suggest(near);
     // A figure's name stands within the value that the place is of.
     if (where.end - where.begin == name.size() + 2) finding.fix = renamed(where, near);
     return nullptr;
@@ -68,12 +67,11 @@ class ReadingChecks {
 
  private:
   const Sensor* sensor(const std::string& name, SourceSpan where) {
-    return sensors_->find(name, where, Code::PAL1017, fmt::format("the cell has no sensor '{}'", name));
+    return sensors_->find(name, where, Finding::no_such_sensor);
   }
   const Sensor* figure(const Amount& amount) {
     if (!figures_ || amount.source.kind != Source::Kind::output) return nullptr;
-    return figures_->find(amount.source.name, amount.where, Code::PAL1020,
-                          fmt::format("no skill of the cell reports '{}'", amount.source.name));
+    return figures_->find(amount.source.name, amount.where, Finding::no_such_figure);
   }
   /// What is compared with a sensor has its unit.
   void compare(const Operation& operation, const Amount& amount, const Sensor* read) {
@@ -86,10 +84,8 @@ class ReadingChecks {
     const auto in_words = [](const std::string& text) {
       return text.empty() ? "a plain number" : "in " + text;
     };
-    diagnostics_.report(
-        Code::PAL1009, amount.where,
-        fmt::format("{} is {}, and the sensor is {}", to_text(amount), in_words(unit), in_words(read->unit)),
-        "compare it with what has its unit");
+    diagnostics_.report(Finding::unit_of_sensor, amount.where, to_text(amount), in_words(unit),
+                        in_words(read->unit));
   }
 
   Diagnostics& diagnostics_;

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "operations/cure.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
@@ -44,20 +44,14 @@ void check_endings(const Graph& graph, Place at, const Icon& icon, const Skills&
     const std::string meaning = completion_text(skills, icon, ending.code);
     if (!way) {
       Diagnostic& finding =
-          diagnostics.report(Code::PAL1006, icon.where,
-                             fmt::format("no icon handles {} of '{}'{}", ending.text(), icon.id, meaning),
-                             "the operation ends there; connect 'error', or put a CASE behind it");
+          diagnostics.report(Finding::code_not_handled, icon.where, ending.text(), icon.id, meaning);
       if (!icon.error.connected()) finding.fix = led_to_exit(graph, at, "error", false);
       continue;
     }
     if (!behind || !icon.error.connected() || !(way->where == icon.error.where)) continue;
     const Icon& branch = graph.icon({at.operation, *behind});
     if (!is_forgotten(icon, branch, ending)) continue;
-    diagnostics
-        .report(Code::PAL1006, branch.where,
-                fmt::format("CASE '{}' has no way for {} of '{}', which goes to 'error'{}", branch.id,
-                            ending.text(), icon.id, meaning),
-                "add a way for it, or a default")
+    diagnostics.report(Finding::code_goes_to_error, branch.where, branch.id, ending.text(), icon.id, meaning)
         .notes.push_back({icon.error.where, "this way it goes"});
   }
 }
@@ -67,18 +61,14 @@ void check_ways(const Graph& graph, Place at, const Icon& icon, const CodeSet& h
   for (const int code : here.list())
     if (!way_of(icon, code))
       diagnostics
-          .report(Code::PAL1006, icon.where,
-                  fmt::format("CASE '{}' has no way for {}, which can come", icon.id,
-                              code == any_code ? "any other code" : fmt::format("code {}", code)),
-                  "the operation ends there; add a way for it, or a default")
+          .report(Finding::case_lacks_code, icon.where, icon.id,
+                  code == any_code ? "any other code" : fmt::format("code {}", code))
           .fix = led_to_exit(graph, at, "default", false);
   if (here.empty() || here.contains(any_code)) return;
   for (const Way& way : icon.ways)
     if (std::none_of(way.codes.begin(), way.codes.end(), [&](int code) { return here.contains(code); }))
-      diagnostics.report(
-          Code::PAL1016, way.where,
-          fmt::format("code {1} never comes to CASE '{0}'", icon.id, fmt::join(way.codes, " or ")),
-          "remove the way, or correct the code");
+      diagnostics.report(Finding::way_never_taken, way.where, fmt::format("{}", fmt::join(way.codes, " or ")),
+                         icon.id);
 }
 
 }  // namespace

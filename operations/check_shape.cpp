@@ -3,14 +3,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "operations/check.hpp"
 #include "operations/check_values.hpp"
 #include "operations/cure.hpp"
 #include "operations/graph.hpp"
 #include "operations/suggestion.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
@@ -29,14 +28,10 @@ class OperationShape {
     for (std::size_t i = 0; i < operation_.icons.size(); ++i) {
       const Icon& icon = operation_.icons[i];
       if (icon.id == on_stop_in_path)
-        diagnostics_.report(Code::PAL1003, icon.where,
-                            fmt::format("no icon can be called '{}'", on_stop_in_path),
-                            "give it another id; in paths this stands for the operation on stop");
+        diagnostics_.report(Finding::reserved_icon_name, icon.where, on_stop_in_path);
       const auto first = graph_.find(index_, icon.id);
       if (*first == i) continue;
-      diagnostics_
-          .report(Code::PAL1003, icon.where, fmt::format("a second icon is called '{}'", icon.id),
-                  "give it another id")
+      diagnostics_.report(Finding::second_icon_of_name, icon.where, icon.id)
           .notes.push_back({operation_.icons[*first].where, "the first is here"});
     }
   }
@@ -64,18 +59,12 @@ class OperationShape {
   void check_start() {
     const auto first = graph_.start(index_);
     if (!first) {
-      diagnostics_
-          .report(Code::PAL1015, operation_.where,
-                  fmt::format("operation '{}' has no START", operation_.name),
-                  R"(add {"id": "start", "kind": "start", "next": …})")
-          .fix = started(graph_, index_);
+      diagnostics_.report(Finding::no_start, operation_.where, operation_.name).fix = started(graph_, index_);
       return;
     }
     for (std::size_t i = *first + 1; i < operation_.icons.size(); ++i)
       if (operation_.icons[i].kind == IconKind::start)
-        diagnostics_.report(Code::PAL1015, operation_.icons[i].where,
-                            fmt::format("operation '{}' has a second START", operation_.name),
-                            "keep one; an operation has one token");
+        diagnostics_.report(Finding::second_start, operation_.icons[i].where, operation_.name);
   }
 
  private:
@@ -91,9 +80,7 @@ class OperationShape {
                         bool needed) {
     if (!connection.connected()) {
       if (!needed) return;
-      Diagnostic& finding = diagnostics_.report(
-          Code::PAL1004, icon.where, fmt::format("the output {} of '{}' leads nowhere", output, icon.id),
-          "connect it; where the operation is to end, to an EXIT");
+      Diagnostic& finding = diagnostics_.report(Finding::output_leads_nowhere, icon.where, output, icon.id);
       const auto at = graph_.find(index_, icon.id);
       if (at && &icon.next == &connection) finding.fix = led_to_exit(graph_, {index_, *at}, "next", true);
       return;
@@ -101,14 +88,11 @@ class OperationShape {
     const auto to = graph_.target(index_, connection);
     if (!to) {
       const auto near = suggestions_.nearest_to(connection.icon, ids());
-      diagnostics_
-          .report(Code::PAL1004, connection.where,
-                  fmt::format("there is no icon '{}' in operation '{}'", connection.icon, operation_.name),
-                  did_you_mean(near, "name an icon of this operation"))
+      diagnostics_.report(Finding::no_such_icon, connection.where, connection.icon, operation_.name)
+          .suggest(near)
           .fix = renamed(connection.where, near);
     } else if (operation_.icons[*to].kind == IconKind::start) {
-      diagnostics_.report(Code::PAL1004, connection.where, "START has no input",
-                          "lead to a RESTART instead, or to the icon behind START");
+      diagnostics_.report(Finding::start_has_no_input, connection.where);
     }
   }
 
@@ -160,9 +144,7 @@ class OperationLines {
     if (!start_) return;
     for (std::size_t i = 0; i < operation_.icons.size(); ++i) {
       if (reached_[i] || operation_.icons[i].kind == IconKind::start) continue;
-      diagnostics_.report(Code::PAL1005, operation_.icons[i].where,
-                          fmt::format("no way leads to '{}'", operation_.icons[i].id),
-                          "connect an output to it, or remove it");
+      diagnostics_.report(Finding::no_way_leads_to_icon, operation_.icons[i].where, operation_.icons[i].id);
     }
   }
 
@@ -177,10 +159,7 @@ class OperationLines {
     if (found.empty()) return;
     // One is enough: every icon of a circle would say the same.
     const std::size_t first = std::min_element(found.begin(), found.end())->front();
-    diagnostics_.report(Code::PAL1013, operation_.icons[first].where,
-                        fmt::format("the token can go round from '{}' to itself while nothing happens",
-                                    operation_.icons[first].id),
-                        "put a skill or a delay into the loop");
+    diagnostics_.report(Finding::empty_loop, operation_.icons[first].where, operation_.icons[first].id);
   }
 
   /// The first icon from which no EXIT can be reached tells where the endless part begins.
@@ -197,9 +176,7 @@ class OperationLines {
     const std::vector<bool> ends = reached(comes_from, exits);
     for (std::size_t i = 0; i < ends.size(); ++i) {
       if (!reached_[i] || ends[i]) continue;
-      diagnostics_.report(Code::PAL1011, operation_.icons[i].where,
-                          fmt::format("from '{}' on there is no EXIT", operation_.icons[i].id),
-                          "this is allowed: a stop must end the operation, or a code that no icon handles");
+      diagnostics_.report(Finding::no_exit, operation_.icons[i].where, operation_.icons[i].id);
       return;
     }
   }
@@ -248,10 +225,8 @@ class Containment {
       if (!sub) {
         report_missing(operation, icon.operation, icon.file, icon.subject);
       } else if (done_[*sub] == 1) {
-        diagnostics_.report(Code::PAL1012, icon.subject,
-                            fmt::format("operation '{}' contains itself, by way of '{}'",
-                                        graph_.program().operations[*sub].name, icon.id),
-                            "make a loop of it: by a connection back, or by RESTART");
+        diagnostics_.report(Finding::operation_contains_itself, icon.subject,
+                            graph_.program().operations[*sub].name, icon.id);
       } else if (done_[*sub] == 0) {
         done_[*sub] = 1;
         walk.push_back({*sub, 0});
@@ -266,12 +241,10 @@ class Containment {
         if (each.from == operation.from) names_.push_back(each.name);
       names_of_ = operation.from;
     }
-    diagnostics_.report(
-        Code::PAL1014, where,
-        name.empty() ? fmt::format("'{}' holds no operation", file)
-                     : fmt::format("there is no operation '{}' in this file", name),
-        did_you_mean(suggestions_.nearest_to(name, names_),
-                     "add it under \"operations\", or name the file that has it with \"file\""));
+    diagnostics_
+        .report(either<Finding::no_operation_in_file, Finding::no_such_operation>(name.empty()), where,
+                name.empty() ? file : name)
+        .suggest(suggestions_.nearest_to(name, names_));
   }
 
   const Graph& graph_;

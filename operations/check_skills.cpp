@@ -7,10 +7,14 @@
 
 #include "operations/check_values.hpp"
 #include "operations/cure.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
 
 std::vector<std::string> names_of(const std::vector<pan::Parameter>& parameters) {
   std::vector<std::string> names;
@@ -56,24 +60,16 @@ void SkillChecks::check_operator(const Icon& icon, const std::string& whose,
                                     [&](const pan::Parameter& one) { return one.name == each.parameter; });
     const auto names = names_of(parameters);
     if (found == parameters.end()) {
-      diagnostics_.report(
-          Code::PAL1008, each.where,
-          fmt::format("{} has no parameter '{}', which an operator may set", whose, each.parameter),
-          did_you_mean(
-              suggestions_.nearest_to(each.parameter, names),
-              names.empty() ? std::string("it has none") : fmt::format("it has {}", fmt::join(names, ", "))));
+      diagnostics_
+          .report(Finding::operator_sets_no_parameter, each.where, whose, each.parameter, listed(names))
+          .suggest(suggestions_.nearest_to(each.parameter, names));
     } else if (const bool number =
                    found->type == pan::ScalarType::real || found->type == pan::ScalarType::integer;
                !number && (each.from || each.to)) {
-      diagnostics_.report(
-          Code::PAL1009, each.where,
-          fmt::format("'{}' is no number, so it has no range for an operator", each.parameter),
-          "write {} for all that the skill allows");
+      diagnostics_.report(Finding::range_of_no_number, each.where, each.parameter);
     } else if (number && ((each.from && *each.from < found->low) || (each.to && *each.to > found->high))) {
-      diagnostics_.report(Code::PAL1009, each.where,
-                          fmt::format("an operator may set '{}' beyond what {} allows: {} to {}",
-                                      each.parameter, whose, found->low, found->high),
-                          "write limits within that range");
+      diagnostics_.report(Finding::operator_beyond_range, each.where, each.parameter, whose,
+                          fmt::to_string(found->low), fmt::to_string(found->high));
     }
   }
 }
@@ -93,16 +89,12 @@ void SkillChecks::check(Place at, const Icon& icon) {
   const auto found = cell_.skills->find(icon.skill);
   if (found == cell_.skills->end()) {
     const auto near = suggestions_.nearest_to(icon.skill, skill_names_);
-    diagnostics_
-        .report(Code::PAL1007, icon.subject, fmt::format("the cell has no skill '{}'", icon.skill),
-                did_you_mean(near, "name a skill of the cell, or give its file with --skills"))
-        .fix = renamed(icon.subject, near);
+    diagnostics_.report(Finding::no_such_skill, icon.subject, icon.skill).suggest(near).fix =
+        renamed(icon.subject, near);
     return;
   }
   if (const auto why = cell_.unable.find(icon.skill); why != cell_.unable.end())
-    diagnostics_.report(Code::PAL1007, icon.subject,
-                        fmt::format("the cell cannot run skill '{}': {}", icon.skill, why->second),
-                        "run it in a cell that can");
+    diagnostics_.report(Finding::cell_cannot_run_skill, icon.subject, icon.skill, why->second);
   const pan::Template& skill = found->second;
   const Operation& operation = graph_.program().operations[at.operation];
   check_operator(icon, fmt::format("skill '{}'", skill.name), skill.parameters);
@@ -121,9 +113,7 @@ void SkillChecks::check_together(const Icon& icon) {
       !std::all_of(icon.parameters.begin(), icon.parameters.end(), written))
     return;
   if (const auto why = cell_.refused_together(icon.skill, icon.parameters))
-    diagnostics_.report(Code::PAL1009, icon.subject,
-                        fmt::format("skill '{}' refuses these values together: {}", icon.skill, *why),
-                        "change one of them");
+    diagnostics_.report(Finding::values_refused, icon.subject, icon.skill, *why);
 }
 
 void SkillChecks::check_arguments(std::size_t operation) {
@@ -139,11 +129,8 @@ bool SkillChecks::check_given(const pan::Template& skill, const Parameter& given
       return check_fit(parameter, given, operation, fmt::format("skill '{}'", skill.name), diagnostics_);
   const auto names = names_of(skill.parameters);
   const auto near = suggestions_.nearest_to(given.name, names);
-  diagnostics_
-      .report(Code::PAL1008, given.name_where,
-              fmt::format("skill '{}' has no parameter '{}'", skill.name, given.name),
-              did_you_mean(near, names.empty() ? std::string("it has none")
-                                               : fmt::format("it has {}", fmt::join(names, ", "))))
+  diagnostics_.report(Finding::no_such_parameter, given.name_where, skill.name, given.name, listed(names))
+      .suggest(near)
       .fix = renamed(given.name_where, near);
   return false;
 }
@@ -161,9 +148,7 @@ void SkillChecks::check_location(const Icon& icon, const pan::Parameter& paramet
 void SkillChecks::check_taught(const std::string& location, SourceSpan where) {
   if (!cell_.locations || cell_.locations->contains(location)) return;
   const auto near = suggestions_.nearest_to(location, location_names_);
-  Diagnostic& finding =
-      diagnostics_.report(Code::PAL1010, where, fmt::format("location '{}' is not taught", location),
-                          did_you_mean(near, "teach it, or name one that is taught"));
+  Diagnostic& finding = diagnostics_.report(Finding::not_taught, where, location).suggest(near);
   // A default has no text of its own at the icon.
   if (where.end - where.begin == location.size() + 2) finding.fix = renamed(where, near);
 }

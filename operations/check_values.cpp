@@ -9,7 +9,7 @@
 
 #include "operations/cure.hpp"
 #include "operations/fields.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
@@ -72,15 +72,12 @@ class ValueChecks {
   }
 
  private:
-  void report_no_icon(const Source& source, SourceSpan where, const char* wanted, const char* way_out) {
+  void report_no_icon(const Source& source, SourceSpan where, FindingWith<2> finding) {
     std::vector<std::string> ids;
     for (const Icon& each : operation_.icons) ids.push_back(each.id);
     auto near = suggestions_.nearest_to(source.icon, ids);
     if (near == source.icon) near.reset();
-    diagnostics_.report(Code::PAL1004, where,
-                        fmt::format("operation '{}' has no {} '{}'{}", operation_.name, wanted, source.icon,
-                                    source.kind == Source::Kind::count ? " to count" : ""),
-                        did_you_mean(near, way_out));
+    diagnostics_.report(finding, where, operation_.name, source.icon).suggest(near);
   }
 
   bool check_source(const Source& source, SourceSpan where) {
@@ -89,12 +86,11 @@ class ValueChecks {
       if (find_argument(operation_, source.name) != nullptr) return true;
       std::vector<std::string> names;
       for (const pan::Parameter& each : operation_.arguments) names.push_back(each.name);
-      diagnostics_.report(
-          Code::PAL1019, where,
-          fmt::format("operation '{}' has no argument '{}'", operation_.name, source.name),
-          did_you_mean(suggestions_.nearest_to(source.name, names),
-                       names.empty() ? std::string("declare it under \"arguments\" of the operation")
-                                     : fmt::format("it has {}", fmt::join(names, ", "))));
+      diagnostics_
+          .report(Finding::argument_not_declared, where, operation_.name, source.name,
+                  names.empty() ? "declare it under \"arguments\" of the operation"
+                                : fmt::format("it has {}", fmt::join(names, ", ")))
+          .suggest(suggestions_.nearest_to(source.name, names));
       return false;
     }
     const auto found = graph_.find(at_.operation, source.icon);
@@ -102,9 +98,7 @@ class ValueChecks {
     const bool counts = source.kind == Source::Kind::count;
     if (kind == IconKind::skill || (counts && (kind == IconKind::sub_operation || kind == IconKind::planned)))
       return true;
-    report_no_icon(source, where, counts ? "skill or sub-operation" : "skill",
-                   counts ? "name an icon of this operation that runs a skill or a sub-operation"
-                          : "name an icon of this operation that runs a skill");
+    report_no_icon(source, where, either<Finding::no_skill_to_count, Finding::no_skill_to_report>(counts));
     return false;
   }
 
@@ -122,11 +116,8 @@ class ValueChecks {
     // What a sensor is compared with has the sensor's unit, which only a cell knows.
     wanted.unit = range.low == any_number.low ? argument.unit : range.unit;
     if (fits(wanted, argument)) return;
-    diagnostics_.report(
-        Code::PAL1009, amount.where,
-        fmt::format("{} cannot be the argument '{}', which is {}", what, argument.name, type_text(argument)),
-        wanted.low == any_number.low ? std::string("name an argument that is a number")
-                                     : fmt::format("name an argument that is {}", type_text(wanted)));
+    diagnostics_.report(Finding::argument_does_not_fit, amount.where, what, argument.name,
+                        type_text(argument), wanted.low == any_number.low ? "a number" : type_text(wanted));
   }
 
   void check_arguments() {
@@ -142,10 +133,10 @@ class ValueChecks {
       for (const pan::Parameter& each : inside.arguments) names.push_back(each.name);
       const auto near = suggestions_.nearest_to(given.name, names);
       diagnostics_
-          .report(Code::PAL1008, given.name_where,
-                  fmt::format("operation '{}' has no argument '{}'", inside.name, given.name),
-                  did_you_mean(near, names.empty() ? "it has none; declare it under its \"arguments\""
-                                                   : fmt::format("it has {}", fmt::join(names, ", "))))
+          .report(Finding::no_such_argument, given.name_where, inside.name, given.name,
+                  names.empty() ? "none; declare it under its \"arguments\""
+                                : fmt::format("{}", fmt::join(names, ", ")))
+          .suggest(near)
           .fix = renamed(given.name_where, near);
     }
   }
@@ -194,12 +185,10 @@ bool check_fit(const pan::Parameter& wanted, const Parameter& given, const Opera
     fit = is_number(wanted);
   }
   if (fit) return true;
-  diagnostics.report(Code::PAL1009, given.where,
-                     fmt::format("'{}' of {} cannot be {}{}", given.name, owner, to_text(given),
-                                 argument == nullptr ? "" : ", which is " + type_text(*argument)),
-                     argument == nullptr
-                         ? fmt::format("write {}", type_text(wanted))
-                         : fmt::format("give the argument no value beyond {}", type_text(wanted)));
+  argument == nullptr ? diagnostics.report(Finding::value_does_not_fit, given.where, given.name, owner,
+                                           to_text(given), type_text(wanted))
+                      : diagnostics.report(Finding::given_argument_does_not_fit, given.where, given.name,
+                                           owner, to_text(given), type_text(*argument), type_text(wanted));
   return false;
 }
 

@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::operations {
@@ -21,8 +20,7 @@ const JsonValue* Fields::find(const std::string& name) {
   for (std::size_t i = 0; i < object_.members.size(); ++i) {
     if (object_.members[i].name != name) continue;
     taken_[i] = true;
-    if (found != nullptr)
-      report(object_.members[i].where, fmt::format("'{}' is given twice", name), "keep one of the two");
+    if (found != nullptr) report(Finding::field_given_twice, object_.members[i].where, name);
     found = &object_.members[i].value;
   }
   return found;
@@ -32,7 +30,7 @@ const JsonValue* Fields::find(const std::string& name, Kind kind, const char* wh
   const JsonValue* value = find(name);
   if (value == nullptr || value->kind == kind) return value;
   refuse(name);
-  report(value->where, fmt::format("'{}' must be {}", name, what), fmt::format("write {} here", what));
+  report(Finding::field_of_another_type, value->where, name, what);
   return nullptr;
 }
 
@@ -61,22 +59,15 @@ bool Fields::refused(const std::string& name) const {
 
 void Fields::missing(const std::string& name) {
   if (refused(name)) return;
-  report(object_.where, fmt::format("the field '{}' is missing or empty", name),
-         fmt::format("add \"{}\"", name));
-}
-
-void Fields::report(SourceSpan where, std::string message, std::string hint) {
-  diagnostics_.report(Code::PAL1002, where, std::move(message), std::move(hint));
+  report(Finding::field_missing, object_.where, name);
 }
 
 void Fields::refuse_the_rest() {
   for (std::size_t i = 0; i < taken_.size(); ++i) {
     if (taken_[i]) continue;
     const JsonMember& member = object_.members[i];
-    const auto near = nearest(member.name, known_);
-    report(member.where, fmt::format("there is no field '{}' here", member.name),
-           near ? fmt::format("did you mean '{}'?", *near)
-                : fmt::format("there can be {}", fmt::join(known_, ", ")));
+    report(Finding::unknown_field, member.where, member.name, fmt::format("{}", fmt::join(known_, ", ")))
+        .suggest(nearest(member.name, known_));
   }
 }
 
@@ -92,9 +83,7 @@ Source read_source(const JsonValue& object, Diagnostics& diagnostics) {
   const std::string reporter = fields.text("output-of"), output = fields.text("name");
   const int given = (counted.empty() ? 0 : 1) + (argument.empty() ? 0 : 1) + (reporter.empty() ? 0 : 1);
   if (given != 1 || output.empty() == !reporter.empty() || object.members.size() > 2) {
-    fields.report(object.where, "this is neither a count, nor an argument, nor an output",
-                  "write {\"count-of\": \"icon\"}, {\"argument\": \"name\"} or {\"output-of\": \"icon\", "
-                  "\"name\": \"figure\"}");
+    fields.report(Finding::no_source, object.where);
     return source;
   }
   if (!counted.empty()) source = {Source::Kind::count, counted, {}};
@@ -111,15 +100,11 @@ std::optional<Amount> amount_of(const JsonValue& value, const std::string& name,
     amount.source = read_source(value, diagnostics);
     if (!amount.source.written()) return amount;
   } else if (value.kind != JsonValue::Kind::number) {
-    fields.report(value.where, fmt::format("'{}' must be a number", name),
-                  "write a number, a count, an argument or an output here");
+    fields.report(Finding::field_not_a_number, value.where, name);
   } else if (!(value.number >= range.low && value.number <= range.high) ||
              (range.whole && std::floor(value.number) != value.number)) {
-    fields.report(
-        value.where,
-        fmt::format("'{}' is {} from {} to {}{}", name, range.what, range.low, range.high, range.unit),
-        fmt::format("write {} from {} to {}", range.whole ? "a whole number" : "a number", range.low,
-                    range.high));
+    fields.report(Finding::number_not_in_range, value.where, name, range.what, fmt::to_string(range.low),
+                  fmt::to_string(range.high), range.unit, range.whole ? "a whole number" : "a number");
   } else {
     return amount;
   }

@@ -4,11 +4,13 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "operations/json_value.hpp"
 #include "operations/model.hpp"
 #include "pal/support/diagnostic.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 
@@ -31,7 +33,11 @@ class Fields {
   void refuse(const std::string& name) { refused_.push_back(name); }
   bool refused(const std::string& name) const;
   void missing(const std::string& name);
-  void report(SourceSpan where, std::string message, std::string hint);
+  template <class... Arguments>
+  Diagnostic& report(std::type_identity_t<FindingWith<sizeof...(Arguments)>> finding, SourceSpan where,
+                     const Arguments&... arguments) {
+    return diagnostics_.report(finding, where, arguments...);
+  }
   /// Once all that can be there has been asked for.
   void refuse_the_rest();
 

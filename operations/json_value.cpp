@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/merge_conflict.hpp"
 
 namespace pal::operations {
@@ -181,8 +181,7 @@ std::optional<JsonValue> parse_json(const SourceManager& sources, FileId file, D
                                 &builder))
     return builder.take();
   if (report_merge_conflict(text, file, diagnostics)) return std::nullopt;
-  diagnostics.report(Code::PAL1001, builder.error_place(), "this is not JSON: " + cause(builder.error()),
-                     "correct what stands here or just before");
+  diagnostics.report(Finding::not_json, builder.error_place(), cause(builder.error()));
   return std::nullopt;
 }
 

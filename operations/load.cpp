@@ -3,7 +3,7 @@
 #include <set>
 
 #include "operations/parse.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
@@ -25,8 +25,7 @@ std::optional<Program> load(const FileSystem& files, SourceManager& sources, con
     auto content = files.read(next.path);
     if (const auto* error = std::get_if<FileError>(&content)) {
       const SourceSpan where = next.where.valid() ? next.where : SourceSpan{sources.add(next.path, {}), 0, 0};
-      diagnostics.report(Code::PAL0111, where, "cannot read '" + next.path + "': " + error->reason,
-                         "check the name and whether the file may be read");
+      diagnostics.report(Finding::operation_cannot_be_read, where, next.path, error->reason);
       continue;
     }
     const FileId file = sources.add(next.path, std::get<std::string>(content));

@@ -1,7 +1,6 @@
 #include "operations/parse.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <utility>
 
 #include "operations/fields.hpp"
@@ -29,9 +28,7 @@ OnStop read_on_stop(Fields& fields, Diagnostics& diagnostics) {
     inside.refuse_the_rest();
     return result;
   }
-  if (result.operation.empty())
-    fields.report(value->where, "'on-stop' names an operation",
-                  "write the name of an operation of this file, or {\"file\": …}");
+  if (result.operation.empty()) fields.report(Finding::on_stop_names_operation, value->where);
   return result;
 }
 
@@ -63,13 +60,13 @@ std::optional<Document> parse(const SourceManager& sources, FileId file, Diagnos
   if (!root) return std::nullopt;
   Fields fields(*root, diagnostics);
   if (root->kind != Kind::object) {
-    fields.report(root->where, "an operation is an object", "write {\"operation-format\": 1, …}");
+    fields.report(Finding::operation_not_object, root->where);
     return std::nullopt;
   }
   if (const JsonValue* format = fields.find("operation-format"); format == nullptr) {
     fields.missing("operation-format");
   } else if (format->kind != Kind::number || format->number != 1) {
-    fields.report(format->where, "this program reads operation-format 1 only", "write 1");
+    fields.report(Finding::unknown_operation_format, format->where);
   }
   Document document;
   document.operations.push_back(read_operation(*root, fields, document.extents, diagnostics));
@@ -77,7 +74,7 @@ std::optional<Document> parse(const SourceManager& sources, FileId file, Diagnos
     for (const JsonValue& each : others->items) {
       Fields sub_fields(each, diagnostics);
       if (each.kind != Kind::object) {
-        sub_fields.report(each.where, "a sub-operation is an object", "write {\"name\": …, \"icons\": […]}");
+        sub_fields.report(Finding::sub_operation_not_object, each.where);
         continue;
       }
       document.operations.push_back(read_operation(each, sub_fields, document.extents, diagnostics));

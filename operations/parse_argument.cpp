@@ -16,8 +16,7 @@ using Kind = JsonValue::Kind;
 std::optional<pan::Parameter> read_argument(const JsonMember& member, Diagnostics& diagnostics) {
   Fields fields(member.value, diagnostics);
   if (member.value.kind != Kind::object) {
-    fields.report(member.value.where, "an argument is an object",
-                  "write {\"default\": 5, \"from\": 1, \"to\": 40, \"unit\": \"N\"}");
+    fields.report(Finding::argument_not_object, member.value.where);
     return std::nullopt;
   }
   pan::Parameter argument;
@@ -35,8 +34,7 @@ std::optional<pan::Parameter> read_argument(const JsonMember& member, Diagnostic
     argument.type = pan::ScalarType::text;
     argument.default_text = usual->text;
     if (usual->text.size() > pan::longest_text)
-      fields.report(usual->where, fmt::format("a text has at most {} signs", pan::longest_text),
-                    "write a shorter one");
+      fields.report(Finding::argument_text_too_long, usual->where, pan::longest_text);
   } else if (usual->kind == Kind::number) {
     const JsonValue* whole = fields.find("whole", Kind::boolean, "true or false");
     argument.type = whole != nullptr && whole->truth ? pan::ScalarType::integer : pan::ScalarType::real;
@@ -50,12 +48,10 @@ std::optional<pan::Parameter> read_argument(const JsonMember& member, Diagnostic
     argument.default_value = usual->number;
     const bool fits = usual->number >= argument.low && usual->number <= argument.high;
     if (!fits || (argument.type == pan::ScalarType::integer && std::floor(usual->number) != usual->number))
-      fields.report(
-          usual->where,
-          fmt::format("the default of '{}' is not {}", member.name, fits ? "a whole number" : "in its range"),
-          "correct the default, or 'from', 'to' and 'whole'");
+      fields.report(either<Finding::default_not_whole, Finding::default_not_in_range>(fits), usual->where,
+                    member.name);
   } else {
-    fields.report(usual->where, "a default is a number, a text, true or false", "write one of these");
+    fields.report(Finding::default_of_no_type, usual->where);
   }
   fields.refuse_the_rest();
   return argument;
@@ -70,12 +66,11 @@ std::vector<pan::Parameter> read_arguments(const std::string& field, std::size_t
   if (arguments == nullptr) return result;
   std::set<std::string> names;
   if (arguments->members.size() > most)
-    fields.report(arguments->where, fmt::format("{} has at most {} {}", owner, most, field),
-                  "make several of it");
+    fields.report(Finding::too_many_fields, arguments->where, owner, most, field);
   for (const JsonMember& member : arguments->members) {
     auto argument = read_argument(member, diagnostics);
     if (!names.insert(member.name).second) {
-      fields.report(member.where, fmt::format("'{}' is given twice", member.name), "keep one of the two");
+      fields.report(Finding::field_given_twice, member.where, member.name);
     } else if (argument) {
       result.push_back(std::move(*argument));
     }

@@ -11,6 +11,7 @@
 #include "operations/codes.hpp"
 #include "operations/fields.hpp"
 #include "operations/parse_argument.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
@@ -38,13 +39,11 @@ std::vector<Parameter> read_parameters(const JsonValue* object, Fields& fields, 
         if (parameter.source.written()) continue;
         break;
       default:
-        fields.report(member.value.where,
-                      "a parameter is a number, true, false, a text, a count, an argument or an output",
-                      "write one of these");
+        fields.report(Finding::parameter_of_no_type, member.value.where);
         continue;
     }
     if (!names.insert(member.name).second) {
-      fields.report(member.where, fmt::format("'{}' is given twice", member.name), "keep one of the two");
+      fields.report(Finding::field_given_twice, member.where, member.name);
       continue;
     }
     result.push_back(std::move(parameter));
@@ -57,8 +56,7 @@ Way read_way(const JsonValue& value, Diagnostics& diagnostics) {
   way.where = value.where;
   Fields fields(value, diagnostics);
   if (value.kind != Kind::object) {
-    fields.report(value.where, "a way of a CASE is an object",
-                  "write {\"codes\": [0], \"to\": \"icon\"} here");
+    fields.report(Finding::way_not_object, value.where);
     return way;
   }
   if (const JsonValue* codes = fields.find("codes", Kind::array, "a list of completion codes")) {
@@ -66,7 +64,7 @@ Way read_way(const JsonValue& value, Diagnostics& diagnostics) {
       if (is_code(code)) {
         way.codes.push_back(static_cast<int>(code.number));
       } else {
-        fields.report(code.where, "a completion code is a whole number", "write a whole number");
+        fields.report(Finding::code_not_whole, code.where);
       }
     }
     if (!codes->items.empty()) way.where = codes->items.front().where;
@@ -85,9 +83,7 @@ void read_case(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
   icon.otherwise = fields.connection("default");
   const std::size_t count = icon.ways.size() + (icon.otherwise.connected() ? 1 : 0);
   if ((count < 2 || icon.ways.size() > 4) && !fields.refused("ways") && !fields.refused("default"))
-    fields.report(icon.where, fmt::format("a CASE has two to four ways, this one has {}", count),
-                  count < 2 ? "add a way or a default; with a single way no CASE is needed"
-                            : "put a second CASE behind the default");
+    fields.report(either<Finding::too_few_ways, Finding::too_many_ways>(count < 2), icon.where, count);
 }
 
 void read_limits(Icon& icon, const JsonValue& limits, Fields& fields, Diagnostics& diagnostics) {
@@ -97,16 +93,13 @@ void read_limits(Icon& icon, const JsonValue& limits, Fields& fields, Diagnostic
     const bool comparable =
         !icon.limits.empty() && amount->source.written() && icon.limits.back().source.written();
     if (comparable && amount->number <= icon.limits.back().number) {
-      fields.report(limit.where, fmt::format("limit {} is not above the one before it", limit.number),
-                    "write the limits in ascending order");
+      fields.report(Finding::limit_not_above, limit.where, fmt::to_string(limit.number));
     } else {
       icon.limits.push_back(*amount);
     }
   }
   if (limits.items.empty() || limits.items.size() > 3)
-    fields.report(limits.where,
-                  fmt::format("a test has one to three limits, this one has {}", limits.items.size()),
-                  "each limit adds a code; a CASE has at most four ways");
+    fields.report(Finding::number_of_limits, limits.where, limits.items.size());
 }
 
 /// What is read: a sensor, or a value that the operation knows; and how it is compared.
@@ -116,8 +109,7 @@ Condition read_condition(Fields& fields, Diagnostics& diagnostics) {
   if (const JsonValue* value = fields.find("value", Kind::object, "a count, an argument or an output")) {
     condition.value = {0, value->where, read_source(*value, diagnostics)};
     condition.subject = value->where;
-    if (!condition.sensor.empty())
-      fields.report(value->where, "either a sensor is read or a value", "remove 'sensor' or 'value'");
+    if (!condition.sensor.empty()) fields.report(Finding::sensor_and_value, value->where);
     if (condition.value.source.written()) fields.refuse("value");
   }
   if (condition.sensor.empty() && condition.value.source.written() && !fields.refused("value"))
@@ -126,14 +118,13 @@ Condition read_condition(Fields& fields, Diagnostics& diagnostics) {
   condition.at_most = read_amount("at-most", any_number, fields, diagnostics);
   if (condition.at_least && condition.at_most && condition.at_least->source.written() &&
       condition.at_most->source.written() && condition.at_least->number > condition.at_most->number)
-    fields.report(condition.at_most->where, "at least more than at most is never met",
-                  "exchange 'at-least' and 'at-most'");
+    fields.report(Finding::at_least_more_than_at_most, condition.at_most->where);
   constexpr Range beyond{0, std::numeric_limits<double>::max(), false, "a number", ""};
   condition.hysteresis = read_number("hysteresis", beyond, fields, diagnostics).value_or(0);
   constexpr Range readings{1, 1000, true, "a number of readings", ""};
   condition.mean_of = static_cast<int>(read_number("mean-of", readings, fields, diagnostics).value_or(1));
   if (condition.sensor.empty() && condition.mean_of > 1)
-    fields.report(condition.subject, "only a sensor is read more than once", "remove 'mean-of'");
+    fields.report(Finding::mean_of_no_sensor, condition.subject);
   return condition;
 }
 
@@ -148,7 +139,7 @@ void read_conditions(Icon& icon, const JsonValue& list, Fields& fields, Diagnost
   for (const JsonValue& each : list.items) {
     Fields inside(each, diagnostics);
     if (each.kind != Kind::object) {
-      inside.report(each.where, "a condition is an object", "write {\"sensor\": …, \"at-least\": …} here");
+      inside.report(Finding::condition_not_object, each.where);
       continue;
     }
     icon.conditions.push_back(read_condition(inside, diagnostics));
@@ -156,9 +147,8 @@ void read_conditions(Icon& icon, const JsonValue& list, Fields& fields, Diagnost
     inside.refuse_the_rest();
   }
   if (list.items.size() < 2 || list.items.size() > 8)
-    fields.report(list.where, fmt::format("there are two to eight conditions, here is {}", list.items.size()),
-                  list.items.size() > 8 ? "put a second test behind the first"
-                                        : "write a single condition without 'all' and 'any'");
+    fields.report(either<Finding::too_many_conditions, Finding::too_few_conditions>(list.items.size() > 8),
+                  list.where, list.items.size());
 }
 
 /// One condition in the icon itself, or several in a list. `limits`: of a test; they stand for a condition.
@@ -168,7 +158,7 @@ void read_what_is_read(Icon& icon, const JsonValue* limits, Fields& fields, Diag
   if (all != nullptr || any != nullptr) {
     icon.combination = all != nullptr ? Combination::all : Combination::any;
     if ((all != nullptr && any != nullptr) || limits != nullptr)
-      fields.report(icon.where, "the conditions are 'all', or 'any', or 'limits'", "keep one of these");
+      fields.report(Finding::several_conditions, icon.where);
     read_conditions(icon, all != nullptr ? *all : *any, fields, diagnostics);
     return;
   }
@@ -182,8 +172,7 @@ void read_what_is_read(Icon& icon, const JsonValue* limits, Fields& fields, Diag
     return;
   }
   read_limits(icon, *limits, fields, diagnostics);
-  if (only.at_least || only.at_most)
-    fields.report(limits->where, "a test has limits, or 'at-least' and 'at-most'", "keep one of these");
+  if (only.at_least || only.at_most) fields.report(Finding::limits_and_bounds, limits->where);
 }
 
 void read_test(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
@@ -202,7 +191,7 @@ Way read_answer(const JsonValue& value, int code, Diagnostics& diagnostics) {
   answer.where = value.where;
   Fields fields(value, diagnostics);
   if (value.kind != Kind::object) {
-    fields.report(value.where, "an answer is an object", "write {\"text\": \"Yes\", \"to\": \"icon\"} here");
+    fields.report(Finding::answer_not_object, value.where);
     return answer;
   }
   answer.text = fields.needed_text("text", &answer.where);
@@ -220,16 +209,12 @@ void read_question(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
     const bool twice =
         !answer.text.empty() && std::any_of(icon.ways.begin(), icon.ways.end(),
                                             [&](const Way& before) { return before.text == answer.text; });
-    if (twice)
-      fields.report(answer.where, fmt::format("the answer '{}' is given twice", answer.text),
-                    "write answers that a person can tell apart");
+    if (twice) fields.report(Finding::answer_given_twice, answer.where, answer.text);
     icon.ways.push_back(std::move(answer));
   }
   if (answers != nullptr && (answers->items.empty() || answers->items.size() > 6))
-    fields.report(answers->where,
-                  fmt::format("a question has one to six answers, this one has {}", answers->items.size()),
-                  answers->items.empty() ? "write {\"text\": \"Go on\", \"to\": \"icon\"} for a mere halt"
-                                         : "ask a second question behind the last answer");
+    fields.report(either<Finding::no_answers, Finding::too_many_answers>(answers->items.empty()),
+                  answers->where, answers->items.size());
   icon.timeout = read_amount("timeout", any_time, fields, diagnostics);
 }
 
@@ -239,8 +224,7 @@ Way read_code(const JsonValue& value, Diagnostics& diagnostics) {
   code.where = value.where;
   Fields fields(value, diagnostics);
   if (value.kind != Kind::object) {
-    fields.report(value.where, "a code of a planned skill is an object",
-                  "write {\"code\": 0, \"text\": \"It is done.\"} here");
+    fields.report(Finding::planned_code_not_object, value.where);
     return code;
   }
   constexpr Range range{0, 1e6, true, "a completion code", ""};
@@ -266,16 +250,11 @@ void read_planned(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
       return (!code.codes.empty() && before.codes == code.codes) ||
              (!code.text.empty() && before.text == code.text);
     });
-    if (twice)
-      fields.report(code.where, "this code, or its text, is given twice",
-                    "write codes that a person can tell apart");
+    if (twice) fields.report(Finding::planned_code_given_twice, code.where);
     if (!twice && !code.codes.empty()) icon.ways.push_back(std::move(code));
   }
   if (codes != nullptr && (codes->items.empty() || codes->items.size() > most_codes))
-    fields.report(
-        codes->where,
-        fmt::format("a planned skill has one to {} codes, this one has {}", most_codes, codes->items.size()),
-        "write {\"code\": 0, \"text\": \"It is done.\"}, and one for each other end");
+    fields.report(Finding::number_of_planned_codes, codes->where, most_codes, codes->items.size());
 }
 
 /// "break": {"code": 1, "count-of": "put", "at-least": 3, "every": 2, "enabled": false}; {} halts always.
@@ -324,11 +303,11 @@ void read_skill(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
     if (is_code(code)) {
       icon.retry_on.push_back(static_cast<int>(code.number));
     } else {
-      fields.report(code.where, "a completion code is a whole number", "write a whole number");
+      fields.report(Finding::code_not_whole, code.where);
     }
   }
   if (icon.retries == 0 && !fields.refused("retries"))
-    fields.report(codes->where, "'retry-on' says nothing without 'retries'", "add \"retries\", or remove it");
+    fields.report(Finding::retry_on_without_retries, codes->where);
 }
 
 /// "operator": {"force": {"from": 2, "to": 10}, "place": {}}.
@@ -337,8 +316,7 @@ void read_operator(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
   if (allowed == nullptr) return;
   for (const JsonMember& member : allowed->members) {
     if (member.value.kind != Kind::object) {
-      fields.report(member.value.where, "what an operator may set is an object",
-                    "write {\"from\": …, \"to\": …}, or {} for all that the skill allows");
+      fields.report(Finding::operator_limits_not_object, member.value.where);
       continue;
     }
     OperatorMaySet each{member.name, {}, {}, member.where};
@@ -347,8 +325,8 @@ void read_operator(Icon& icon, Fields& fields, Diagnostics& diagnostics) {
     each.to = read_number("to", any_number, limits, diagnostics);
     limits.refuse_the_rest();
     if (each.from && each.to && *each.from > *each.to)
-      limits.report(member.value.where, fmt::format("from {} to {} runs backwards", *each.from, *each.to),
-                    "exchange the two");
+      limits.report(Finding::limits_run_backwards, member.value.where, fmt::to_string(*each.from),
+                    fmt::to_string(*each.to));
     icon.operator_may_set.push_back(std::move(each));
   }
 }
@@ -357,7 +335,7 @@ void read_position(Icon& icon, Fields& fields) {
   const JsonValue* at = fields.find("at", Kind::array, "a pair of numbers, [x, y]");
   if (at == nullptr) return;
   if (at->items.size() != 2 || at->items[0].kind != Kind::number || at->items[1].kind != Kind::number) {
-    fields.report(at->where, "'at' must be a pair of numbers, [x, y]", "write two numbers");
+    fields.report(Finding::place_not_a_pair, at->where);
     return;
   }
   icon.at = Point{at->items[0].number, at->items[1].number};
@@ -368,7 +346,7 @@ void read_position(Icon& icon, Fields& fields) {
 std::optional<Icon> read_icon(const JsonValue& value, std::string& id, Diagnostics& diagnostics) {
   Fields fields(value, diagnostics);
   if (value.kind != Kind::object) {
-    fields.report(value.where, "an icon is an object", "write {\"id\": …, \"kind\": …} here");
+    fields.report(Finding::icon_not_object, value.where);
     return std::nullopt;
   }
   Icon icon;
@@ -379,14 +357,12 @@ std::optional<Icon> read_icon(const JsonValue& value, std::string& id, Diagnosti
   const auto known = icon_kind(kind);
   if (!known) {
     if (!kind.empty())
-      fields.report(kind_where, fmt::format("there is no kind of icon '{}'", kind),
-                    fmt::format("there is {}", fmt::join(icon_kind_names(), ", ")));
+      fields.report(Finding::unknown_kind_of_icon, kind_where, kind,
+                    fmt::format("{}", fmt::join(icon_kind_names(), ", ")));
     return std::nullopt;
   }
   if (icon.id.empty() || icon.id.find('/') != std::string::npos) {
-    if (!icon.id.empty())
-      fields.report(icon.where, "an id has no '/'",
-                    "'/' stands between the ids of a sub-operation and its icon");
+    if (!icon.id.empty()) fields.report(Finding::slash_in_icon_name, icon.where);
     return std::nullopt;
   }
   icon.kind = *known;

@@ -1,24 +1,23 @@
 #include "operations/read_log.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <optional>
 
 #include "operations/step_log.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::operations {
 namespace {
 
-/// What keeps the step from being one of the program; empty: nothing.
-std::string misfit(const Program& program, const Step& step) {
+/// What keeps the step from being one of the program, if something does.
+std::optional<PartialDiagnostic> misfit(const Program& program, const Step& step) {
   const auto places = find_path(program, step.icon);
   if (places.empty())
-    return fmt::format("operation '{}' has no icon '{}'", program.operations.front().name, step.icon);
+    return PartialDiagnostic(Finding::log_of_no_icon, program.operations.front().name, step.icon);
   const Icon& icon = program.operations[places.back().operation].icons[places.back().icon];
   if (icon.skill != step.skill || subjects_text(icon) != step.sensor || icon.text != step.question)
-    return fmt::format("icon '{}' of the operation does something else", step.icon);
-  return {};
+    return PartialDiagnostic(Finding::icon_does_something_else, step.icon);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -32,12 +31,11 @@ std::vector<Step> read_log(const SourceManager& sources, FileId file, const Prog
     const auto step = parse_log_line(std::string(text.substr(begin, end - begin)));
     const SourceSpan where{file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin)};
     if (!step) {
-      diagnostics.report(Code::PAL1018, where, "this line is no step of an operation",
-                         "give a file that 'workcell operation run --log' wrote");
+      diagnostics.report(Finding::no_step_of_operation, where);
       return {};
     }
-    if (const std::string problem = misfit(program, *step); !problem.empty()) {
-      diagnostics.report(Code::PAL1018, where, problem, "give the log of a run of this operation");
+    if (const auto problem = misfit(program, *step)) {
+      diagnostics.report(*problem, where);
       return {};
     }
     steps.push_back(*step);

@@ -13,20 +13,6 @@
 namespace pal::operations {
 namespace {
 
-struct Scene {
-  std::string title;
-  std::vector<std::string> sentences;  // each a paragraph
-  std::vector<std::string> branches;   // each an item of a list
-};
-
-struct Chapter {
-  std::string title;
-  std::vector<std::string> introduction;
-  std::vector<std::string> course;  // of a run
-  std::vector<Scene> scenes;
-  std::string dot;
-};
-
 /// The icons by which something is told, in the order in which the token first comes to them.
 std::vector<std::size_t> told(const Graph& graph, std::size_t index) {
   const Operation& operation = graph.program().operations[index];
@@ -61,8 +47,8 @@ class Teller {
     for (std::size_t i = 0; i < order_.size(); ++i) scenes_[order_[i]] = i;
   }
 
-  std::vector<Scene> scenes() const {
-    std::vector<Scene> result;
+  std::vector<StoryScene> scenes() const {
+    std::vector<StoryScene> result;
     for (std::size_t i = 0; i < order_.size(); ++i) result.push_back(scene(i));
     return result;
   }
@@ -77,10 +63,11 @@ class Teller {
   }
 
  private:
-  Scene scene(std::size_t number) const {
+  StoryScene scene(std::size_t number) const {
     const Place at{index_, order_[number]};
     const Icon& icon = graph_.icon(at);
-    Scene scene;
+    StoryScene scene;
+    scene.icon = icon.id;
     scene.title = fmt::format("Scene {}: {}", number + 1, icon.id);
     if (!icon.note.empty()) scene.sentences.push_back(icon.note);
     switch (icon.kind) {
@@ -122,7 +109,7 @@ class Teller {
     return scene;
   }
 
-  void tell_skill(Place at, const Icon& icon, Scene& scene) const {
+  void tell_skill(Place at, const Icon& icon, StoryScene& scene) const {
     const auto found = skills_.find(icon.skill);
     if (found == skills_.end()) {
       scene.sentences.push_back(fmt::format("The skill {} runs. Nothing is known of it.", icon.skill));
@@ -172,7 +159,7 @@ class Teller {
     return texts.empty() ? " with " + last : fmt::format(" with {} and {}", fmt::join(texts, ", "), last);
   }
 
-  void tell_sub_operation(Place at, const Icon& icon, Scene& scene) const {
+  void tell_sub_operation(Place at, const Icon& icon, StoryScene& scene) const {
     if (const auto sub = graph_.sub_operation(at)) {
       const Operation& inside = graph_.program().operations[*sub];
       scene.sentences.push_back(fmt::format("The operation {} runs{}{} Its own scenes are told below.",
@@ -183,7 +170,7 @@ class Teller {
     tell_branches(at, icon, scene);
   }
 
-  void tell_branches(Place at, const Icon& icon, Scene& scene) const {
+  void tell_branches(Place at, const Icon& icon, StoryScene& scene) const {
     for (const Ending& ending : endings_of(graph_, at, skills_, codes_.exits)) {
       const int code = ending.code;
       const auto way = route(graph_, at, code, ending.normal());
@@ -244,7 +231,7 @@ class Teller {
     return amount.source.written() ? fmt::format("{:g}", amount.number) : to_text(amount);
   }
   /// How often it runs, and how long.
-  static void tell_runs(const Icon& icon, Scene& scene) {
+  static void tell_runs(const Icon& icon, StoryScene& scene) {
     if (icon.repeat)
       scene.sentences.push_back(
           fmt::format("It runs {} times, as long as it ends normally.", in_words(*icon.repeat)));
@@ -352,28 +339,6 @@ class Teller {
   std::vector<std::optional<std::size_t>> scenes_;  // of icons: their scenes
 };
 
-std::vector<Chapter> chapters(const Program& program, const Skills& skills, const Happened* run) {
-  std::vector<Chapter> result;
-  const Graph graph(program);
-  const PossibleCodes codes = possible_codes(graph, skills);
-  for (std::size_t i = 0; i < program.operations.size(); ++i) {
-    const Operation& operation = program.operations[i];
-    const Teller teller(graph, skills, codes, i, run);
-    Chapter chapter{operation.name, {}, {}, teller.scenes(), to_dot(program, i, run)};
-    if (!operation.description.empty()) chapter.introduction.push_back(operation.description);
-    if (const auto retreat = graph.on_stop(i))
-      chapter.introduction.push_back(fmt::format("If it is stopped, the operation {} runs before all rests.",
-                                                 program.operations[*retreat].name));
-    chapter.introduction.push_back(teller.beginning());
-    if (run != nullptr && i == 0) {
-      chapter.introduction.push_back(run->summary());
-      chapter.course = run->course();
-    }
-    result.push_back(std::move(chapter));
-  }
-  return result;
-}
-
 /// What Markdown would take for its own marks stands for itself.
 std::string plain(const std::string& text) {
   std::string result;
@@ -394,16 +359,38 @@ svg { display: block; max-width: 100%; height: auto; margin: 1rem 0; }
 
 }  // namespace
 
+std::vector<StoryChapter> story(const Program& program, const Skills& skills, const Happened* run) {
+  std::vector<StoryChapter> result;
+  const Graph graph(program);
+  const PossibleCodes codes = possible_codes(graph, skills);
+  for (std::size_t i = 0; i < program.operations.size(); ++i) {
+    const Operation& operation = program.operations[i];
+    const Teller teller(graph, skills, codes, i, run);
+    StoryChapter chapter{operation.name, {}, {}, teller.scenes(), to_dot(program, i, run)};
+    if (!operation.description.empty()) chapter.introduction.push_back(operation.description);
+    if (const auto retreat = graph.on_stop(i))
+      chapter.introduction.push_back(fmt::format("If it is stopped, the operation {} runs before all rests.",
+                                                 program.operations[*retreat].name));
+    chapter.introduction.push_back(teller.beginning());
+    if (run != nullptr && i == 0) {
+      chapter.introduction.push_back(run->summary());
+      chapter.course = run->course();
+    }
+    result.push_back(std::move(chapter));
+  }
+  return result;
+}
+
 std::string storyboard_markdown(const Program& program, const Skills& skills, const Happened* run) {
   std::string out;
-  for (const Chapter& chapter : chapters(program, skills, run)) {
-    out += fmt::format("{}# {}\n", out.empty() ? "" : "\n#", plain(chapter.title));
+  for (const StoryChapter& chapter : story(program, skills, run)) {
+    out += fmt::format("{}# {}\n", out.empty() ? "" : "\n#", plain(chapter.operation));
     for (const std::string& text : chapter.introduction) out += "\n" + plain(text) + "\n";
     if (!chapter.course.empty()) {
       out += "\n### What happened\n\n";
       for (const std::string& text : chapter.course) out += "1. " + plain(text) + "\n";
     }
-    for (const Scene& scene : chapter.scenes) {
+    for (const StoryScene& scene : chapter.scenes) {
       out += "\n### " + plain(scene.title) + "\n";
       for (const std::string& text : scene.sentences) out += "\n" + plain(text) + "\n";
       out += "\n";
@@ -419,8 +406,8 @@ std::string storyboard_html(const Program& program, const Skills& skills, const 
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n"
       "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
       title, style, title);
-  for (const Chapter& chapter : chapters(program, skills, run)) {
-    if (xml_escaped(chapter.title) != title) out += "<h2>" + xml_escaped(chapter.title) + "</h2>\n";
+  for (const StoryChapter& chapter : story(program, skills, run)) {
+    if (xml_escaped(chapter.operation) != title) out += "<h2>" + xml_escaped(chapter.operation) + "</h2>\n";
     for (const std::string& text : chapter.introduction) out += "<p>" + xml_escaped(text) + "</p>\n";
     if (!chapter.course.empty()) {
       out += "<h3>What happened</h3>\n<ol>\n";
@@ -430,7 +417,7 @@ std::string storyboard_html(const Program& program, const Skills& skills, const 
     const std::string drawing = pan::svg(chapter.dot);
     // Without the prologue, which stands once, before a whole document.
     out += drawing.substr(drawing.find("<svg"));
-    for (const Scene& scene : chapter.scenes) {
+    for (const StoryScene& scene : chapter.scenes) {
       out += "<section>\n<h3>" + xml_escaped(scene.title) + "</h3>\n";
       for (const std::string& text : scene.sentences) out += "<p>" + xml_escaped(text) + "</p>\n";
       out += "<ul>\n";

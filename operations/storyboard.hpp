@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "operations/check.hpp"
 #include "operations/happened.hpp"
@@ -13,6 +14,25 @@ namespace pal::operations {
 /// shadowed boxes, tests hexagons, and CASEs diamonds. Codes stand on the lines. With a run: how often each
 /// icon had a step; those that had none are pale.
 std::string to_dot(const Program& program, std::size_t operation, const Happened* run = nullptr);
+
+/// An icon that acts, as people are told of it.
+struct StoryScene {
+  std::string icon, title;
+  std::vector<std::string> sentences;  // each a paragraph
+  std::vector<std::string> branches;   // where the story goes on, by code
+};
+
+/// One operation.
+struct StoryChapter {
+  std::string operation;
+  std::vector<std::string> introduction;  // each a paragraph
+  std::vector<std::string> course;        // of a run: its steps
+  std::vector<StoryScene> scenes;
+  std::string dot;  // its picture, as to_dot() makes it
+};
+
+/// The main operation first. The program has no errors of shape.
+std::vector<StoryChapter> story(const Program& program, const Skills& skills, const Happened* run = nullptr);
 
 /// Scenes in the order in which the token first comes to them. A scene says what each skill needs, does and
 /// leaves, from its template, and where the story goes on, by code. With a run it also says what happened

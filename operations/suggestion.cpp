@@ -17,8 +17,4 @@ std::optional<std::string> Suggestions::nearest_to(const std::string& name,
   return nearest(name, candidates);
 }
 
-std::string did_you_mean(const std::optional<std::string>& near, const std::string& otherwise) {
-  return near ? "did you mean '" + *near + "'?" : otherwise;
-}
-
 }  // namespace pal::operations

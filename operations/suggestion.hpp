@@ -18,7 +18,4 @@ class Suggestions {
   std::size_t compared_ = 0;
 };
 
-/// "did you mean 'x'?", or `otherwise` if no name is near.
-std::string did_you_mean(const std::optional<std::string>& near, const std::string& otherwise);
-
 }  // namespace pal::operations

@@ -201,7 +201,7 @@ const Locations* Desk::locations() const {
 }
 
 bool Desk::can_jog() const {
-  return parts_->options.pendant != nullptr && parts_->cell.skills->contains("jog");
+  return parts_->options.pendant != nullptr && parts_->cell.skills->contains(std::string(skill_by_hand));
 }
 
 std::map<std::string, LastReading> Desk::readings() const {

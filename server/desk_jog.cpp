@@ -8,7 +8,7 @@ Desk::Parts::Result Desk::Parts::obey(Asked& asked, StartJog& command) {
   if (options.pendant == nullptr)
     return Refusal{Refusal::Why::absent, "the arm of this cell cannot be moved by hand",
                    "its time must go by the wall clock: serve it without --fast"};
-  RunSkill skill{"jog", std::move(command.parameters), false};
+  RunSkill skill{std::string(skill_by_hand), std::move(command.parameters), false};
   if (auto refusal = obey(asked, skill)) return refusal;
   jogs = asked.client;
   return std::nullopt;

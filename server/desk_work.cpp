@@ -110,6 +110,8 @@ void Desk::Parts::arrives(const std::string& icon) {
   here = Here{icon, time_now(), std::chrono::system_clock::now()};
   IconState& state = icons[icon];
   ++state.visits;
+  state.reason.clear();
+  state.took.reset();
   state.last = time_now();
   publish(IconReached{icon});
 }
@@ -131,6 +133,8 @@ void Desk::Parts::done(const operations::Step& step) {
   if (!cut_off) step_before = step.icon;
   IconState& state = icons[step.icon];
   state.kind = step.result.kind;
+  state.reason = step.result.reason;
+  state.took = step.end - step.begin;
   if (step.has_code()) state.code = step.result.code;
   if (step.result.kind == operations::SkillResult::Kind::normal) ++state.ends;
   if (step.has_code()) status.last_code = step.result.code;

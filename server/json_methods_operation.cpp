@@ -10,11 +10,15 @@ namespace {
 void load_operation(const Call& call) {
   const Members& members = call.members();
   if (members.find("name") == nullptr) {
-    LoadOperation command{members.files(), members.text("main")};
-    if (command.files.empty())
-      fail(bad_parameters, "'files' must be an object: the text of each file by its name");
-    return call.load(std::move(command),
-                     [&context = call.context()](LoadOperation& each) { add_stored_files(context, each); });
+    LoadOperation command;
+    command.main = members.text("main");
+    // Long texts are copied there, not by the thread of the sockets.
+    return call.load(std::move(command), [members, &context = call.context()](LoadOperation& each) {
+      each.files = members.files();
+      if (each.files.empty())
+        fail(bad_parameters, "'files' must be an object: the text of each file by its name");
+      add_stored_files(context, each);
+    });
   }
   const std::string name = members.text("name");
   const auto version = members.may_be_whole("version", 1, std::int64_t{1} << 53);

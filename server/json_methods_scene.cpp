@@ -1,10 +1,13 @@
 // The methods of the JSON protocol on what the cell looks like, and on runs that are looked at again.
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <cstring>
 
 #include "server/json_call.hpp"
 #include "server/services.hpp"
+#include "server/surface_frame.hpp"
 
 namespace pal::server {
 namespace {
@@ -77,6 +80,28 @@ void place_locations(const Call& call) {
   call.result(json);
 }
 
+/// Where a taught location is in the world.
+ScenePose place_of(const Call& call, const Scene& scene, const char* member) {
+  const std::string name = call.members().text(member);
+  const Locations* book = call.context().desk.locations();
+  if (book == nullptr || !scene.place || !scene.figures)
+    fail(Refusal::Why::absent, "this cell does not tell where its locations are");
+  for (const Location& each : book->list())
+    if (each.name == name) return scene.place(each.pose);
+  fail(Refusal::Why::absent, fmt::format("there is no location '{}'", name));
+}
+
+void pose_on_surface(const Call& call) {
+  const Scene& scene = scene_of(call.context());
+  const auto frame = surface_frame(place_of(call, scene, "origin"), place_of(call, scene, "along"),
+                                   place_of(call, scene, "beside"));
+  if (!frame)
+    fail(Refusal::Why::wrong,
+         "the three locations are no surface: they lie on a line, or two are at one place",
+         "teach the second 5 mm away or more, and the third beside their line");
+  call.result({{"pose", scene.figures(*frame)}});
+}
+
 const RunRecording& recording_of(const SessionContext& context) {
   if (context.recording == nullptr) fail(Refusal::Why::absent, "this server records no runs");
   return *context.recording;
@@ -142,6 +167,7 @@ void read_recording(const Call& call) {
 constexpr std::array scene_methods{
     Method{"scene.get", Role::viewer, false, get_scene},
     Method{"scene.locations", Role::viewer, false, place_locations},
+    Method{"locations.surface", Role::viewer, false, pose_on_surface},
     Method{"replay.list", Role::viewer, false, list_recordings},
     Method{"replay.read", Role::viewer, false, read_recording},
 };

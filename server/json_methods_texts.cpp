@@ -16,8 +16,10 @@ void check(const Call& call) {
   const Members& members = call.members();
   const auto ways =
       static_cast<std::size_t>(members.may_be_whole("ways", 0, greatest_number_of_ways).value_or(usual_ways));
-  call.beside(call.context().checks, [files = members.files(), main = members.text("main"), ways,
-                                      &context = call.context()](const Workshop::Stop& stop) mutable {
+  call.beside(call.context().checks, [members, main = members.text("main"), ways,
+                                      &context = call.context()](const Workshop::Stop& stop) {
+    // Long texts are copied here, not by the thread of the sockets.
+    std::map<std::string, std::string> files = members.files();
     const RequestFiles all(files, context.store);
     Json json = checked(all, main, *context.desk.cell(), *context.facts(), ways, stop);
     if (stop()) fail(Refusal::Why::cancelled, "it was cancelled");
@@ -63,9 +65,9 @@ void check_skill(const Call& call) {
 
 void format(const Call& call) {
   call.beside(call.context().checks,
-              [text = call.members().text("text"),
+              [members = call.members(),
                name = call.members().text("file", "operation.op.json")](const Workshop::Stop&) {
-                return Json{{"text", formatted(name, text)}};
+                return Json{{"text", formatted(name, members.text("text"))}};
               });
 }
 
@@ -91,16 +93,27 @@ void tidy(const Call& call) {
   }
   if (const Json* apart = members.find("apart"))
     std::tie(options.ranks_apart, options.apart) = pair_of(*apart, "apart");
-  call.beside(call.context().checks, [files = members.files(), main = members.text("main"), options,
-                                      &context = call.context()](const Workshop::Stop& stop) mutable {
+  call.beside(call.context().checks, [members, main = members.text("main"), options,
+                                      &context = call.context()](const Workshop::Stop& stop) {
+    std::map<std::string, std::string> files = members.files();
     return tidied(RequestFiles(files, context.store), main, options, stop);
   });
 }
 
+void tell_story(const Call& call) {
+  call.beside(call.context().checks, [members = call.members(), main = call.members().text("main"),
+                                      &context = call.context()](const Workshop::Stop& stop) {
+    static const operations::Skills none;
+    const auto cell = context.desk.cell();
+    std::map<std::string, std::string> files = members.files();
+    return told_as_story(RequestFiles(files, context.store), main, cell->skills ? *cell->skills : none, stop);
+  });
+}
+
 void compare(const Call& call) {
-  call.beside(call.context().checks,
-              [before = call.members().text("before"), after = call.members().text("after")](
-                  const Workshop::Stop&) { return difference(before, after); });
+  call.beside(call.context().checks, [members = call.members()](const Workshop::Stop&) {
+    return difference(members.text("before"), members.text("after"));
+  });
 }
 
 constexpr std::array text_methods{
@@ -108,6 +121,7 @@ constexpr std::array text_methods{
     Method{"skill.check", Role::viewer, false, check_skill},
     Method{"operation.format", Role::viewer, false, format},
     Method{"operation.tidy", Role::viewer, false, tidy},
+    Method{"operation.storyboard", Role::viewer, false, tell_story},
     Method{"operation.difference", Role::viewer, false, compare},
 };
 

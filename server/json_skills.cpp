@@ -3,6 +3,7 @@
 
 #include "operations/missing_value.hpp"
 #include "server/json_values.hpp"
+#include "server/pendant.hpp"
 
 namespace pal::server {
 namespace {
@@ -96,6 +97,7 @@ Json describe(const operations::Skills& skills, const Facts& facts, const operat
     const auto why = cell.unable.find(name);
     each["able"] = why == cell.unable.end();
     each["unable"] = why == cell.unable.end() ? "" : why->second;
+    each["by_hand"] = name == skill_by_hand;
     each["environment"] = "";
     each["pictures"] = Json::array();
     if (fact != facts.skills.end()) {

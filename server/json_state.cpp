@@ -99,6 +99,8 @@ Json describe(const Snapshot& snapshot) {
     if (state.code) each["code"] = *state.code;
     each["kind"] = kinds[static_cast<std::size_t>(state.kind)];
     each["last_s"] = seconds(state.last);
+    each["reason"] = state.reason;
+    if (state.took) each["took_s"] = seconds(*state.took);
     json["icons"].push_back(std::move(each));
   }
   json["here"] = nullptr;

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 namespace pal::server {
+
+/// The skill by which a person moves the arm: it acts while orders come.
+inline constexpr std::string_view skill_by_hand = "jog";
 
 /// How fast each of six axes is to go, of the speed that was set: from -1 to 1.
 using JogAxes = std::array<double, 6>;

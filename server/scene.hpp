@@ -57,6 +57,8 @@ struct Scene {
   SceneFrame sensor;  // in which the channel `force` is given
   /// Where a taught location is in the world. For all threads. Null: it is not known.
   std::function<ScenePose(const PoseFigures&)> place{};
+  /// The figures of a tool's tip that is there in the world: the inverse of `place`, and null where that is.
+  std::function<PoseFigures(const ScenePose&)> figures{};
 };
 
 }  // namespace pal::server

@@ -135,6 +135,8 @@ struct Server::Parts {
       web.close(ignored);
       if (lines) lines->close(ignored);
       signals.cancel(ignored);
+      // The desk's end is an event, too, and the cell's thread may come here before it.
+      take_what_waits();
       // Those that stand in a queue have been told what happened; a client that does not read does not keep
       // us.
       for (const ConnectionPointer& client : clients) client->end();

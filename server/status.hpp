@@ -51,7 +51,9 @@ struct IconState {
   std::size_t visits = 0, ends = 0;  // arrivals of the token; normal ends
   std::optional<int> code{};         // the last one
   operations::SkillResult::Kind kind = operations::SkillResult::Kind::normal;
-  Duration last{};  // when the token came
+  Duration last{};     // when the token came
+  std::string reason;  // why it ended so; empty: it has not ended since
+  std::optional<Duration> took{};
 };
 
 /// A parameter that is not as the file has it.

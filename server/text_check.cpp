@@ -9,6 +9,7 @@
 
 #include "operations/load.hpp"
 #include "operations/parse.hpp"
+#include "operations/storyboard.hpp"
 #include "operations/ways.hpp"
 #include "operations/write.hpp"
 #include "pal/pan/dot.hpp"
@@ -265,6 +266,36 @@ Json tidied(const FileSystem& files, const std::string& main, const TidyOptions&
   if (!found)
     fail(Refusal::Why::wrong, fmt::format("'{}' has no operation '{}'", main, options.operation),
          "name an operation of this file");
+  return json;
+}
+
+Json told_as_story(const FileSystem& files, const std::string& main, const operations::Skills& skills,
+                   const operations::Stop& stop) {
+  SourceManager sources;
+  Diagnostics diagnostics;
+  const auto program = operations::load(files, sources, main, diagnostics);
+  if (!program) refuse_findings(sources, diagnostics, nullptr);
+  operations::check_shape(*program, diagnostics, stop);
+  if (diagnostics.has_errors()) refuse_findings(sources, diagnostics, &*program);
+  Json json{{"chapters", Json::array()}};
+  for (std::size_t i = 0; i < program->operations.size(); ++i)
+    if (program->operations[i].icons.size() > most_tidy_icons)
+      fail(Refusal::Why::too_much,
+           fmt::format("'{}' has more than {} icons", program->operations[i].name, most_tidy_icons),
+           "collapse some into a sub-operation");
+  for (operations::StoryChapter& each : operations::story(*program, skills)) {
+    if (stop()) fail(Refusal::Why::cancelled, "it was cancelled");
+    Json scenes = Json::array();
+    for (operations::StoryScene& scene : each.scenes)
+      scenes.push_back({{"icon", scene.icon},
+                        {"title", scene.title},
+                        {"sentences", scene.sentences},
+                        {"branches", scene.branches}});
+    json["chapters"].push_back({{"operation", each.operation},
+                                {"introduction", each.introduction},
+                                {"scenes", std::move(scenes)},
+                                {"picture", pan::svg(each.dot)}});
+  }
   return json;
 }
 

@@ -26,6 +26,10 @@ struct TidyOptions {
 Json tidied(const FileSystem& files, const std::string& main, const TidyOptions& options,
             const operations::Stop& stop);
 
+/// As the schema's result of operation.storyboard. Throws Problem.
+Json told_as_story(const FileSystem& files, const std::string& main, const operations::Skills& skills,
+                   const operations::Stop& stop);
+
 /// As the schema's result of operation.difference. Throws Problem.
 Json difference(const std::string& before, const std::string& after);
 

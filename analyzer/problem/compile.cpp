@@ -10,7 +10,7 @@
 #include "analyzer/problem/empty_rounds.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/threads.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -95,8 +95,7 @@ class Compiler {
       at = forwards_[at];
     }
     if (!way.empty() && forwards_.contains(at) && std::find(way.begin(), way.end(), at) != way.end()) {
-      diagnostics_.report(Code::PAL0729, executes_.at(at), "nothing ever happens in the loop around this",
-                          "give the loop, or the module, a wait or an activity");
+      diagnostics_.report(Finding::nothing_happens_around_this, executes_.at(at));
     }
     const auto known = forwards_.find(at);
     const StepId first = known == forwards_.end() ? at : known->second;
@@ -149,15 +148,13 @@ class Compiler {
       if (!passes) return compiled(place, node);
       node = forever ? graph[at.mate].out.front() : at.out.front();
     }
-    diagnostics_.report(Code::PAL0729, graph[node].where, "nothing ever happens in this loop",
-                        "give the loop a wait or an activity");
+    diagnostics_.report(Finding::nothing_happens_in_loop, graph[node].where);
     return end_step();
   }
 
   StepId inlined(Place& place, const Node& node, const Execute& execute) {
     if (place.depth > 32) {
-      diagnostics_.report(Code::PAL0730, node.where, "modules execute one another more than 32 deep",
-                          "execute fewer modules within one another");
+      diagnostics_.report(Finding::executes_too_deeply, node.where);
       return end_step();
     }
     if (problem_.steps.size() > most_steps) return end_step();

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -56,9 +56,7 @@ void report_empty_rounds(const Problem& problem, Diagnostics& diagnostics) {
     }
     if (!over[at] || seen[at] != s) continue;
     const StatementId statement = problem.steps[at].statement;
-    diagnostics.report(Code::PAL0729, problem.statements[statement].where,
-                       "nothing ever happens in the loop around these blocks",
-                       "give the loop a wait or an activity");
+    diagnostics.report(Finding::nothing_happens_around_blocks, problem.statements[statement].where);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "analyzer/problem/flow.hpp"
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/pan/threads.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::analyzer {
@@ -137,11 +137,8 @@ Range ProblemBuilder::activity(const Activity& activity) {
   if (found == times_.end()) found = times_.find({activity.name, ""});
   if (found != times_.end()) return {found->second->time.best.count(), found->second->time.worst.count()};
   if (untimed_.insert(activity.name + " OF " + module).second) {
-    auto& finding =
-        diagnostics_.report(Code::PAL0725, environment_.where,
-                            "environment " + environment_.name + " gives activity " + activity.name + " of " +
-                                module + " no time",
-                            "add TIME " + activity.name + " OF " + module + " : … to the environment");
+    auto& finding = diagnostics_.report(Finding::activity_without_time, environment_.where, environment_.name,
+                                        activity.name, module);
     finding.notes.push_back({activity.where, "the activity"});
     const auto is_of_another = [&](const ActivityTime& time) {
       return std::none_of(network_.activities.begin(), network_.activities.end(),
@@ -174,9 +171,8 @@ void ProblemBuilder::place(Thread& thread, ThreadId runner) {
     return;
   }
   if (placement == nullptr) {
-    auto& finding = diagnostics_.report(Code::PAL0721, environment_.where,
-                                        "environment " + environment_.name + " does not place " + thread.name,
-                                        "add PLACE " + thread.name + " ON … to the environment");
+    auto& finding =
+        diagnostics_.report(Finding::thread_not_placed, environment_.where, environment_.name, thread.name);
     const auto is_other_module = [&](const Placement& placed) {
       return std::none_of(network_.modules.begin(), network_.modules.end(), [&](const Module& module) {
         return module.name == module_of_thread(placed.thread);
@@ -198,15 +194,13 @@ void ProblemBuilder::processors() {
   for (const Processor& processor : environment_.processors) {
     const bool added = processor_.emplace(processor.name, ProcessorId(problem_.processors.size())).second;
     if (!added) {
-      diagnostics_.report(Code::PAL0711, processor.where, "processor " + processor.name + " is given twice",
-                          "remove one of them");
+      diagnostics_.report(Finding::item_given_twice, processor.where, "processor " + processor.name);
       continue;
     }
     problem_.processors.push_back(processor);
   }
   if (problem_.processors.empty()) {
-    diagnostics_.report(Code::PAL0714, environment_.where,
-                        "environment " + environment_.name + " has no processor", "add PROCESSOR P0");
+    diagnostics_.report(Finding::environment_without_processor, environment_.where, environment_.name);
   }
 }
 
@@ -231,33 +225,24 @@ void ProblemBuilder::known_names() {
   std::set<std::string> placed;
   for (const Placement& placement : environment_.placements) {
     if (!processor_.contains(placement.processor)) {
-      diagnostics_.report(Code::PAL0713, placement.where, "there is no processor " + placement.processor,
-                          "add PROCESSOR " + placement.processor);
+      diagnostics_.report(Finding::unknown_processor, placement.where, placement.processor);
     }
     if (!placed.insert(placement.thread).second) {
-      diagnostics_.report(Code::PAL0711, placement.where,
-                          "the place of " + placement.thread + " is given twice", "remove one of them");
+      diagnostics_.report(Finding::item_given_twice, placement.where, "the place of " + placement.thread);
     }
     if (executed_.contains(placement.thread)) {
       // No edit: for another skill in this environment it may be one.
-      diagnostics_.report(Code::PAL0723, placement.where,
-                          placement.thread + " is no thread: it runs by Execute, in the thread of its caller",
-                          "leave the placement out");
+      diagnostics_.report(Finding::placed_no_thread, placement.where, placement.thread);
     } else if (modules.contains(module_of_thread(placement.thread)) && !threads.contains(placement.thread)) {
-      diagnostics_.report(
-          Code::PAL0723, placement.where,
-          "skill " + network_.skill.name + " has no block " + placement.thread,
-          placement.thread.find('/') == std::string::npos
-              ? "count the blocks of CONCURRENT in the order of the text, from 1"
-              : "before the / stands a block that executes the module; what a module itself executes has "
-                "no /");
+      const bool within = placement.thread.find('/') != std::string::npos;
+      diagnostics_.report(either<Finding::no_such_block_within, Finding::no_such_block>(within),
+                          placement.where, network_.skill.name, placement.thread);
     }
   }
   std::set<std::pair<std::string, std::string>> timed;
   for (const ActivityTime& time : environment_.activities) {
     if (!timed.insert({time.activity, time.module}).second) {
-      diagnostics_.report(Code::PAL0711, time.where, "the time of " + time.activity + " is given twice",
-                          "remove one of them");
+      diagnostics_.report(Finding::item_given_twice, time.where, "the time of " + time.activity);
     }
     interval(time.time, time.where, "activity " + time.activity);
   }
@@ -265,14 +250,11 @@ void ProblemBuilder::known_names() {
 
 void ProblemBuilder::time(Duration value, SourceSpan where, const std::string& what, bool positive) {
   if (value.count() < 0) {
-    diagnostics_.report(Code::PAL0701, where, "the time of " + what + " is negative",
-                        "write a time from 0 on");
+    diagnostics_.report(Finding::time_negative, where, what);
   } else if (positive && value.count() == 0) {
-    diagnostics_.report(Code::PAL0708, where, "the time of " + what + " is zero",
-                        "give it a time above zero");
+    diagnostics_.report(Finding::time_zero, where, what);
   } else if (value.count() > longest_time) {
-    diagnostics_.report(Code::PAL0704, where, "the time of " + what + " is too long to reckon with",
-                        "write a time of at most 1000000 s");
+    diagnostics_.report(Finding::time_too_long, where, what);
   }
 }
 
@@ -280,8 +262,7 @@ void ProblemBuilder::interval(const Interval& value, SourceSpan where, const std
   time(value.best, where, what);
   time(value.worst, where, what);
   if (value.best > value.worst) {
-    diagnostics_.report(Code::PAL0705, where, "the best time of " + what + " is longer than its worst",
-                        "write the shorter time first");
+    diagnostics_.report(Finding::best_longer_than_worst, where, what);
   }
 }
 
@@ -351,9 +332,7 @@ void ProblemBuilder::limits() {
                     static_cast<int>(problem_.channels.size()) <= most_channels &&
                     problem_.steps.size() < most_steps;
   if (!fits) {
-    diagnostics_.report(Code::PAL0730, network_.skill.where,
-                        "skill " + network_.skill.name + " is too large to analyse",
-                        "it may have 20000 threads, 40000 channels, 64 conditions and 30000 statements");
+    diagnostics_.report(Finding::skill_too_large, network_.skill.where, network_.skill.name);
   }
 }
 

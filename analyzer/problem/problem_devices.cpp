@@ -3,7 +3,7 @@
 #include <set>
 
 #include "analyzer/problem/problem_builder.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::analyzer {
@@ -19,8 +19,7 @@ void ProblemBuilder::devices() {
   std::set<std::string> described;
   for (const DeviceTiming& timing : environment_.devices) {
     if (!described.insert(timing.device).second) {
-      diagnostics_.report(Code::PAL0711, timing.where, "device " + timing.device + " is given twice",
-                          "remove one of them");
+      diagnostics_.report(Finding::item_given_twice, timing.where, "device " + timing.device);
     }
   }
   sent_.resize(world.size());
@@ -39,12 +38,9 @@ void ProblemBuilder::device(const World& thing, DeviceId index) {
   const DeviceTiming* timing = described == timings_.end() ? nullptr : described->second;
   if (timing == nullptr) {
     if (!sent.empty()) {
-      const std::string what = thing.module ? "module " + thing.name + " has no body, and environment "
-                                            : "device " + thing.name + " sends messages, and environment ";
-      auto& finding = diagnostics_.report(Code::PAL0724, thing.where,
-                                          what + environment_.name + " does not say how it behaves",
-                                          "add DEVICE " + thing.name + " … to the environment" +
-                                              (thing.module ? ", or give the module a body" : ""));
+      auto& finding = diagnostics_.report(
+          either<Finding::module_without_behaviour, Finding::device_without_behaviour>(thing.module),
+          thing.where, thing.name, environment_.name);
       const auto is_of_another = [&](const DeviceTiming& each) {
         const auto is_it = [&](const auto& known) { return known.name == each.device; };
         return std::none_of(network_.devices.begin(), network_.devices.end(), is_it) &&
@@ -64,10 +60,7 @@ void ProblemBuilder::device(const World& thing, DeviceId index) {
     served_device(*timing, index, sent, made);
   }
   for (ChannelId c : sent) {
-    diagnostics_.report(
-        Code::PAL0727, timing->where,
-        thing.name + " never sends " + problem_.channels[c].message + ", which the skill waits for",
-        "describe " + thing.name + " as a device that sends it, or do not wait for it");
+    diagnostics_.report(Finding::device_never_sends, timing->where, thing.name, problem_.channels[c].message);
   }
   problem_.devices.push_back(std::move(made));
 }
@@ -77,8 +70,7 @@ void ProblemBuilder::phase(const std::optional<Duration>& value, Duration period
   if (!value) return;
   time(*value, timing.where, "the phase of " + device);
   if (*value < period) return;
-  diagnostics_.report(Code::PAL0709, timing.where, "the phase of " + device + " is not below its period",
-                      "write the phase within one period");
+  diagnostics_.report(Finding::phase_of_device_not_below_period, timing.where, device);
 }
 
 void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& timing, DeviceId index,
@@ -87,9 +79,7 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
   time(event.period, timing.where, "the period of " + made.name, true);
   time(event.jitter, timing.where, "the jitter of " + made.name);
   if (event.jitter >= event.period && event.period.count() > 0) {
-    diagnostics_.report(Code::PAL0726, timing.where,
-                        "the jitter of " + made.name + " is not shorter than its period",
-                        "make JITTER shorter than EVERY: a later event does not overtake an earlier one");
+    diagnostics_.report(Finding::jitter_not_below_period, timing.where, made.name);
   }
   phase(event.phase, event.period, timing, made.name);
   for (const ChannelId c : sent_[index]) {
@@ -98,11 +88,8 @@ void ProblemBuilder::event_device(const EventDevice& event, const DeviceTiming& 
     sent.erase(made.event);
   }
   if (!made.event.valid()) {
-    diagnostics_.report(
-        Code::PAL0727, timing.where,
-        "nothing in skill " + network_.skill.name + " waits for " + event.message + " from " + made.name,
-        "add WTM( " + event.message + " from " + made.name +
-            " ), or name the event that the skill waits for");
+    diagnostics_.report(Finding::nothing_waits_for_event, timing.where, network_.skill.name, event.message,
+                        made.name);
   }
 }
 
@@ -117,9 +104,7 @@ void ProblemBuilder::served_device(const DeviceTiming& timing, DeviceId index, s
     time(frames.period, timing.where, "the period of " + made.name, true);
     time(frames.collecting, timing.where, "collecting a frame of " + made.name);
     if (frames.collecting > frames.period) {
-      diagnostics_.report(Code::PAL0710, timing.where,
-                          made.name + " collects a frame for longer than its period",
-                          "make COLLECTING at most EVERY");
+      diagnostics_.report(Finding::device_collects_too_long, timing.where, made.name);
     }
     phase(frames.phase, frames.period, timing, made.name);
   }
@@ -148,9 +133,7 @@ void ProblemBuilder::endless_waits() {
     const Statement& statement = problem_.statements[step.statement];
     if (!said.emplace(statement.source_module, statement.source_node).second) continue;
     const std::string& device = sender_name(problem_, step.channels.front());
-    diagnostics_.report(Code::PAL0733, statement.where,
-                        device + " may never answer, and " + statement.module + " waits without a limit",
-                        "wait WITHIN a time, with an ELSE, or remove OR NEVER from DEVICE " + device);
+    diagnostics_.report(Finding::may_never_answer, statement.where, device, statement.module);
   }
 }
 

@@ -5,7 +5,7 @@
 
 #include "analyzer/problem/flow.hpp"
 #include "analyzer/problem/problem_builder.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::analyzer {
 namespace {
@@ -102,11 +102,8 @@ void ProblemBuilder::overload() {
     if (asked[p] <= whole_time) continue;
     problem_.overloaded.push_back(p);
     const pan::Processor& processor = problem_.processors[p];
-    diagnostics_.report(
-        Code::PAL0820, processor.where,
-        "processor " + processor.name + " has more work than time when events come as often as they may: " +
-            percent(asked[p]) + " (" + by[p] + ")",
-        "move one of them to another processor, shorten its work, or let its events come less often");
+    diagnostics_.report(Finding::more_work_than_time, processor.where, processor.name, percent(asked[p]),
+                        by[p]);
   }
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/problem/problem_builder.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::analyzer {
 
@@ -26,10 +26,7 @@ Table<StepId, bool> ProblemBuilder::steps_at(const std::vector<StatementRef>& at
     for (const StepId s : found->second) steps[s] = any = true;
   }
   if (!any) {
-    diagnostics_.report(
-        Code::PAL0811, requirement.where,
-        "requirement " + requirement.name + " is about a statement that no thread ever reaches",
-        "name a statement that can be reached, or make a way to this one");
+    diagnostics_.report(Finding::requirement_at_unreachable, requirement.where, requirement.name);
   }
   return steps;
 }
@@ -133,9 +130,7 @@ void ProblemBuilder::measure(const Loss& loss, const pan::Requirement& requireme
   made.in = loss.in;
   const Device& device = problem_.devices[made.device];
   if (!device.event.valid() && device.requests.empty()) {
-    diagnostics_.report(Code::PAL0818, requirement.where,
-                        device.name + " sends nothing to this skill that could be lost",
-                        "name a device that the skill takes messages from");
+    diagnostics_.report(Finding::nothing_to_lose, requirement.where, device.name);
   }
   require(std::move(made));
 }
@@ -153,9 +148,7 @@ std::vector<ProcessorId> ProblemBuilder::processors_named(const std::string& nam
     if (name.empty() || name == problem_.processors[p].name) found.push_back(p);
   }
   if (found.empty()) {
-    diagnostics_.report(Code::PAL0813, requirement.where,
-                        "environment " + environment_.name + " has no processor " + name,
-                        "name one that it has, or write EACH PROCESSOR");
+    diagnostics_.report(Finding::load_of_unknown_processor, requirement.where, environment_.name, name);
   }
   return found;
 }
@@ -196,10 +189,8 @@ void ProblemBuilder::demanded_answer(DeviceId d) {
     if (channel.receiver_device == d && channel.message == event->answer) made.at[s] = any = true;
   }
   if (!any) {
-    diagnostics_.report(
-        Code::PAL0727, where,
-        "nothing in skill " + network_.skill.name + " sends " + event->answer + " to " + device.name,
-        "add TXM( " + event->answer + " to " + device.name + " ), or name the answer that the skill sends");
+    diagnostics_.report(Finding::nothing_sends_answer, where, network_.skill.name, event->answer,
+                        device.name);
     return;
   }
   if (!event->answer_within) return;

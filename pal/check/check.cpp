@@ -14,7 +14,7 @@
 #include "pal/check/rules/families.hpp"
 #include "pal/check/rules/unused.hpp"
 #include "pal/pan/flow.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -116,9 +116,7 @@ class Checker {
         case Code::PAL0202:
         case Code::PAL0203:
         case Code::PAL0204: {
-          auto& told = diagnostics_.report(each.code, each.where, each.message, each.hint);
-          told.notes = each.notes;
-          told.fix = each.fix;
+          diagnostics_.report(each);
           break;
         }
         default:
@@ -163,8 +161,7 @@ class Checker {
   void check_leftovers(std::size_t index) {
     const FileId file = trees_[index].file;
     if (trees_[index].complete && trees_[index].units.empty())
-      diagnostics_.report(Code::PAL0120, {file, 0, 0}, "this file declares nothing",
-                          "write a SKILL, a module or an ENVIRONMENT, or leave the file out");
+      diagnostics_.report(Finding::file_declares_nothing, {file, 0, 0});
     if (diagnostics_.errors() != 0 || !trees_[index].complete) return;
     std::vector<const pan::Network*> skills;
     for (const auto& network : result_.skills) {
@@ -188,9 +185,7 @@ class Checker {
     for (const auto& unit : trees_[index].units) {
       const auto* module = std::get_if<syntax::ModuleUnit>(&unit);
       if (module == nullptr || module->name.text.empty() || listed.contains(module->name.text)) continue;
-      diagnostics_.report(Code::PAL0209, module->name.where,
-                          "no skill uses this module, so it is not checked",
-                          "list it in the skill's template, or move it to a file of its own");
+      diagnostics_.report(Finding::module_not_used, module->name.where);
     }
   }
 
@@ -207,10 +202,7 @@ class Checker {
     used_.insert(scope.trees.begin(), scope.trees.end());
     if (left == all.end() || !complete(scope)) return;
     const auto& first = **left;
-    diagnostics_.report(
-        Code::PAL0209, first.name.where,
-        "no skill uses this module, so the names that it does not declare are trusted",
-        "check a file with a SKILL that USES this one to have its talk and its ending checked");
+    diagnostics_.report(Finding::module_alone, first.name.where);
     const auto errors_before = diagnostics_.errors();
     auto network = check::build_sketch(scope, first.name.text, first.where, diagnostics_);
     if (diagnostics_.errors() == errors_before) check_bodies(network, pan::Flow(network));

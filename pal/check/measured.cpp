@@ -5,9 +5,8 @@
 #include <string>
 #include <variant>
 
-#include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -47,9 +46,7 @@ class Comparison {
 
  private:
   void not_declared(SourceSpan where, const std::string& what) const {
-    diagnostics_.report(Code::PAL0752, where,
-                        what + " was measured, and environment " + declared_.name + " does not declare it so",
-                        "measure again, with the skill and the environment as they are now");
+    diagnostics_.report(Finding::measured_not_declared, where, what, declared_.name);
   }
 
   /// The time of the activity in that module, or of the activity wherever it stands.
@@ -70,21 +67,16 @@ class Comparison {
     if (time.time.worst <= declared->time.worst) return;
     const Interval wanted{declared->time.best, time.time.worst};
     diagnostics_
-        .report(Code::PAL0750, declared->where,
-                quoted(name) + " was measured to take " + to_text(time.time.worst) + ", and environment " +
-                    declared_.name + " declares at most " + to_text(declared->time.worst),
-                "declare " + interval_text(wanted) + " at least, or make the activity faster")
+        .report(Finding::activity_measured_longer, declared->where, name, to_text(time.time.worst),
+                declared_.name, to_text(declared->time.worst), interval_text(wanted))
         .notes.push_back({time.where, "it was measured here"});
   }
 
   void cost(const char* name, const Interval& declared, const Interval& measured) const {
     if (measured.worst <= declared.worst) return;
     diagnostics_
-        .report(Code::PAL0750, declared_.where,
-                std::string("COST ") + name + " was measured to be " + to_text(measured.worst) +
-                    ", and environment " + declared_.name + " declares at most " + to_text(declared.worst),
-                std::string("declare COST ") + name + " " + interval_text({declared.best, measured.worst}) +
-                    " at least")
+        .report(Finding::cost_measured_longer, declared_.where, name, to_text(measured.worst), declared_.name,
+                to_text(declared.worst), interval_text({declared.best, measured.worst}))
         .notes.push_back({measured_.where, "it was measured here"});
   }
 
@@ -100,27 +92,25 @@ class Comparison {
       if (events == nullptr || events->message != seen->message)
         return not_declared(timing.where, "device " + timing.device);
       const Range range = apart(*seen);
-      return within(*declared, timing, "sent " + seen->message, range.least, *range.greatest, apart(*events));
+      return within(*declared, timing, "sent " + seen->message + " again after", range.least, *range.greatest,
+                    apart(*events));
     }
     const auto* seen = std::get_if<pan::RequestDevice>(&timing.behaviour);
     if (seen == nullptr || events != nullptr) return not_declared(timing.where, "device " + timing.device);
     // A request just after a frame has begun waits for the next one.
     const Range range = answers != nullptr ? Range{answers->answer.best, answers->answer.worst}
                                            : Range{frames->collecting, frames->period + frames->collecting};
-    within(*declared, timing, "answered", seen->answer.best, seen->answer.worst, range);
+    within(*declared, timing, "answered after", seen->answer.best, seen->answer.worst, range);
   }
 
-  void within(const pan::DeviceTiming& declared, const pan::DeviceTiming& measured, const std::string& what,
+  void within(const pan::DeviceTiming& declared, const pan::DeviceTiming& measured, const std::string& did,
               Duration least, Duration greatest, const Range& range) const {
     const bool late = range.greatest && greatest > *range.greatest;
     if (!late && least >= range.least) return;
-    const std::string after = what == "answered" ? " after " : " again after ";
     diagnostics_
-        .report(Code::PAL0751, declared.where,
-                "device " + declared.device + " " + what + after + to_text(late ? greatest : least) +
-                    " in a run, and environment " + declared_.name + " promises " +
-                    (late ? "at most " + to_text(*range.greatest) : "at least " + to_text(range.least)),
-                "declare what the device does, or find out why it did this")
+        .report(Finding::measured_outside_promise, declared.where, declared.device, did,
+                to_text(late ? greatest : least), declared_.name,
+                late ? "at most " + to_text(*range.greatest) : "at least " + to_text(range.least))
         .notes.push_back({measured.where, "it was measured here"});
   }
 
@@ -140,10 +130,7 @@ void check_measured(const std::vector<pan::Environment>& declared,
     if (same != declared.end()) {
       Comparison(*same, each, diagnostics).compare();
     } else {
-      diagnostics.report(
-          Code::PAL0752, each.where,
-          "this was measured in environment " + each.name + ", which is not among those checked",
-          "give the environment that the skill ran in with --environment");
+      diagnostics.report(Finding::measured_elsewhere, each.where, each.name);
     }
   }
 }

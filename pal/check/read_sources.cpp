@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/text_check.hpp"
 #include "pal/syntax/parse.hpp"
 #include "pal/syntax/parse_dot.hpp"
@@ -13,10 +13,6 @@
 namespace pal::check {
 
 namespace {
-
-std::string shown(const std::string& path) {
-  return "'" + path + "'";
-}
 
 class SourceReader {
  public:
@@ -48,10 +44,8 @@ class SourceReader {
     auto read = files_.read(path);
     if (const auto* error = std::get_if<FileError>(&read)) {
       const bool by_uses = named_at.valid();
-      diagnostics_.report(Code::PAL0111, by_uses ? named_at : SourceSpan{sources_.add(path, {}), 0, 0},
-                          "cannot read " + shown(path) + ": " + error->reason,
-                          by_uses ? "a file is looked for beside the one that names it"
-                                  : "name a file that is there and may be read");
+      diagnostics_.report(either<Finding::used_file_cannot_be_read, Finding::file_cannot_be_read>(by_uses),
+                          by_uses ? named_at : SourceSpan{sources_.add(path, {}), 0, 0}, path, error->reason);
       return std::nullopt;
     }
     const auto file = sources_.add(path, std::get<std::string>(std::move(read)));
@@ -90,9 +84,7 @@ class SourceReader {
         if (uses == nullptr || !uses->file.valid()) continue;
         const auto next = index.at(uses->file);
         if (marks[next] == Mark::open) {
-          auto& finding =
-              diagnostics_.report(Code::PAL0113, uses->where, "this USES closes a circle of files",
-                                  "move what both files need to a third one");
+          auto& finding = diagnostics_.report(Finding::circle_of_files, uses->where);
           const auto first =
               std::find_if(path.begin(), path.end(), [&](const Step& s) { return s.tree == next; });
           for (auto at = first; at + 1 < path.end(); ++at) {

@@ -1,6 +1,6 @@
 #include "pal/check/report.hpp"
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::check {
@@ -11,9 +11,7 @@ std::string quoted(const std::string& name) {
 
 void report_twice(Diagnostics& diagnostics, const std::string& what, const syntax::Name& second,
                   const syntax::Name& first) {
-  auto& finding =
-      diagnostics.report(Code::PAL0205, second.where, what + " " + quoted(second.text) + " is declared twice",
-                         "rename one of them, or remove it");
+  auto& finding = diagnostics.report(Finding::declared_twice, second.where, what, second.text);
   finding.notes.push_back({first.where, "it is also declared here"});
 }
 
@@ -24,12 +22,10 @@ bool may_guess(const Diagnostics& diagnostics, std::size_t known) {
   return errors < most_guesses && errors * known < most_comparisons;
 }
 
-void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
-                    const std::vector<std::string>& known, const std::string& otherwise,
-                    const DeclaredAt& declared) {
+void report_unknown(Diagnostics& diagnostics, const PartialDiagnostic& what, const syntax::Name& name,
+                    const std::vector<std::string>& known, const DeclaredAt& declared) {
   const auto meant = may_guess(diagnostics, known.size()) ? nearest(name.text, known) : std::nullopt;
-  auto& finding = diagnostics.report(code, name.where, "there is no " + what + " " + quoted(name.text),
-                                     meant ? "did you mean " + quoted(*meant) + "?" : otherwise);
+  auto& finding = diagnostics.report(what, name.where).suggest(meant);
   if (!meant) return;
   finding.fix = {{name.where, *meant}};
   const auto place = declared ? declared(*meant) : std::nullopt;

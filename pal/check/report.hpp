@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pal/support/diagnostic.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/statement.hpp"
 
 namespace pal::check {
@@ -19,12 +20,11 @@ void report_twice(Diagnostics& diagnostics, const std::string& what, const synta
 /// misspelling, and comparing all with all takes long.
 bool may_guess(const Diagnostics& diagnostics, std::size_t known);
 
-/// There is no `what` of that name. Suggests the nearest of `known` with the place where it is `declared`, or
-/// else gives the hint `otherwise`.
+/// Reports `what`, about a `name` that is not known. Suggests the nearest of `known` with the place where it
+/// is `declared`, if there is one.
 using DeclaredAt = std::function<std::optional<SourceSpan>(const std::string& name)>;
-void report_unknown(Diagnostics& diagnostics, Code code, const std::string& what, const syntax::Name& name,
-                    const std::vector<std::string>& known, const std::string& otherwise,
-                    const DeclaredAt& declared = {});
+void report_unknown(Diagnostics& diagnostics, const PartialDiagnostic& what, const syntax::Name& name,
+                    const std::vector<std::string>& known, const DeclaredAt& declared = {});
 
 /// "'name'".
 std::string quoted(const std::string& name);

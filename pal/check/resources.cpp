@@ -7,7 +7,7 @@
 
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -198,11 +198,8 @@ void check_listed(const pan::Network& network, const pan::Environment& environme
   std::erase_if(needed, [](const Resource& resource) { return resource.kind != Resource::Kind::listed; });
   const auto missing = missing_resources(needed, environment);
   if (missing.empty()) return;
-  auto& finding =
-      diagnostics.report(Code::PAL0740, environment.where,
-                         "environment " + quoted(environment.name) + " does not list what skill " +
-                             quoted(network.skill.name) + " needs",
-                         "add what the notes name to its lists, or run the skill in another workcell");
+  auto& finding = diagnostics.report(Finding::resources_not_listed, environment.where, environment.name,
+                                     network.skill.name);
   for (const auto& resource : missing) {
     finding.notes.push_back({resource.where, group_text(resource.group) + ": " + quoted(resource.name)});
   }

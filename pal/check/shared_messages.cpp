@@ -9,7 +9,7 @@
 
 #include "pal/check/report.hpp"
 #include "pal/pan/threads.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -163,17 +163,13 @@ class Finder {
   }
 
   void report(const MessageUse& write, const MessageUse& other) {
-    const std::string message = quoted(network_.messages[write.message.index()].name);
+    const std::string& message = network_.messages[write.message.index()].name;
     const bool two = write.by.place->processor != other.by.place->processor;
     const std::string where = two ? "on " + write.by.place->processor + " and " + other.by.place->processor
                                   : "with two priorities on " + write.by.place->processor;
-    auto& finding = diagnostics_.report(Code::PAL0732, other.where,
-                                        message + " is " + (other.writes ? "written" : "read") + " in " +
-                                            other.by.name + " while " + write.by.name +
-                                            " may write it: they run " + where + " in " + environment_.name,
-                                        "pass what " + other.by.name +
-                                            " needs by a condition, let it take a message of its own, or "
-                                            "place both with one priority on one processor");
+    auto& finding = diagnostics_.report(Finding::message_used_by_two, other.where, message,
+                                        (other.writes ? "written" : "read"), other.by.name, write.by.name,
+                                        where, environment_.name);
     finding.notes.push_back({write.where, "it is written here"});
     finding.notes.push_back({write.by.place->where, write.by.name + " is placed here"});
     if (other.by.place != write.by.place)

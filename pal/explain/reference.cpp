@@ -2,11 +2,13 @@
 
 #include <iomanip>
 #include <ostream>
+#include <set>
 #include <string>
 #include <string_view>
 
 #include "pal/explain/codes.hpp"
 #include "pal/explain/page.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::explain {
 namespace {
@@ -20,7 +22,7 @@ constexpr std::string_view introduction =
     "them.\n"
     "\n"
     "This document is written by `pal explain --all > docs/reference/diagnostics.md` from the table in\n"
-    "[diagnostic_code.def](../../pal/support/diagnostic_code.def) and the pages in "
+    "[pal/support/findings](../../pal/support/findings) and the pages in "
     "[pal/explain/pages](../../pal/explain/pages).\n"
     "\n";
 
@@ -34,7 +36,11 @@ void write_list(std::ostream& out) {
 
 void write_page(Code code, std::ostream& out) {
   out << "## " << name(code) << "\n\n**" << name(severity(code)) << ": " << title(code) << "**\n\n"
-      << explain(code).markdown;
+      << explain(code).markdown << "\n### Texts\n\n";
+  std::set<std::string_view> told;
+  for (const FindingRow& row : finding_rows) {
+    if (row.code == code && told.insert(row.text).second) out << "- `" << row.text << "`\n";
+  }
 }
 
 void write_reference(std::ostream& out) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal {
 
@@ -18,11 +19,8 @@ struct Row {
 };
 
 constexpr std::array rows{
-#define PAL_FAMILY(family)
 #define PAL_DIAGNOSTIC(code, severity, title) Row{#code, Severity::severity, title},
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
 /// The number of each row, and of the first one of each family.
@@ -30,19 +28,14 @@ enum RowNumber : int {
 #define PAL_FAMILY(family) first_##family, before_##family = first_##family - 1,
 #define PAL_DIAGNOSTIC(code, severity, title) row_##code,
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
 constexpr std::array first_rows{
 #define PAL_FAMILY(family) static_cast<int>(first_##family),
-#define PAL_DIAGNOSTIC(code, severity, title)
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
-const Row& row(Code code) {
+const Row& code_row(Code code) {
   return rows.at(static_cast<std::size_t>(code));
 }
 
@@ -53,17 +46,17 @@ auto place(const SourceSpan& span) {
 }  // namespace
 
 std::string_view name(Code code) {
-  return row(code).name;
+  return code_row(code).name;
 }
 Severity severity(Code code) {
-  return row(code).severity;
+  return code_row(code).severity;
 }
 Family family(Code code) {
   const auto after = std::upper_bound(first_rows.begin(), first_rows.end(), static_cast<int>(code));
   return static_cast<Family>(after - first_rows.begin() - 1);
 }
 std::string_view title(Code code) {
-  return row(code).title;
+  return code_row(code).title;
 }
 std::size_t code_count() {
   return rows.size();
@@ -81,8 +74,33 @@ std::string_view name(Severity severity) {
   return "error";
 }
 
-Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message, std::string hint) {
-  const auto level = severity(code);
+Diagnostic& Diagnostic::suggest(const std::optional<std::string>& near, const char* quote) {
+  if (near) hint = "did you mean " + (quote + *near + quote) + "?";
+  return *this;
+}
+
+Diagnostic& Diagnostic::say(const PartialDiagnostic& what) {
+  message = text_of(what);
+  hint = hint_of(what);
+  finding = what.finding;
+  arguments = what.arguments;
+  return *this;
+}
+
+Diagnostic& Diagnostics::report(const PartialDiagnostic& what, SourceSpan where) {
+  const Code code = row(what.finding).code;
+  return keep({code, severity(code), where, {}, {}, {}, {}}).say(what);
+}
+
+Diagnostic& Diagnostics::report(const Diagnostic& found) {
+  Diagnostic given = found;
+  given.severity = severity(given.code);
+  return keep(std::move(given));
+}
+
+Diagnostic& Diagnostics::keep(Diagnostic found) {
+  const SourceSpan where = found.where;
+  const auto level = found.severity;
   const auto follows = std::any_of(distrusted_.begin(), distrusted_.end(), [&](const SourceSpan& place) {
     return place.file == where.file && place.begin <= where.begin && where.begin < place.end;
   });
@@ -90,16 +108,7 @@ Diagnostic& Diagnostics::report(Code code, SourceSpan where, std::string message
   const bool full = kept_.of(level) == most_kept;
   if (!follows) ++(full ? not_kept_ : kept_).of(level);
   if (follows || full) dropped_.clear();
-  return (follows || full ? dropped_ : all_)
-      .emplace_back(Diagnostic{code, level, where, std::move(message), {}, std::move(hint), {}});
-}
-
-Diagnostic& Diagnostics::report(const Diagnostic& found) {
-  Diagnostic& finding = report(found.code, found.where, found.message, found.hint);
-  finding.notes = found.notes;
-  finding.fix = found.fix;
-  finding.requirement = found.requirement;
-  return finding;
+  return (follows || full ? dropped_ : all_).emplace_back(std::move(found));
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

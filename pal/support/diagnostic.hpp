@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "pal/support/source.hpp"
@@ -13,6 +15,12 @@ namespace pal {
 /// The rows of the table in diagnostic_code.hpp. Include that to report findings or to distinguish codes;
 /// code that only carries findings need not.
 enum class Code : std::uint16_t;
+
+/// The rows of findings in finding.hpp, and what reports them. Include that to report findings.
+enum class Finding : std::uint16_t;
+template <std::size_t count>
+struct FindingWith;
+struct PartialDiagnostic;
 
 enum class Severity { note, warning, error };
 
@@ -30,7 +38,8 @@ struct Edit {
 
 /// One finding. `message` is lower case without a full stop, and says what is wrong at `where`, the narrowest
 /// place possible. `hint` says what to do; following it makes the finding go away. If a program can follow
-/// it, `fix` has the edits, all of which must be made; else it is empty.
+/// it, `fix` has the edits, all of which must be made; else it is empty. Message and hint are made of the row
+/// of `finding` and of its `arguments`.
 struct Diagnostic {
   Code code;
   Severity severity;
@@ -40,6 +49,13 @@ struct Diagnostic {
   std::string hint;
   std::vector<Edit> fix;
   std::string requirement = {};  // the name of the one it is about; empty: none
+  Finding finding = {};
+  std::vector<std::string> arguments = {};
+
+  /// Is told in this way from now on.
+  Diagnostic& say(const PartialDiagnostic& what);
+  /// Asks for the similar name `near`, if there is one, in place of the hint. `quote` stands around it.
+  Diagnostic& suggest(const std::optional<std::string>& near, const char* quote = "'");
 };
 
 /// Numbers of findings.
@@ -58,8 +74,12 @@ class Diagnostics {
   /// memory.
   static constexpr std::size_t most_kept = 10'000;
 
-  /// Reports with the severity that the table gives the code.
-  Diagnostic& report(Code code, SourceSpan where, std::string message, std::string hint = {});
+  /// Reports with the severity that the table gives the finding's code. There is an argument, a text or a
+  /// whole number, for each placeholder of its row, in the order in which they first stand in text and hint.
+  template <class... Arguments>
+  Diagnostic& report(std::type_identity_t<FindingWith<sizeof...(Arguments)>> finding, SourceSpan where,
+                     const Arguments&... arguments);
+  Diagnostic& report(const PartialDiagnostic& what, SourceSpan where);
 
   /// Reports what was found elsewhere.
   Diagnostic& report(const Diagnostic& found);
@@ -80,6 +100,8 @@ class Diagnostics {
   std::vector<Diagnostic> sorted() const;
 
  private:
+  Diagnostic& keep(Diagnostic found);
+
   std::vector<Diagnostic> all_;
   std::vector<SourceSpan> distrusted_;
   std::vector<Diagnostic> dropped_;  // the last one dropped, which its finder may still be writing to

@@ -10,20 +10,14 @@ namespace pal {
 enum class Severity;
 
 enum class Code : std::uint16_t {
-#define PAL_FAMILY(family)
 #define PAL_DIAGNOSTIC(code, severity, title) code,
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
 /// The subject of findings, each a hundred of codes.
 enum class Family {
 #define PAL_FAMILY(family) family,
-#define PAL_DIAGNOSTIC(code, severity, title)
 #include "pal/support/diagnostic_code.def"
-#undef PAL_DIAGNOSTIC
-#undef PAL_FAMILY
 };
 
 /// "PAL0101".

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal {
 namespace {
@@ -25,11 +25,7 @@ bool report_merge_conflict(std::string_view text, FileId file, Diagnostics& diag
     const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
     const std::string_view line = text.substr(begin, end - begin);
     if (finding == nullptr) {
-      if (is_marker(line, '<'))
-        finding =
-            &diagnostics.report(Code::PAL0119, span(begin, end), "a conflict of a merge is left in this file",
-                                "keep the lines that you want, and remove those that begin with <<<<<<<, "
-                                "======= and >>>>>>>");
+      if (is_marker(line, '<')) finding = &diagnostics.report(Finding::merge_conflict, span(begin, end));
     } else if (finding->notes.size() < 2 && (is_marker(line, '=') || is_marker(line, '>'))) {
       finding->notes.push_back({span(begin, end), "it goes on here"});
     }

@@ -1,7 +1,7 @@
 // The tree of an environment, made from what the grammar read.
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/build.hpp"
 
 namespace pal::syntax {
@@ -150,8 +150,7 @@ pan::EventDevice Builder::event_device(Parser::EventDeviceContext* context) {
   bool has_jitter = false;
   for (auto* clause : context->eventClause()) {
     const auto once = [&](bool given) {
-      if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+      if (given) diagnostics_.report(Finding::clause_given_twice, span(clause));
     };
     if (clause->EVERY() != nullptr || clause->SPORADIC() != nullptr) {
       once(has_period);
@@ -172,8 +171,7 @@ pan::EventDevice Builder::event_device(Parser::EventDeviceContext* context) {
     }
   }
   if (!has_period && context->exception == nullptr) {
-    diagnostics_.report(Code::PAL0707, span(context), "this device does not say how often it sends its event",
-                        "add EVERY or SPORADIC and a time");
+    diagnostics_.report(Finding::device_without_period, span(context));
   }
   return result;
 }
@@ -184,8 +182,7 @@ pan::FrameDevice Builder::frame_device(Parser::FrameDeviceContext* context) {
   bool has_collecting = false;
   for (auto* clause : context->frameClause()) {
     const auto once = [&](bool given) {
-      if (given)
-        diagnostics_.report(Code::PAL0706, span(clause), "this is given twice", "remove one of them");
+      if (given) diagnostics_.report(Finding::clause_given_twice, span(clause));
     };
     if (clause->EVERY() != nullptr) {
       once(has_period);
@@ -201,8 +198,7 @@ pan::FrameDevice Builder::frame_device(Parser::FrameDeviceContext* context) {
     }
   }
   if ((!has_period || !has_collecting) && context->exception == nullptr) {
-    diagnostics_.report(Code::PAL0707, span(context), "this device needs both EVERY and COLLECTING",
-                        "write FRAMES EVERY 78 ms COLLECTING 76 ms, with its own times");
+    diagnostics_.report(Finding::frames_without_times, span(context));
   }
   return result;
 }

@@ -3,8 +3,8 @@
 #include <utility>
 #include <variant>
 
-#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/build.hpp"
 #include "pal/syntax/token_list.hpp"
 
@@ -112,13 +112,11 @@ Duration Builder::share(antlr4::tree::TerminalNode* number, antlr4::tree::Termin
   const auto parsed = parse_percentage(number->getText());
   const auto* value = std::get_if<Duration>(&parsed);
   if (value == nullptr && std::get<DurationError>(parsed) == DurationError::not_whole) {
-    diagnostics_.report(Code::PAL0801, at,
-                        subject + " is known to a ten-millionth of a percent, and this is finer",
-                        "write seven digits behind the point, or fewer");
+    diagnostics_.report(Finding::share_too_fine, at, subject);
     return Duration{};
   }
   if (value == nullptr || *value < Duration{} || *value > std::chrono::seconds(1)) {
-    diagnostics_.report(Code::PAL0801, at, subject + " is between 0 % and 100 %", "write a part " + example);
+    diagnostics_.report(Finding::share_out_of_range, at, subject, example);
     return Duration{};
   }
   return *value;
@@ -138,8 +136,7 @@ std::optional<Requirement> Builder::passes(Requirement result, Parser::StepConte
   if (least != nullptr) passes.least = duration(least);
   if (most != nullptr) passes.most = duration(most);
   if (diagnostics_.errors() == wrong && passes.least && passes.most && *passes.least > *passes.most) {
-    diagnostics_.report(Code::PAL0705, span(span(least), span(most)),
-                        "the least interval is longer than the greatest", "write the shorter time first");
+    diagnostics_.report(Finding::least_longer_than_greatest, span(span(least), span(most)));
   }
   result.measure = std::move(passes);
   return result;
@@ -159,9 +156,7 @@ Requirement::Loss Builder::loss(Parser::LossContext* context) {
   if ((!most && !loss.share) || !in) return loss;
   if (loss.share) most = part_of(*in, *loss.share);
   if (*in < 1 || *most < 0 || *most >= *in) {
-    diagnostics_.report(Code::PAL0815, span(context->NUMBER(0), context->NUMBER(1)),
-                        "fewer of a row may be lost than there are in it",
-                        "write NONE, AT MOST 1 IN 4, or AT MOST 10 % IN 125");
+    diagnostics_.report(Finding::loss_of_all_in_row, span(context->NUMBER(0), context->NUMBER(1)));
     return loss;
   }
   loss.most = *most;

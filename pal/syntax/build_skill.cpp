@@ -1,7 +1,7 @@
 // The tree of a skill template.
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/build.hpp"
 
 namespace pal::syntax {
@@ -94,8 +94,7 @@ Parameter Builder::parameter(Parser::ParameterSlotContext* context) {
   result.type = written.type;
   result.unit = std::move(written.unit);
   if (written.size != 0) {
-    diagnostics_.report(Code::PAL0616, span(declared), "a parameter is one value, not an array",
-                        "declare a parameter for each value");
+    diagnostics_.report(Finding::parameter_is_no_array, span(declared));
   }
   const auto literals = context->literal();
   std::size_t next = 0;

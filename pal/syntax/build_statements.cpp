@@ -1,7 +1,7 @@
 // The tree of statements.
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/build.hpp"
 #include "pal/syntax/token_list.hpp"
 
@@ -47,8 +47,7 @@ Source Builder::source(Parser::SourceContext* context) {
 }
 
 void Builder::report_no_else(SourceSpan wait, antlr4::tree::TerminalNode* end) {
-  auto& finding = diagnostics_.report(
-      Code::PAL0108, wait, "this wait gives up, but does not say what to do then", "add ELSE before END WTM");
+  auto& finding = diagnostics_.report(Finding::wait_without_else, wait);
   if (is_made_up(end->getSymbol())) return;  // where it ends is yet to be written
   auto before = span(end);
   before.end = before.begin;
@@ -90,9 +89,7 @@ std::optional<Statement> Builder::wait(Parser::WaitContext* context) {
       report_no_else(head, c->END_WTM());
     }
     if (c->WITHIN() == nullptr && c->ELSE() != nullptr) {
-      diagnostics_.report(Code::PAL0109, span(c->ELSE()),
-                          "this wait never gives up, so its ELSE is never reached",
-                          "write WTM FIRST WITHIN and a time, or remove ELSE");
+      diagnostics_.report(Finding::else_never_reached, span(c->ELSE()));
     }
     return Statement{std::move(wait), head, end};
   }
@@ -111,10 +108,8 @@ std::optional<Statement> Builder::send(Parser::SendContext* context) {
     Send send{message(c->message()), party(c->party())};
     if (!send.message.request && !send.message.name.text.empty() && c->exception == nullptr) {
       send.message.request = true;  // as is rather meant than the other way round
-      auto& finding = diagnostics_.report(
-          Code::PAL0110, span(c->FROM()), "only a request can be sent FROM a module",
-          "write TXM( request " + send.message.name.text + " from " + send.to.name.text + " ), or TXM( " +
-              send.message.name.text + " to " + send.to.name.text + " )");
+      auto& finding = diagnostics_.report(Finding::only_request_from, span(c->FROM()), send.message.name.text,
+                                          send.to.name.text);
       auto before = span(c->message());
       before.end = before.begin;
       finding.fix = {{before, "request "}};

@@ -5,8 +5,8 @@
 #include <limits>
 #include <string_view>
 
-#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/build.hpp"
 #include "pal/syntax/physical_unit.hpp"
 #include "pal/syntax/token_list.hpp"
@@ -72,9 +72,7 @@ std::string Builder::text(antlr4::tree::TerminalNode* string) {
     if (quoted[i] == '\\' && i + 1 < end) {
       ++i;
       if (quoted[i] != '"' && quoted[i] != '\\') {
-        auto& finding =
-            diagnostics_.report(Code::PAL0106, span(string), "in a text, \\ stands before \" and \\ only",
-                                "write \\\\ for one \\");
+        auto& finding = diagnostics_.report(Finding::unknown_escape, span(string));
         const auto at = span(string).begin + static_cast<std::uint32_t>(i) - 1;
         finding.fix = {{{tokens_.file(), at, at}, "\\"}};
       }
@@ -98,9 +96,7 @@ std::optional<int> Builder::integer(antlr4::tree::TerminalNode* number) {
   const auto end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
   if (error != std::errc{} || stop != end) {
-    diagnostics_.report(Code::PAL0107, span(number),
-                        "this must be a whole number between -2147483648 and 2147483647",
-                        "write a whole number in this range");
+    diagnostics_.report(Finding::no_whole_number_of_32_bits, span(number));
     return std::nullopt;
   }
   return value;
@@ -112,8 +108,7 @@ std::optional<double> Builder::real(antlr4::tree::TerminalNode* number) {
   double value = 0;
   const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{}) {
-    diagnostics_.report(Code::PAL0107, span(number), "this number is too large or too small",
-                        "write a number below 1e308");
+    diagnostics_.report(Finding::number_too_large, span(number));
     return 0;
   }
   return value;
@@ -140,24 +135,20 @@ Duration Builder::duration(antlr4::tree::TerminalNode* number, antlr4::tree::Ter
   const auto parsed = parse_duration(number->getText(), unit->getText());
   if (const auto* value = std::get_if<Duration>(&parsed)) {
     if (*value < Duration{}) {
-      diagnostics_.report(Code::PAL0701, span(number, unit), "a time cannot be negative",
-                          "write a time from 0 on");
+      diagnostics_.report(Finding::written_time_negative, span(number, unit));
       return Duration{};
     }
     return *value;
   }
   switch (std::get<DurationError>(parsed)) {
     case DurationError::no_unit:
-      diagnostics_.report(Code::PAL0702, span(unit), "'" + unit->getText() + "' is not a unit of time",
-                          "the units are ns, us, ms, s and min");
+      diagnostics_.report(Finding::unknown_unit_of_time, span(unit), unit->getText());
       break;
     case DurationError::not_whole:
-      diagnostics_.report(Code::PAL0703, span(number, unit), "this is not a whole number of nanoseconds",
-                          "round it: up if it is a worst time, down if it is a best one");
+      diagnostics_.report(Finding::no_whole_nanoseconds, span(number, unit));
       break;
     default:
-      diagnostics_.report(Code::PAL0704, span(number, unit), "this time is too long",
-                          "write a time of at most 1000000 s");
+      diagnostics_.report(Finding::written_time_too_long, span(number, unit));
   }
   return Duration{};
 }
@@ -169,8 +160,7 @@ Interval Builder::interval(Parser::IntervalContext* context) {
   auto* unit = context->NAME(0);
   if (best == nullptr) return {};
   if (unit == nullptr) {
-    diagnostics_.report(Code::PAL0702, span(best), "this time has no unit",
-                        "the units are ns, us, ms, s and min");
+    diagnostics_.report(Finding::time_without_unit, span(best));
     return {};
   }
   if (worst == nullptr) {
@@ -183,9 +173,7 @@ Interval Builder::interval(Parser::IntervalContext* context) {
   const Interval result{duration(best, unit), duration(worst, last)};
   if (diagnostics_.errors() == wrong && result.best > result.worst) {
     const auto turned = to_text(Interval{result.worst, result.best});
-    diagnostics_
-        .report(Code::PAL0705, span(context), "this interval runs backwards", "write the best time first")
-        .fix = {{span(context), turned}};
+    diagnostics_.report(Finding::interval_runs_backwards, span(context)).fix = {{span(context), turned}};
   }
   return result;
 }
@@ -194,8 +182,7 @@ std::string Builder::unit(Parser::PhysicalUnitContext* context) {
   if (context == nullptr || context->exception != nullptr) return {};
   auto written = context->getText();  // without the spaces between
   if (!is_physical_unit(written)) {
-    diagnostics_.report(Code::PAL0601, span(context), "'" + written + "' is not a unit",
-                        "units are products and quotients of " + physical_units());
+    diagnostics_.report(Finding::unknown_unit, span(context), written, physical_units());
   }
   return written;
 }
@@ -211,15 +198,11 @@ int Builder::size(Parser::SizeContext* context) {
   const auto* end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
   if (stop != end) {
-    diagnostics_.report(Code::PAL0615, span(number), "the size of an array is a whole number",
-                        "write a whole number from 1 to " + limit + ", without point and exponent");
+    diagnostics_.report(Finding::size_not_whole, span(number), limit);
   } else if (digits.starts_with('-') || (error == std::errc{} && value == 0)) {
-    diagnostics_.report(
-        Code::PAL0615, span(number), "an array has at least one value",
-        "write a size from 1 to " + limit + "; a message without a value is declared as SIGNAL");
+    diagnostics_.report(Finding::array_of_nothing, span(number), limit);
   } else if (error != std::errc{} || value > pan::largest_array) {
-    diagnostics_.report(Code::PAL0615, span(number), "an array has at most " + limit + " values",
-                        "send the values in several messages, one after another");
+    diagnostics_.report(Finding::array_too_large, span(number), limit);
   } else {
     return value;
   }
@@ -231,13 +214,11 @@ Builder::TypeOf Builder::type(Parser::TypeContext* context) {
   const bool boolean = context->BOOLEAN() != nullptr;
   const bool text = context->TEXT() != nullptr;
   if ((boolean || text) && context->physicalUnit() != nullptr) {
-    diagnostics_.report(Code::PAL0614, span(context),
-                        boolean ? "a BOOLEAN has no unit" : "a TEXT has no unit",
-                        boolean ? "remove the unit, or write REAL or INTEGER" : "remove the unit");
+    diagnostics_.report(either<Finding::boolean_has_no_unit, Finding::text_has_no_unit>(boolean),
+                        span(context));
   }
   if (text && context->size() != nullptr) {
-    diagnostics_.report(Code::PAL0616, span(context), "there are no arrays of TEXT",
-                        "declare a field for each text, as in first, second : TEXT");
+    diagnostics_.report(Finding::no_arrays_of_text, span(context));
     return {pan::ScalarType::text, {}, 0};
   }
   return {context->INTEGER() != nullptr ? pan::ScalarType::integer

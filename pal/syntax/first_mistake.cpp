@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "PalParser.h"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/foreign.hpp"
 #include "pal/syntax/spelling.hpp"
 
@@ -60,6 +60,11 @@ void add(const antlr4::misc::IntervalSet& from, std::set<std::size_t>& types) {
   }
 }
 
+PartialDiagnostic unexpected(const antlr4::Token& at, const std::string& expected) {
+  if (expected.empty()) return {Finding::unexpected, spelling(at)};
+  return {Finding::unexpected_with, spelling(at), expected};
+}
+
 }  // namespace
 
 antlr4::misc::IntervalSet expected_tokens(antlr4::Parser* parser, const std::exception_ptr& error) {
@@ -85,14 +90,12 @@ std::size_t offending(std::exception_ptr error) {
   }
 }
 
-void FirstMistake::tell(antlr4::Parser* parser, const antlr4::Token* at, std::string message,
-                        std::string hint) {
+void FirstMistake::tell(antlr4::Parser* parser, const antlr4::Token* at, const PartialDiagnostic& what) {
   auto foreign = foreign_form(tokens_, at, parser->getContext());
   if (!foreign) foreign = foreign_form(tokens_, parser->getCurrentToken(), parser->getContext());
   foreign_ = foreign.has_value();
   Diagnostics one;
-  told_ = foreign ? one.report(Code::PAL0101, tokens_.span(foreign->at), foreign->message, foreign->hint)
-                  : one.report(Code::PAL0101, tokens_.span(at), std::move(message), std::move(hint));
+  told_ = foreign ? one.report(foreign->what, tokens_.span(foreign->at)) : one.report(what, tokens_.span(at));
 }
 
 bool FirstMistake::tell_missing_end(antlr4::Parser* parser, const antlr4::Token* at) {
@@ -119,9 +122,7 @@ bool FirstMistake::tell_missing_end(antlr4::Parser* parser, const antlr4::Token*
   };
   for (const auto& end : ends) {
     if (context->getRuleIndex() != end.rule || !expected.contains(end.type)) continue;
-    tell(parser, at,
-         "this " + std::string(end.what) + " has no " + std::string(end.end) + " before " + spelling(*at),
-         "add " + std::string(end.end));
+    tell(parser, at, {Finding::missing_end, end.what, end.end, spelling(*at), end.end});
     if (!foreign_) told_->notes.push_back({tokens_.span(context->start), "it begins here"});
     return true;
   }
@@ -147,14 +148,11 @@ void FirstMistake::tell_unexpected(antlr4::Parser* parser, const antlr4::Token* 
   const auto* before = tokens_.before(at);
   if (before != nullptr && tokens_.first_on_line(at) && !expected.empty() &&
       before->getTokenIndex() >= parser->getContext()->start->getTokenIndex()) {
-    tell(parser, before, "expected " + expected + " after " + spelling(*before),
-         "write " + expected + " here");
+    tell(parser, before, {Finding::expected_after, expected, spelling(*before)});
+  } else if (expected == "a name" && is_reserved(at->getType())) {
+    tell(parser, at, {Finding::unexpected_word_of_pal, spelling(*at), expected});
   } else {
-    tell(parser, at, "unexpected " + spelling(*at) + (expected.empty() ? "" : ", expected " + expected),
-         expected.empty() ? "remove it, or correct what stands before it"
-         : expected == "a name" && is_reserved(at->getType())
-             ? "write another name: " + spelling(*at) + " is a word of PAL"
-             : "write " + expected + " here");
+    tell(parser, at, unexpected(*at, expected));
   }
 }
 
@@ -178,14 +176,9 @@ void FirstMistake::sync(antlr4::Parser* parser) {
     return;  // the end of the repetition
   }
   const auto* at = parser->getCurrentToken();
-  const bool is_end = is_boundary(type);
-  const auto words = is_end ? std::string() : spelling(begin);
   tell(parser, at,
-       is_end ? spelling(*at) + " ends nothing that is open here"
-              : "unexpected " + spelling(*at) + (words.empty() ? "" : ", expected " + words),
-       is_end          ? "remove it, or add what it is to end"
-       : words.empty() ? "remove it, or correct what stands before it"
-                       : "write " + words + " here");
+       is_boundary(type) ? PartialDiagnostic(Finding::ends_nothing, spelling(*at))
+                         : unexpected(*at, spelling(begin)));
   stop(parser, at->getTokenIndex());
 }
 

@@ -40,7 +40,7 @@ class FirstMistake : public antlr4::DefaultErrorStrategy {
 
  private:
   /// How the mistake is told, by the form of another language if it is one (foreign_form).
-  void tell(antlr4::Parser* parser, const antlr4::Token* at, std::string message, std::string hint);
+  void tell(antlr4::Parser* parser, const antlr4::Token* at, const PartialDiagnostic& what);
   /// Tells that the required word is missing, if the next word is another one.
   void tell_unexpected(antlr4::Parser* parser, const antlr4::Token* at, const std::string& expected);
   /// If a compound statement or a unit lacks its end here: tells it and returns true.

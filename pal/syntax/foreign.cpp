@@ -65,10 +65,9 @@ std::optional<Foreign> type_elsewhere(const Around& around) {
     const auto* type = around[back];
     if (!is(type, Parser::NAME) || !is(around[back - 1], Parser::COLON) || !is_type_elsewhere(type)) continue;
     const std::string word = in_capitals(type);
-    if (word == "STRING" || word == "CHAR")
-      return Foreign{type, "PAL has no type " + spelling(*type), "write TEXT, for up to 100 characters"};
-    return Foreign{type, "PAL has no type " + spelling(*type),
-                   "write REAL, INTEGER or BOOLEAN, or SIGNAL for a message without a value"};
+    const bool is_text = word == "STRING" || word == "CHAR";
+    return Foreign{type,
+                   {either<Finding::no_such_type_but_text, Finding::no_such_type>(is_text), spelling(*type)}};
   }
   return std::nullopt;
 }
@@ -80,14 +79,13 @@ std::optional<Foreign> size_elsewhere(const Around& around) {
     const auto* number = around[step + 1];
     if (!is(bracket, Parser::LEFT_BRACKET) || !is(number, Parser::NUMBER)) continue;
     if (!is(around[step - 1], Parser::NAME)) return std::nullopt;
-    return Foreign{bracket, "the size of an array stands directly behind its type",
-                   "write it as in x : REAL[" + number->getText() + "] mm"};
+    return Foreign{bracket, {Finding::size_behind_type, number->getText()}};
   }
   return std::nullopt;
 }
 
 Foreign no_if(const antlr4::Token* at) {
-  return {at, "PAL has no IF", "write CASE, an arm ( … ): for each way with its statements, and END CASE"};
+  return {at, {Finding::no_if}};
 }
 
 const antlr4::Token* first_of_line(const Around& around) {
@@ -105,8 +103,7 @@ Foreign no_loop(const Around& around, std::ptrdiff_t steps) {
       break;
     }
   }
-  return {at, "PAL has no " + in_capitals(at),
-          "write REPEAT, the statements, and UNTIL( … ), within a CASE if they may not run at all"};
+  return {at, {Finding::no_such_loop, in_capitals(at)}};
 }
 
 /// Of a comma that cannot stand where it does.
@@ -115,16 +112,14 @@ std::optional<Foreign> comma(const Around& around) {
   const auto* after = around[1];
   if (is(before, Parser::NUMBER) && is(after, Parser::NUMBER) && touch(before, around[0]) &&
       touch(around[0], after)) {
-    return Foreign{around[0], "the decimal sign is a point",
-                   "write " + before->getText() + "." + after->getText()};
+    return Foreign{around[0], {Finding::decimal_point, before->getText(), after->getText()}};
   }
   const bool wait = is(before, Parser::NAME) && is(around[-2], Parser::FROM) &&
                     is(around[-4], Parser::LEFT) && is(around[-5], Parser::WTM);
   if (!wait || !is(after, Parser::NUMBER)) return std::nullopt;
   const auto* unit = around[2];
   const std::string limit = after->getText() + (is(unit, Parser::NAME) ? " " + unit->getText() : "");
-  return Foreign{around[0], "a WTM has its limit behind its parenthesis",
-                 "write WTM( … ) WITHIN " + limit + ", then the statements, and END WTM"};
+  return Foreign{around[0], {Finding::limit_behind_wait, limit}};
 }
 
 }  // namespace
@@ -133,23 +128,21 @@ std::optional<Foreign> foreign_form(const Tokens& tokens, const antlr4::Token* a
                                     const antlr4::ParserRuleContext* context) {
   const Around around(tokens, at);
   if (is(around[-1], Parser::COLON) && is(around[-3], Parser::REQUIREMENT))
-    return Foreign{
-        at, "there is no measure " + spelling(*at),
-        "the measures are RESPONSE, AGE, REACTION, INTERVAL, LOSS, DURATION, LOAD and BUSY PERIOD"};
+    return Foreign{at, {Finding::no_such_measure, spelling(*at)}};
   const auto* outer = dynamic_cast<const antlr4::ParserRuleContext*>(context->parent);
   const std::size_t rule = context->getRuleIndex();
   switch (at->getType()) {
     case Parser::ELSE:
       if (outer == nullptr || outer->getRuleIndex() != Parser::RuleArm) return std::nullopt;
-      return Foreign{at, "a CASE has no ELSE", "write an arm ( NOT … ): with the conditions of the others"};
+      return Foreign{at, {Finding::case_has_no_else}};
     case Parser::COMMA:
       return comma(around);
     case Parser::SLASH:
       if (!is(around[1], Parser::SLASH) || !touch(at, around[1])) return std::nullopt;
-      return Foreign{at, "a comment begins with #", "write # instead of //"};
+      return Foreign{at, {Finding::comment_of_slashes}};
     case Parser::FALSE:
       if (!is(around[-1], Parser::LEFT) || !is(around[-2], Parser::UNTIL)) return std::nullopt;
-      return Foreign{at, "an UNTIL names conditions, or forever", "write UNTIL( forever )"};
+      return Foreign{at, {Finding::until_of_no_condition}};
     case Parser::DO:
       if (is_loop(first_of_line(around))) return no_loop(around, 0);
       break;

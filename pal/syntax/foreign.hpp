@@ -4,8 +4,8 @@
 #include <antlr4-runtime.h>
 
 #include <optional>
-#include <string>
 
+#include "pal/support/finding.hpp"
 #include "pal/syntax/tokens.hpp"
 
 namespace pal::syntax {
@@ -13,8 +13,7 @@ namespace pal::syntax {
 /// A mistake that is reported by naming PAL's own form. No edit mends it.
 struct Foreign {
   const antlr4::Token* at = nullptr;
-  std::string message;
-  std::string hint;
+  PartialDiagnostic what;
 };
 
 /// The foreign form at or before `at`, a token that cannot stand where it does in `context`; nothing if it is

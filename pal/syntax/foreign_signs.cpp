@@ -118,21 +118,16 @@ class Sign {
     return std::string(touches_before(first) ? " " : "") + std::string(word) + (touch(last) ? " " : "");
   }
 
-  ForeignSign sign(std::size_t last, std::string message, std::string hint) const {
-    ForeignSign result;
-    result.last = last;
-    result.where = span(at_, last);
-    result.message = std::move(message);
-    result.hint = std::move(hint);
-    return result;
+  ForeignSign sign(std::size_t last, PartialDiagnostic what) const {
+    return {last, span(at_, last), std::move(what), {}, {}};
   }
 
   std::optional<ForeignSign> unusual_space() const {
     const std::string_view space = name_of_space(source(at_));
     const std::string_view invisible = name_of_invisible(source(at_));
     if (space.empty() && invisible.empty()) return std::nullopt;
-    auto result = sign(at_, std::string(space.empty() ? invisible : space) + " stands here",
-                       space.empty() ? "remove it" : "write a plain space");
+    auto result = sign(at_, {either<Finding::invisible_sign, Finding::unusual_space>(space.empty()),
+                             space.empty() ? invisible : space});
     // What is seen is one word: whether it was meant as one cannot be known.
     if (!space.empty() || !touches_before(at_) || !touch(at_))
       result.fix = {{result.where, space.empty() ? "" : " "}};
@@ -161,8 +156,7 @@ class Sign {
 
   ForeignSign interval(std::size_t first, std::size_t last) const {
     const std::string from(source(*figure_before(first), first - 1));
-    auto result = sign(last, "an interval is written with TO",
-                       "write " + from + " TO " + std::string(source(last + 1)));
+    auto result = sign(last, {Finding::interval_sign, from, source(last + 1)});
     result.fix = {{result.where, apart(first, last, "TO")}};
     result.rereadings = {{first, last, Lexer::TO, "TO"}};
     return result;
@@ -188,9 +182,7 @@ class Sign {
     if (!touch(at_) || !is(at_ + 1, Lexer::NUMBER) || source(at_ + 1)[0] != '-') return std::nullopt;
     const std::string to(source(at_ + 1).substr(1));
     const SourceSpan second = span(at_ + 1, at_ + 1);
-    auto result =
-        sign(at_ + 1, "an interval is written with TO", "write " + std::string(source(at_)) + " TO " + to);
-    result.is_stray = false;
+    auto result = sign(at_ + 1, {Finding::joined_figures, source(at_), to});
     result.fix = {{{second.file, second.begin, second.begin + 1}, " TO "}};
     result.rereadings = {{at_ + 1, at_ + 1, Lexer::NUMBER, to, Lexer::TO, "TO"}};
     return result;
@@ -204,7 +196,7 @@ class Sign {
       return std::nullopt;
     if (touches_before(at_)) return std::nullopt;  // a part of a word
     const std::string meant = "-" + std::string(source(at_ + 1));
-    auto result = sign(at_, "the sign of a negative number is a plain hyphen", "write " + meant);
+    auto result = sign(at_, {Finding::minus_sign, meant});
     // A time is never negative: then something else was meant.
     static constexpr std::array<std::string_view, 5> times{"ns", "us", "ms", "s", "min"};
     const bool is_time =
@@ -223,10 +215,9 @@ class Sign {
     const std::size_t last = two ? at_ + 1 : at_;
     const bool truth = is(last + 1, Lexer::TRUE) || is(last + 1, Lexer::FALSE);
     const bool becomes_true = is(last + 1, Lexer::FALSE);
-    auto result = sign(last, "PAL has no sign for unequal",
-                       !truth         ? "write NOT before what must not be so"
-                       : becomes_true ? "write = TRUE"
-                                      : "write = FALSE");
+    auto result =
+        sign(last, truth ? PartialDiagnostic(Finding::unequal_to_truth, becomes_true ? "TRUE" : "FALSE")
+                         : PartialDiagnostic(Finding::unequal));
     result.rereadings = {{at_, last, Lexer::EQUAL, "="}};
     if (truth) {
       result.rereadings.push_back(
@@ -238,8 +229,7 @@ class Sign {
 
   std::optional<ForeignSign> double_equal() const {
     if (!touch(at_) || !is(at_ + 1, Lexer::EQUAL)) return std::nullopt;
-    auto result = sign(at_ + 1, "one = compares", "write = instead of ==");
-    result.is_stray = false;
+    auto result = sign(at_ + 1, {Finding::double_equal});
     result.fix = {{result.where, "="}};
     result.rereadings = {{at_, at_ + 1, Lexer::EQUAL, "="}};
     return result;
@@ -250,7 +240,7 @@ class Sign {
     const bool celsius = touch(at_) && is(at_ + 1, Lexer::NAME) && source(at_ + 1) == "C";
     const std::size_t last = celsius ? at_ + 1 : at_;
     const std::string unit = celsius ? "degC" : "deg";
-    auto result = sign(last, "units are written in letters", "write " + unit);
+    auto result = sign(last, {Finding::degree_sign, unit});
     result.fix = {{result.where, (touches_before(at_) ? " " : "") + unit}};
     result.rereadings = {{at_, last, Lexer::NAME, unit}};
     return result;
@@ -261,15 +251,15 @@ class Sign {
     const bool opens = source(at_) == "{";
     if (!opens && source(at_) != "}") return std::nullopt;
     const std::string word = opens ? "BEGIN" : "END";
-    auto result = sign(at_, "a body has no braces", "a body begins with BEGIN and ends with END");
+    auto result = sign(at_, {Finding::brace});
     const std::size_t type = opens ? Lexer::BEGIN : Lexer::END;
     const bool beside = is(at_ + 1, type) || (at_ > 0 && is(at_ - 1, type));
     const bool alone = tokens_.first_on_line(all_[at_]) && tokens_.first_on_line(all_[at_ + 1]);
     if (beside) {
-      result.hint = "remove it: " + word + " is there";
+      result.what = {Finding::brace_beside_word, word};
       result.fix = {{result.where, ""}};
     } else if (alone) {
-      result.hint = "write " + word;
+      result.what = {Finding::brace_for_word, word};
       result.fix = {{result.where, word}};
       result.rereadings = {{at_, at_, type, word}};
       return result;
@@ -289,8 +279,7 @@ class Sign {
       if (joined && !touches_before(at_) && each.type == Lexer::NUMBER) continue;
       const std::string glue = each.before_type == Lexer::AT ? " " : "";
       const std::string word = std::string(each.before) + glue + std::string(each.word);
-      auto result =
-          sign(last, "PAL writes " + word + " for '" + std::string(each.written) + "'", "write " + word);
+      auto result = sign(last, {Finding::sign_for_word, word, each.written});
       result.fix = {{result.where, joined ? word : apart(at_, last, word)}};
       result.rereadings = {
           {at_, last, each.type, std::string(each.word), each.before_type, std::string(each.before)}};
@@ -309,8 +298,7 @@ class Sign {
     const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), value, base);
     if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
     const std::string decimal = std::to_string(value);
-    auto result = sign(at_ + 1, "numbers are written in decimal", "write " + decimal);
-    result.is_stray = false;
+    auto result = sign(at_ + 1, {Finding::other_base, decimal});
     result.fix = {{result.where, decimal}};
     result.rereadings = {{at_, at_ + 1, Lexer::NUMBER, decimal}};
     return result;
@@ -345,8 +333,7 @@ class Sign {
       }
     }
     if (last == at_) return std::nullopt;
-    auto result = sign(last, "the digits of a number are not grouped", "write " + digits);
-    result.is_stray = false;
+    auto result = sign(last, {Finding::grouped_digits, digits});
     result.rereadings = {{at_, last, Lexer::NUMBER, digits}};
     return result;
   }

@@ -4,11 +4,10 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "pal/support/diagnostic.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/strays.hpp"
 
 namespace pal::syntax {
@@ -18,11 +17,9 @@ class Tokens;
 /// A sign, how to read on, and how PAL writes it. No fix loses a figure, an operator or a part of a word:
 /// where it is not plain what was meant, there is a hint and no fix.
 struct ForeignSign {
-  std::size_t last = 0;  // its last token
+  std::size_t last;  // its last token
   SourceSpan where;
-  bool is_stray = true;  // of characters that PAL does not have; else of words in an order that it does not
-  std::string message;
-  std::string hint;
+  PartialDiagnostic what;
   std::vector<Rereading> rereadings;  // in the order of the text
   std::vector<Edit> fix;
 };

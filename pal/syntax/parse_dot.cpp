@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/dot/contents.hpp"
 #include "pal/syntax/dot/graph.hpp"
 #include "pal/syntax/dot/structure.hpp"
@@ -17,9 +17,7 @@ constexpr const char* known_format = "1";
 void check_format(const DotGraph& graph, Diagnostics& diagnostics) {
   const DotValue* format = graph.values.find("pal_format");
   if (format == nullptr || format->text == known_format) return;
-  diagnostics.report(
-      Code::PAL0118, format->where, "this graph has an unknown format",
-      std::string("remove pal_format, or draw the graph as format ") + known_format + " has it");
+  diagnostics.report(Finding::unknown_format, format->where, known_format);
   throw Reported{};
 }
 
@@ -43,8 +41,7 @@ ModuleUnit read_module(const DotGraph& graph, Diagnostics& diagnostics) {
   ModuleUnit unit;
   const DotValue* name = graph.values.find("pal_module");
   if (name == nullptr) {
-    diagnostics.report(Code::PAL0115, graph.where, "the graph does not name its module",
-                       "add pal_module=NAME to the graph");
+    diagnostics.report(Finding::graph_names_no_module, graph.where);
     throw Reported{};
   }
   unit.name = words.name(*name);

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/first_mistake.hpp"
 #include "pal/syntax/repair.hpp"
 #include "pal/syntax/unfinished.hpp"
@@ -91,9 +91,7 @@ bool report_mistakes(Tokens& tokens, Diagnostics& diagnostics) {
     if (!mistake) return lost;
     if (is_made_up(tokens.all()[mistake->at])) return true;  // not the user's mistake
     if (reported == most_reports) {
-      diagnostics.report(Code::PAL0104, mistake->finding.where,
-                         "too many syntax errors; the rest of this file is not read",
-                         "correct the first of them, and make sure that this file is PAL");
+      diagnostics.report(Finding::too_many_syntax_errors, mistake->finding.where);
       return true;
     }
     if (auto line = is_long ? std::nullopt : unfinished_line(*mistake, tokens)) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 #include "pal/syntax/spelling.hpp"
 
@@ -308,20 +309,19 @@ Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& t
   if (change.removed == 0 && !safe) return finding;
   const bool is_known = std::none_of(change.added.begin(), change.added.end(), stands_for_many);
   if (change.removed == 0) {
-    const bool missing_end = !finding.notes.empty();
-    if (!missing_end) {
-      const auto words =
-          is_known ? "'" + words_of(change.added) + "'" : spelling_of_type(change.added.front());
+    const auto added = is_known ? words_of(change.added) : spelling_of_type(change.added.front());
+    if (finding.finding != Finding::missing_end) {
+      const auto words = is_known ? "'" + added + "'" : added;
       const auto* before = tokens.before(at);
       const bool after = before != nullptr && tokens.first_on_line(at);
       finding.where = tokens.span(after ? before : at);
-      finding.message =
-          "expected " + words + (after ? " after " + spelling(*before) : " before " + spelling(*at));
-    }
-    finding.hint = "add " + (is_known ? words_of(change.added) : spelling_of_type(change.added.front()));
-    if (!missing_end && is_unit_of_time(change, tokens)) {
-      finding.message = "expected a unit of time after " + spelling(*tokens.before(at));
-      finding.hint = "add ns, us, ms, s or min";
+      finding.say({either<Finding::missing_after, Finding::missing_before>(after), words,
+                   spelling(after ? *before : *at), added});
+      if (is_unit_of_time(change, tokens))
+        finding.say({Finding::unit_of_time_missing, spelling(*tokens.before(at))});
+    } else {
+      finding.say(
+          {Finding::missing_end, finding.arguments[0], finding.arguments[1], finding.arguments[2], added});
     }
     if (is_known) finding.fix = {insertion(change, mistake, tokens)};
     return finding;
@@ -329,11 +329,11 @@ Diagnostic told_by(const Change& change, const Mistake& mistake, const Tokens& t
   finding.where = tokens.span(at, tokens.all()[change.at + change.removed - 1]);
   if (safe) finding.fix = {{finding.where, words_of(change.added)}};
   if (change.added.empty()) {
-    if (change.at != mistake.at) finding.message = "unexpected " + spelling(*at);
-    finding.hint = safe ? "remove it" : "remove it, or correct what stands before it";
+    const PartialDiagnostic surplus{either<Finding::surplus_word, Finding::unexpected>(safe), spelling(*at)};
+    if (change.at != mistake.at) finding.say(surplus);
+    finding.hint = hint_of(surplus);
   } else {
-    finding.message = "unexpected " + spelling(*at);
-    finding.hint = "did you mean '" + words_of(change.added) + "'?";
+    finding.say({Finding::misspelt_word, spelling(*at), words_of(change.added)});
   }
   return finding;
 }

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/merge_conflict.hpp"
 #include "pal/support/utf8.hpp"
 #include "pal/syntax/foreign_signs.hpp"
@@ -41,8 +41,7 @@ bool report_markup(std::string_view text, FileId file, Diagnostics& diagnostics)
   const std::string_view start = text.substr(begin, 15);
   if (!starts_with_any(start, {"<html", "<HTML", "<!DOCTYPE", "<!doctype", "<?xml", "<body", "<pre"}))
     return false;
-  diagnostics.report(Code::PAL0119, span_of(file, begin, end_of_line(text, begin)),
-                     "this file is a web page, not PAL", "copy the text that the page shows, not its source");
+  diagnostics.report(Finding::web_page, span_of(file, begin, end_of_line(text, begin)));
   return true;
 }
 
@@ -109,13 +108,10 @@ class Reader {
   }
 
   /// Null when the limit of reports is reached: the rest is passed over.
-  Diagnostic* report(Code code, SourceSpan where, std::string message, std::string hint) {
+  Diagnostic* report(const PartialDiagnostic& what, SourceSpan where) {
     result_.has_errors = true;
-    if (++reported_ < most_strays)
-      return &diagnostics_.report(code, where, std::move(message), std::move(hint));
-    diagnostics_.report(Code::PAL0104, where,
-                        "too many unexpected characters; the rest of this file is not reported",
-                        "is this file PAL?");
+    if (++reported_ < most_strays) return &diagnostics_.report(what, where);
+    diagnostics_.report(Finding::too_many_unexpected_characters, where);
     result_.parseable = false;
     return nullptr;
   }
@@ -123,17 +119,14 @@ class Reader {
   std::optional<std::size_t> foreign(std::size_t at) {
     auto sign = foreign_sign(tokens_, text_, at);
     if (!sign) return std::nullopt;
-    if (auto* finding = report(sign->is_stray ? Code::PAL0102 : Code::PAL0101, sign->where,
-                               std::move(sign->message), std::move(sign->hint)))
-      finding->fix = std::move(sign->fix);
+    if (auto* finding = report(sign->what, sign->where)) finding->fix = std::move(sign->fix);
     for (Rereading& each : sign->rereadings) result_.rereadings.push_back(std::move(each));
     return sign->last;
   }
 
   std::size_t open_text(std::size_t at) {
     const SourceSpan where = tokens_.span(all_[at]);
-    auto* finding =
-        report(Code::PAL0103, where, "the text has no closing quote on its line", "end the text with \"");
+    auto* finding = report({Finding::no_closing_quote}, where);
     if (finding != nullptr) finding->fix = {{span_of(where.file, where.end, where.end), "\""}};
     result_.rereadings.push_back({at, at, Lexer::STRING, all_[at]->getText()});
     return at;
@@ -147,8 +140,7 @@ class Reader {
       ++last;
     const bool closed = is(last, Lexer::STAR) && is(last + 1, Lexer::SLASH);
     last = closed ? last + 1 : at + 1;
-    report(Code::PAL0102, tokens_.span(all_[at], all_[at + 1]), "PAL has no comments in /* and */",
-           "begin each line of the comment with #");
+    report({Finding::no_block_comments}, tokens_.span(all_[at], all_[at + 1]));
     result_.rereadings.push_back({at, last, 0, {}});
     return last;
   }
@@ -165,8 +157,8 @@ class Reader {
       if (!closing.contains(source(close).substr(0, 3)) && source(close)[0] != '"') continue;
       if (source(close)[0] == '"') close.end = close.begin + 1;
       const std::string inside(text_.substr(open.end, close.begin - open.end));
-      if (auto* finding = report(Code::PAL0102, span_of(open.file, open.begin, close.end),
-                                 "a text stands in straight quotes", "write \"" + inside + "\""))
+      if (auto* finding =
+              report({Finding::straight_quotes, inside}, span_of(open.file, open.begin, close.end)))
         finding->fix = {{open, "\""}, {close, "\""}};
       result_.rereadings.push_back({at, last, Lexer::STRING, "\"" + inside + "\""});
       return last;
@@ -203,10 +195,9 @@ class Reader {
     result_.has_errors = true;
     if (told_.insert(written).second) {
       const bool sure = meant.find('_') == std::string::npos || written.find('_') != std::string::npos;
-      const std::string letters = "names have the letters a to z, digits, '_' and '-'";
-      if (auto* finding = report(Code::PAL0102, where, "'" + written + "' has letters that no name may have",
-                                 sure ? letters + ": write " + meant : letters))
-        if (sure) finding->fix = everywhere(written, meant);
+      auto* finding = sure ? report({Finding::letters_for_others, written, meant}, where)
+                           : report({Finding::letters_of_no_name, written}, where);
+      if (finding != nullptr && sure) finding->fix = everywhere(written, meant);
     }
     result_.rereadings.push_back({first, last, Lexer::NAME, meant});
     return last;
@@ -230,8 +221,7 @@ class Reader {
     if (at + 1 >= all_.size() || !may_not_name_activity(all_[at + 1]->getType())) return at;
     if (tokens_.first_on_line(all_[at + 1])) return at;  // the name is missing
     const auto* word = all_[at + 1];
-    report(Code::PAL0101, tokens_.span(word),
-           "'" + word->getText() + "' is a word of PAL, and cannot name an activity", "choose another name");
+    report({Finding::word_names_activity, word->getText()}, tokens_.span(word));
     result_.rereadings.push_back({at + 1, at + 1, Lexer::NAME, word->getText()});
     renamed_.insert(word->getType());
     return at + 1;
@@ -254,9 +244,8 @@ class Reader {
     std::size_t last = at;
     while (touch(last) && is(last + 1, Lexer::STRAY)) ++last;
     // It is not known what was meant, so that no edit is offered.
-    report(Code::PAL0102, tokens_.span(all_[at], all_[last]),
-           last == at ? "unexpected character" : "unexpected characters",
-           "write in its place what PAL has for it; a comment begins with #");
+    report({either<Finding::unexpected_character, Finding::unexpected_characters>(last == at)},
+           tokens_.span(all_[at], all_[last]));
     result_.rereadings.push_back({at, last, 0, {}});
     return last;
   }

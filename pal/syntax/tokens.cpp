@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/utf8.hpp"
 #include "pal/syntax/parse.hpp"
 #include "pal/syntax/strays.hpp"
@@ -128,10 +128,7 @@ bool Tokens::first_on_line(const antlr4::Token* token) const {
 
 void Tokens::report_length(Diagnostics& diagnostics) {
   if (!lexer_.is_cut()) return;
-  diagnostics.report(Code::PAL0111, span(all_[all_.size() - 2]),
-                     "the file cannot be read from here on: it has more than " + std::to_string(most_tokens) +
-                         " words and signs",
-                     "divide it into files that one of them USES");
+  diagnostics.report(Finding::file_too_long, span(all_[all_.size() - 2]), most_tokens);
   parseable_ = false;
   has_errors_ = true;
 }
@@ -171,11 +168,9 @@ void Tokens::bound_nesting(Diagnostics& diagnostics) {
         break;
     }
     if (depth > deepest_nesting) {
-      diagnostics.report(
-          Code::PAL0105, span(token),
-          "statements and parentheses are nested deeper than " + std::to_string(deepest_nesting),
-          type == Lexer::LEFT ? "write the test with fewer parentheses, or set a condition to a part of it"
-                              : "move inner statements to a module of their own and Execute it");
+      const bool inside = type == Lexer::LEFT;
+      diagnostics.report(either<Finding::parentheses_nested_too_deeply, Finding::nested_too_deeply>(inside),
+                         span(token), deepest_nesting);
       parseable_ = false;
       has_errors_ = true;
       return;

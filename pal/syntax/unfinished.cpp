@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "PalParser.h"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/first_mistake.hpp"
 #include "pal/syntax/repair.hpp"
 #include "pal/syntax/spelling.hpp"
@@ -75,8 +75,7 @@ Diagnostic told(std::size_t at, const GoingOn& expected, const Tokens& tokens) {
   const auto* last = tokens.all()[at - 1];
   const std::string words = expected.spelling.empty() ? "more" : expected.spelling;
   Diagnostics one;
-  return one.report(Code::PAL0101, tokens.span(last), "expected " + words + " after " + spelling(*last),
-                    "write " + words + " here");
+  return one.report(Finding::expected_after, tokens.span(last), words, spelling(*last));
 }
 
 /// What finishes the line before `at`, if the parser gets into the line after the mistake then. `words` go on

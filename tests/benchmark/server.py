@@ -301,7 +301,7 @@ class LiveReader(multiprocessing.Process):
     def run(self):
         while True:
             self.client.step()
-            self.samples.value += sum(message["head"]["spans"] for message in self.client.events if "head" in message)
+            self.samples.value += sum(message["head"].get("spans", 1) for message in self.client.events if "head" in message)
             self.client.events.clear()
 
 
@@ -347,7 +347,7 @@ def memory():
             spent, last = spent + min(now - last, 5), now  # the time in which a signal held this program up does not count
         assert watcher.is_alive() and reader.is_alive(), "a client was let go"
         half = marks[len(marks) // 2:]
-        print(f"memory: all channels at their full rate went to a client, {reader.samples.value / 1e6:.1f} million spans; in the second half "
+        print(f"memory: all channels at their full rate went to a client, {reader.samples.value / 1e6:.1f} million spans, profiles and rows; in the second half "
               f"{(half[-1] - half[0]) / max(1, len(half) - 1) * 12 / given.minutes:+.2f} MiB a minute")
         print(f"memory: over {given.minutes:g} min and {runs} runs of an operation of 20 skills: "
               f"{', '.join(f'{each:.0f}' for each in marks)} MiB")

@@ -65,6 +65,22 @@ expect("PAL1007", run(prefix / "bin/pal", "operation", "check", "tap.op.json", "
 told = run(prefix / "bin/pal", "operation", "check", "tap.op.json", "--scene", "touch", "--skills", "tap/build/tap.so")
 expect("tap in workcell\n  holds", told)
 
+# The page of the workstation is installed, too, and offers the skill.
+if (build / "share/pal/workstation/index.html").exists():
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "protocol"))
+    from cell_client import Server
+
+    server = Server(workcell, "--skills", work / "tap/build/tap.so")
+    status, fields, html = server.get("/")
+    if status != 200 or "script-src 'self'" not in fields["Content-Security-Policy"]:
+        sys.exit(f"the page: {status} {fields}")
+    for name in re.findall(r'(?:src|href)="([^"]+)"', html.decode()):
+        if server.get(f"/{name}")[0] != 200:
+            sys.exit(f"the page's {name} is missing")
+    if "tap" not in [each["skill"] for each in server.client().call("skills")]:
+        sys.exit("the page's cell has no skill tap")
+    server.end()
+
 # Its PAL has changed, and it was not built again.
 pal = work / "tap/tap.pal"
 pal.write_text(pal.read_text().replace("Moves the tool", "Drives the tool"))

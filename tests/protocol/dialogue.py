@@ -112,6 +112,9 @@ try:
     assert [(each["code"], each["icon"], each["field"]) for each in wrong["findings"]][0] == ("PAL1007", "touch", "skill"), wrong
     places = call("operation.tidy", main="f", files={"f": text}, sizes={"skill": [160, 80]})["places"]
     assert len(places) == 6
+    chapter = call("operation.storyboard", main="f", files={"f": text})["chapters"][0]
+    assert "touch" in [each["icon"] for each in chapter["scenes"]] and chapter["picture"].count("<svg") == 1, chapter
+    refused("wrong", call, "operation.storyboard", main="f", files={"f": text.replace('"kind": "start"', '"kind": "exit"')})
     assert call("store.save", name="feel", text=text, based_on=0, note="first")["version"] == 1
     assert refused("exists", call, "store.save", name="feel", text=text, based_on=0)["newest"] == 1
     slower = text.replace('"approach-speed": 10', '"approach-speed": 12')
@@ -151,6 +154,8 @@ try:
     # A late client sees the same, and may stop.
     late = server.client(seen, "viewer", "late")
     assert late.hello["question"]["icon"] == "ask" and late.hello["icons"], late.hello
+    touched = next(each for each in late.hello["icons"] if each["icon"] == "touch")
+    assert touched["reason"] == "The tool touches the surface." and touched["took_s"] > 0, touched
     refused("role", late.call, "operation.answer", icon="ask", answer=0)
     late.call("operation.pause")
     assert cell.until(event="pausing")["by"] == "late"
@@ -235,6 +240,16 @@ try:
     above = call("locations.teach", location="ABOVE", pose=[*here["pose"][:2], here["pose"][2] + 20, *here["pose"][3:]])
     assert above["joints"] is None and above["pose"][2] == here["pose"][2] + 20, above
     assert all(abs(a - b) < 0.5 for a, b in zip(there["pose"][:3], taught["pose"][:3])), (there, taught)
+    x, y, z, *turn = there["pose"]
+    call("locations.teach", location="ALONG", pose=[x + 30, y, z, *turn])
+    call("locations.teach", location="BESIDE", pose=[x, y + 30, z + 30, *turn])
+    square = call("locations.surface", origin="AGAIN", along="ALONG", beside="BESIDE")["pose"]
+    # The tool that hung upright leans by 45 degrees about the x axis.
+    assert all(abs(a - b) < 0.01 for a, b in zip(square, [x, y, z])) and abs(abs(square[4]) - 45) < 0.1, (square, there)
+    refused("wrong", call, "locations.surface", origin="AGAIN", along="ALONG", beside="ALONG")
+    refused("absent", call, "locations.surface", origin="AGAIN", along="ALONG", beside="NOWHERE")
+    for each in ["ALONG", "BESIDE"]:
+        call("locations.delete", location=each)
     call("locations.delete", location="AGAIN", based_on=1)
     assert "AGAIN" not in [each["location"] for each in call("locations.list")]
 

@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -124,9 +123,7 @@ class BodyBuilder {
                    const syntax::WaitArm& arm, const std::vector<const syntax::WaitArm*>& arms) {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (channels[i] != channel) continue;
-      auto& finding =
-          diagnostics_.report(Code::PAL0306, arm.where, "an earlier branch takes this message already",
-                              "remove one of the branches");
+      auto& finding = diagnostics_.report(Finding::taken_by_earlier_branch, arm.where);
       finding.notes.push_back({arms[i]->where, "it is taken here"});
       return;
     }

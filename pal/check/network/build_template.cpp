@@ -8,7 +8,7 @@
 #include "pal/check/network/parameters.hpp"
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -36,9 +36,7 @@ class TemplateBuilder {
     parameters();
     completions();
     if (skill_.skill_methods.empty()) {
-      diagnostics_.report(Code::PAL0610, skill_.where,
-                          "skill " + quoted(skill_.name.text) + " has no skill method",
-                          "add SKILL METHOD and the skill module that carries it out");
+      diagnostics_.report(Finding::no_skill_method, skill_.where, skill_.name.text);
     }
   }
 
@@ -48,8 +46,7 @@ class TemplateBuilder {
     for (const auto& name : listed) {
       const auto [first, fresh] = seen.emplace(name.text, &name);
       if (!fresh) {
-        auto& finding = diagnostics_.report(Code::PAL0213, name.where, quoted(name.text) + " is listed twice",
-                                            "remove one of them");
+        auto& finding = diagnostics_.report(Finding::listed_twice, name.where, name.text);
         finding.notes.push_back({first->second->where, "it is also listed here"});
         continue;
       }
@@ -62,10 +59,8 @@ class TemplateBuilder {
     if (!id) return std::nullopt;
     const auto& module = network_.modules[id->index()];
     if (module.kind != kind) {
-      auto& finding = diagnostics_.report(
-          Code::PAL0208, name.where,
-          quoted(name.text) + " is a " + kind_text(module.kind) + ", but is listed as a " + kind_text(kind),
-          "list it in the slot of its kind");
+      auto& finding = diagnostics_.report(Finding::listed_in_another_slot, name.where, name.text,
+                                          kind_text(module.kind), kind_text(kind));
       finding.notes.push_back({module.where, "it is declared here"});
     }
     return id;
@@ -77,9 +72,7 @@ class TemplateBuilder {
       const auto [first, fresh] = seen.emplace(written.number, written.where);
       if (!fresh) {
         auto& finding =
-            diagnostics_.report(Code::PAL0606, written.where,
-                                "contingency " + std::to_string(written.number) + " is declared twice",
-                                "give each contingency its own number");
+            diagnostics_.report(Finding::contingency_declared_twice, written.where, written.number);
         finding.notes.push_back({first->second, "it is also declared here"});
       }
       pan::Contingency contingency{written.number, written.description, {}, written.where};
@@ -89,12 +82,7 @@ class TemplateBuilder {
                  completion.contingency == written.number;
         };
         if (std::none_of(skill_.completions.begin(), skill_.completions.end(), ends_with_it))
-          diagnostics_.report(Code::PAL0605, written.where,
-                              "contingency " + std::to_string(written.number) +
-                                  " has neither a method nor a completion, so the skill cannot tell of it",
-                              "add METHOD and the contingency module that deals with it, or a COMPLETION … "
-                              "CONTINGENCY " +
-                                  std::to_string(written.number));
+          diagnostics_.report(Finding::contingency_without_method, written.where, written.number);
       } else if (const auto id = enter(*written.method, pan::ModuleKind::contingency_module)) {
         contingency.method = *id;
       }
@@ -120,9 +108,7 @@ class TemplateBuilder {
     for (const auto& written : skill_.completions) {
       const auto [first, fresh] = seen.emplace(written.code, written.where);
       if (!fresh) {
-        auto& finding = diagnostics_.report(
-            Code::PAL0606, written.where, "completion " + std::to_string(written.code) + " is declared twice",
-            "give each completion its own code");
+        auto& finding = diagnostics_.report(Finding::completion_declared_twice, written.where, written.code);
         finding.notes.push_back({first->second, "it is also declared here"});
         continue;
       }
@@ -132,9 +118,7 @@ class TemplateBuilder {
           {written.code, written.kind, written.contingency, written.description, written.where});
     }
     if (!has_error) {
-      diagnostics_.report(
-          Code::PAL0609, skill_.where, "skill " + quoted(skill_.name.text) + " has no error completion",
-          "add COMPLETION 2 ERROR, with a code of its own: every fault ends the skill with it");
+      diagnostics_.report(Finding::no_error_completion, skill_.where, skill_.name.text);
     }
   }
 
@@ -143,10 +127,8 @@ class TemplateBuilder {
     for (const auto& contingency : skill_.contingencies) {
       if (contingency.number == completion.contingency) return;
     }
-    diagnostics_.report(Code::PAL0608, completion.where,
-                        "completion " + std::to_string(completion.code) + " is for contingency " +
-                            std::to_string(completion.contingency) + ", which the template does not have",
-                        "add the contingency, or correct its number");
+    diagnostics_.report(Finding::completion_for_unknown_contingency, completion.where, completion.code,
+                        completion.contingency);
   }
 
   const syntax::SkillUnit& skill_;

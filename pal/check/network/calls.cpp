@@ -3,8 +3,7 @@
 #include <set>
 #include <string_view>
 
-#include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -58,23 +57,17 @@ void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) 
       const auto called = *names.module(name, false);
       const auto& module = network.modules[called.index()];
       if (names.unit_of(called) != nullptr && !names.unit_of(called)->has_body) {
-        auto& finding = diagnostics.report(Code::PAL0210, name.where,
-                                           quoted(name.text) + " has no body that could be executed",
-                                           "give it a body, or send it a message instead");
+        auto& finding = diagnostics.report(Finding::executes_without_body, name.where, name.text);
         finding.notes.push_back({module.where, "it is declared here"});
       } else if (executed_within(caller, called, network)) {
-        diagnostics.report(Code::PAL0212, name.where,
-                           quoted(name.text) + " executes itself" +
-                               (caller == called ? std::string() : ", by way of " + quoted(unit->name.text)),
-                           "use REPEAT to do something again");
+        caller == called
+            ? diagnostics.report(Finding::executes_itself, name.where, name.text)
+            : diagnostics.report(Finding::executes_itself_by_way_of, name.where, name.text, unit->name.text);
       } else if (!module.executed_by.valid()) {
         network.modules[called.index()].executed_by = caller;
       } else if (module.executed_by != caller) {
-        auto& finding = diagnostics.report(
-            Code::PAL0211, name.where,
-            quoted(name.text) + " is executed from " + quoted(unit->name.text) + " and from " +
-                quoted(network.modules[module.executed_by.index()].name),
-            "give each its own module: an executed module sends and receives as its caller");
+        auto& finding = diagnostics.report(Finding::executed_from_two, name.where, name.text, unit->name.text,
+                                           network.modules[module.executed_by.index()].name);
         finding.notes.push_back(
             {network.modules[module.executed_by.index()].where, "it is executed here too"});
       }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::check {
@@ -51,8 +51,7 @@ class Once {
   void check(const Key& key, const std::string& shown, SourceSpan where) {
     const auto [first, fresh] = seen_.emplace(key, where);
     if (fresh) return;
-    auto& finding =
-        diagnostics_.report(Code::PAL0711, where, what_ + shown + " is given twice", "remove one of them");
+    auto& finding = diagnostics_.report(Finding::item_given_twice, where, what_ + shown);
     finding.notes.push_back({first->second, "it is also given here"});
   }
 
@@ -70,19 +69,15 @@ class BehaviourCheck {
     period(device.period);
     phase(device.phase, device.period);
     if (device.answer_within && *device.answer_within == Duration{}) {
-      diagnostics_.report(Code::PAL0708, where_, "an answer within no time cannot be given",
-                          "allow some time");
+      diagnostics_.report(Finding::answer_within_no_time, where_);
     }
     const Duration apart = device.period - device.jitter;
     if (device.answer_within > apart && apart > Duration{}) {
-      diagnostics_.report(Code::PAL0728, where_,
-                          "the answer is due within " + to_text(*device.answer_within) +
-                              ", but the next event may come after " + to_text(apart),
-                          "allow at most " + to_text(apart) + ", or write a requirement for the RESPONSE");
+      diagnostics_.report(Finding::answer_after_next_event, where_, to_text(*device.answer_within),
+                          to_text(apart));
     }
     if (device.sporadic && device.phase) {
-      diagnostics_.report(Code::PAL0712, where_, "a sporadic event has no phase",
-                          "remove PHASE, or write EVERY");
+      diagnostics_.report(Finding::sporadic_with_phase, where_);
     }
   }
   void operator()(const pan::RequestDevice&) const {}
@@ -90,27 +85,22 @@ class BehaviourCheck {
     period(device.period);
     phase(device.phase, device.period);
     if (device.collecting == Duration{} && device.period > Duration{}) {
-      diagnostics_.report(Code::PAL0708, where_, "a frame is collected in no time",
-                          "give the time that it takes");
+      diagnostics_.report(Finding::collected_in_no_time, where_);
     }
     if (device.collecting > device.period && device.period > Duration{}) {
-      diagnostics_.report(Code::PAL0710, where_,
-                          "a frame is collected in " + to_text(device.collecting) +
-                              ", longer than its period of " + to_text(device.period),
-                          "make COLLECTING at most EVERY");
+      diagnostics_.report(Finding::collects_too_long, where_, to_text(device.collecting),
+                          to_text(device.period));
     }
   }
 
  private:
   void period(Duration value) const {
     if (value > Duration{}) return;
-    diagnostics_.report(Code::PAL0708, where_, "the period must be greater than 0", "give a time above 0");
+    diagnostics_.report(Finding::period_zero, where_);
   }
   void phase(const std::optional<Duration>& value, Duration period) const {
     if (!value || period <= Duration{} || *value < period) return;
-    diagnostics_.report(Code::PAL0709, where_,
-                        "the phase of " + to_text(*value) + " is not below the period of " + to_text(period),
-                        "write the phase within one period");
+    diagnostics_.report(Finding::phase_not_below_period, where_, to_text(*value), to_text(period));
   }
 
   SourceSpan where_;
@@ -126,10 +116,7 @@ void check_placements(const pan::Environment& environment, Diagnostics& diagnost
     if (known.contains(placement.processor) || placement.processor.empty()) continue;
     const auto meant =
         may_guess(diagnostics, processors.size()) ? nearest(placement.processor, processors) : std::nullopt;
-    diagnostics.report(
-        Code::PAL0713, placement.where,
-        "there is no processor " + quoted(placement.processor) + " in this environment",
-        meant ? "did you mean " + quoted(*meant) + "?" : "add PROCESSOR " + placement.processor);
+    diagnostics.report(Finding::unknown_processor, placement.where, placement.processor).suggest(meant);
   }
 }
 
@@ -154,8 +141,7 @@ void check_figures(const pan::Environment& environment, Diagnostics& diagnostics
     std::visit(BehaviourCheck(device.where, diagnostics), device.behaviour);
   }
   if (environment.processors.empty()) {
-    diagnostics.report(Code::PAL0714, environment.where,
-                       "environment " + quoted(environment.name) + " has no processor", "add PROCESSOR P0");
+    diagnostics.report(Finding::environment_without_processor, environment.where, environment.name);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -60,12 +60,13 @@ pan::DeviceId Names::enter_device(const syntax::Name& name, const syntax::Device
   return entry->second;
 }
 
-void Names::unknown(Code code, const char* what, const syntax::Name& name,
-                    const std::vector<std::string>& known, const std::string& otherwise) {
+void Names::unknown(const PartialDiagnostic& what, const syntax::Name& name,
+                    const std::vector<std::string>& known) {
+  const Code code = row(what.finding).code;
   if (!unknown_.emplace(code, name.text).second) return;
   // The module that is missed may be the one that has another's name.
   if (scope_.module_twice && code == Code::PAL0201) return;
-  report_unknown(diagnostics_, code, what, name, known, otherwise,
+  report_unknown(diagnostics_, what, name, known,
                  [this](const std::string& meant) { return declaration(meant); });
 }
 
@@ -94,14 +95,11 @@ std::optional<pan::ModuleId> Names::module(const syntax::Name& name, bool listed
     return entry->second;
   }
   if (const auto* device = scope_.devices.find(name.text)) {
-    auto& finding =
-        diagnostics_.report(Code::PAL0214, name.where, quoted(name.text) + " is a device, not a module",
-                            "name the module that drives it");
+    auto& finding = diagnostics_.report(Finding::device_not_module, name.where, name.text);
     finding.notes.push_back({device->name.where, "it is declared here"});
     return std::nullopt;
   }
-  unknown(Code::PAL0201, "module", name, scope_.modules.names(),
-          "declare it, or name the file that does in a USES");
+  unknown({Finding::unknown_module, name.text}, name, scope_.modules.names());
   return std::nullopt;
 }
 
@@ -115,10 +113,8 @@ void Names::check_kind(const syntax::PartyName& name, pan::ModuleId module) {
   if (!name.kind) return;
   const auto& found = network_.modules[module.index()];
   if (found.kind == *name.kind) return;
-  auto& finding = diagnostics_.report(
-      Code::PAL0206, name.where,
-      quoted(name.name.text) + " is a " + kind_text(found.kind) + ", not a " + kind_text(*name.kind),
-      "write " + quoted(kind_text(found.kind) + " " + name.name.text) + ", or its name alone");
+  auto& finding = diagnostics_.report(Finding::module_of_another_kind, name.where, name.name.text,
+                                      kind_text(found.kind), kind_text(*name.kind));
   finding.fix = {{name.where, kind_text(found.kind) + " " + name.name.text}};
   finding.notes.push_back({found.where, "it is declared here"});
 }
@@ -126,10 +122,8 @@ void Names::check_kind(const syntax::PartyName& name, pan::ModuleId module) {
 void Names::check_listed(const syntax::Name& name, pan::ModuleId module) {
   if (trusting_ || listed_.contains(module)) return;
   const auto kind = network_.modules[module.index()].kind;
-  auto& finding = diagnostics_.report(Code::PAL0207, name.where,
-                                      "the template of skill " + quoted(network_.skill.name) +
-                                          " does not list " + kind_text(kind) + " " + quoted(name.text),
-                                      "add " + slot_for(kind, name.text) + " to the template");
+  auto& finding = diagnostics_.report(Finding::module_not_listed, name.where, network_.skill.name,
+                                      kind_text(kind), name.text, slot_for(kind, name.text));
   finding.notes.push_back({network_.skill.where, "the template is here"});
   listed_.insert(module);  // once is enough
 }
@@ -145,9 +139,8 @@ std::optional<pan::Party> Names::party(const syntax::PartyName& name, const std:
   const auto* device = scope_.devices.find(name.name.text);
   if (device != nullptr || trusting_) {
     if (device != nullptr && name.kind) {
-      auto& finding = diagnostics_.report(
-          Code::PAL0206, name.where, quoted(name.name.text) + " is a device, not a " + kind_text(*name.kind),
-          "write its name alone");
+      auto& finding =
+          diagnostics_.report(Finding::device_with_kind, name.where, name.name.text, kind_text(*name.kind));
       finding.fix = {{name.where, name.name.text}};
     }
     return enter_device(name.name, device);
@@ -155,8 +148,7 @@ std::optional<pan::Party> Names::party(const syntax::PartyName& name, const std:
   auto known = scope_.modules.names();
   for (const auto& other : scope_.devices.names()) known.push_back(other);
   std::erase(known, speaker);
-  unknown(Code::PAL0201, "module or device", name.name, known,
-          "declare it, or name the file that does in a USES");
+  unknown({Finding::unknown_party, name.name.text}, name.name, known);
   return std::nullopt;
 }
 
@@ -172,8 +164,7 @@ std::optional<pan::MessageId> Names::message(const syntax::MessageName& name) {
   if (name.name.text.empty()) return std::nullopt;
   const auto* unit = scope_.messages.find(name.name.text);
   if (unit == nullptr && !trusting_) {
-    unknown(Code::PAL0202, "message", name.name, scope_.messages.names(),
-            "declare it: MESSAGE " + name.name.text + " : with its type, such as REAL N");
+    unknown({Finding::unknown_message, name.name.text}, name.name, scope_.messages.names());
     return std::nullopt;
   }
   const auto [entry, added] = messages_.emplace(name.name.text, pan::MessageId(network_.messages.size()));
@@ -195,14 +186,10 @@ std::optional<pan::ConditionId> Names::condition(const syntax::Name& name) {
   if (unit == nullptr && !trusting_) {
     const auto* message = scope_.messages.find(name.text);
     if (message == nullptr) {
-      unknown(Code::PAL0203, "condition", name, scope_.conditions.names(),
-              "declare it: CONDITION " + name.text);
+      unknown({Finding::unknown_condition, name.text}, name, scope_.conditions.names());
       return std::nullopt;
     }
-    auto& finding = diagnostics_.report(
-        Code::PAL0203, name.where, quoted(name.text) + " is a message, not a condition",
-        "declare a condition that is set from it, CONDITION … FROM " + name.text +
-            ", and name that; the age of a sample is AGE OF " + name.text + " FROM its device");
+    auto& finding = diagnostics_.report(Finding::message_not_condition, name.where, name.text);
     finding.notes.push_back({message->name.where, "it is declared here"});
     return std::nullopt;
   }
@@ -265,10 +252,9 @@ void Names::report_no_activity(const syntax::Name& name, pan::ModuleId module) {
   }
   const auto& owner = network_.modules[module.index()].name;
   const bool is_if = name.text == "IF" || name.text == "If" || name.text == "if";
-  report_unknown(
-      diagnostics_, Code::PAL0204, "activity of " + owner, name, known,
-      is_if ? "PAL has no IF: write CASE, an arm ( … ): for each way with its statements, and END CASE"
-            : "declare it before BEGIN: ACTIVITY " + name.text);
+  report_unknown(diagnostics_,
+                 {either<Finding::if_is_no_activity, Finding::unknown_activity>(is_if), owner, name.text},
+                 name, known);
 }
 
 pan::ChannelId Names::channel(const pan::Party& sender, pan::MessageId message, const pan::Party& receiver,

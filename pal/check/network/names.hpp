@@ -64,8 +64,8 @@ class Names {
   void check_kind(const syntax::PartyName& name, pan::ModuleId module);
   void check_listed(const syntax::Name& name, pan::ModuleId module);
   /// Reports an unknown name, once, however often it is used.
-  void unknown(Code code, const char* what, const syntax::Name& name, const std::vector<std::string>& known,
-               const std::string& otherwise);
+  void unknown(const PartialDiagnostic& what, const syntax::Name& name,
+               const std::vector<std::string>& known);
   /// Where this name is declared, as whatever; nothing if it is not.
   std::optional<SourceSpan> declaration(const std::string& name) const;
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/utf8.hpp"
 #include "pal/units/conversion.hpp"
 #include "pal/units/unit.hpp"
@@ -61,14 +61,13 @@ class ParameterBuilder {
     result.high = is_boolean() ? 1 : high.value_or(result.low);
     result.default_value = value.value_or(result.low);
     if (low && high && *low > *high) {
-      report(Code::PAL0603, " has a range that runs backwards", "write the smaller figure first");
+      report(Finding::range_runs_backwards);
     } else if (low && high && value && (*value < *low || *value > *high)) {
-      report(Code::PAL0602, " has a default outside its range", "change the default or the range");
+      report(Finding::default_outside_range);
     }
     for (const auto& figure : {low, high, value}) {
       if (written_.type != pan::ScalarType::integer || !figure || std::trunc(*figure) == *figure) continue;
-      report(Code::PAL0611, " is INTEGER, but not all of its figures are whole",
-             "use whole figures, or REAL");
+      report(Finding::integer_not_whole);
       break;
     }
     return result;
@@ -78,33 +77,27 @@ class ParameterBuilder {
   bool is_boolean() const { return written_.type == pan::ScalarType::boolean; }
   bool is_text() const { return written_.type == pan::ScalarType::text; }
 
-  void report(Code code, const std::string& what, const std::string& hint) {
-    diagnostics_.report(code, written_.where, "parameter " + quoted(written_.name.text) + what, hint);
+  void report(FindingWith<1> finding) { diagnostics_.report(finding, written_.where, written_.name.text); }
+  void report_range(const char* type) {
+    diagnostics_.report(Finding::type_has_no_range, written_.where, written_.name.text, type);
   }
 
   void check_presence() {
     if (is_text()) {
-      if (!written_.default_value)
-        report(Code::PAL0604, " has no default", "add DEFAULT and a text in quotes");
-      if (written_.low)
-        report(Code::PAL0604, written_.location ? " is LOCATION and has a range" : " is TEXT and has a range",
-               "remove RANGE");
+      if (!written_.default_value) report(Finding::text_without_default);
+      if (written_.low) report_range(written_.location ? "LOCATION" : "TEXT");
       return;
     }
     if (!written_.default_value || (!is_boolean() && !written_.low)) {
-      report(Code::PAL0604, is_boolean() ? " has no default" : " needs a default and a range",
-             is_boolean() ? "add DEFAULT TRUE or DEFAULT FALSE"
-                          : "add DEFAULT 5 RANGE 1 TO 40, with its own figures");
+      report(either<Finding::boolean_without_default, Finding::number_without_limits>(is_boolean()));
     }
-    if (is_boolean() && written_.low) report(Code::PAL0604, " is BOOLEAN and has a range", "remove RANGE");
+    if (is_boolean() && written_.low) report_range("BOOLEAN");
   }
 
   /// RANGE 10 mm/s TO 60: what 60 is in cannot be told.
   void check_range_unit() {
     if (!written_.low || !written_.high || written_.low->unit.empty() || !written_.high->unit.empty()) return;
-    diagnostics_.report(Code::PAL0613, written_.low->where,
-                        "the range of " + quoted(written_.name.text) + " has a unit at its first value only",
-                        "write the unit behind the second value: it stands for both");
+    diagnostics_.report(Finding::unit_at_first_value_only, written_.low->where, written_.name.text);
   }
 
   /// RANGE 1 TO 6 cm/s: one unit behind the second stands for both.
@@ -129,25 +122,18 @@ class ParameterBuilder {
   std::string default_text() {
     if (!written_.default_value) return {};
     const auto& literal = *written_.default_value;
-    const auto name = quoted(written_.name.text);
+    const auto& name = written_.name.text;
     if (!literal.text) {
-      diagnostics_.report(Code::PAL0614, literal.where,
-                          "parameter " + name + " is TEXT: its default is a text",
-                          "write it in quotes, or declare the parameter REAL, INTEGER or BOOLEAN");
+      diagnostics_.report(Finding::default_must_be_text, literal.where, name);
       return {};
     }
     if (const auto foreign = first_not_printable(*literal.text)) {
-      diagnostics_.report(
-          Code::PAL0617, literal.where,
-          "the default of " + name + " has " + *foreign + "; a TEXT holds printable ASCII only",
-          "spell it with letters, digits, signs and spaces of ASCII");
+      diagnostics_.report(Finding::text_not_ascii, literal.where, name, *foreign);
       return {};
     }
     if (literal.text->size() > pan::longest_text) {
-      diagnostics_.report(Code::PAL0617, literal.where,
-                          "the default of " + name + " has " + std::to_string(literal.text->size()) +
-                              " characters; a TEXT holds at most " + std::to_string(pan::longest_text),
-                          "shorten it");
+      diagnostics_.report(Finding::text_too_long, literal.where, name, literal.text->size(),
+                          pan::longest_text);
       return {};
     }
     return *literal.text;
@@ -155,38 +141,27 @@ class ParameterBuilder {
 
   bool check_type(const syntax::Literal& literal) {
     if (literal.text) {
-      diagnostics_.report(Code::PAL0614, literal.where,
-                          "parameter " + quoted(written_.name.text) +
-                              (is_boolean() ? " is BOOLEAN, not a text" : " is a number, not a text"),
-                          is_boolean() ? "write TRUE or FALSE, or declare the parameter TEXT"
-                                       : "write a number, or declare the parameter TEXT");
+      diagnostics_.report(either<Finding::boolean_not_text, Finding::number_not_text>(is_boolean()),
+                          literal.where, written_.name.text);
       return false;
     }
     const bool truth = literal.digits.empty();
     if (truth == is_boolean()) return true;
-    diagnostics_.report(Code::PAL0614, literal.where,
-                        "parameter " + quoted(written_.name.text) +
-                            (truth ? " is a number, not TRUE or FALSE" : " is BOOLEAN, not a number"),
-                        truth ? "write a number, or declare the parameter BOOLEAN"
-                              : "write TRUE or FALSE, or declare the parameter REAL or INTEGER");
+    diagnostics_.report(either<Finding::number_not_truth, Finding::boolean_not_number>(truth), literal.where,
+                        written_.name.text);
     return false;
   }
 
   void report_unit(const syntax::Literal& literal, const std::string& unit, const units::Unit& from,
                    const units::Unit& to) {
     if (written_.unit.empty() && from.dimension != to.dimension) {
-      diagnostics_.report(
-          Code::PAL0613, literal.where,
-          "parameter " + quoted(written_.name.text) + " is a plain number, not one of " + quoted(unit),
-          "remove the unit here, or declare the parameter in " + unit);
+      diagnostics_.report(Finding::parameter_without_unit, literal.where, written_.name.text, unit);
       return;
     }
     const auto own = written_.unit.empty() ? "plain numbers" : written_.unit;
-    diagnostics_.report(Code::PAL0613, literal.where,
-                        quoted(unit) + " does not convert to " + (written_.unit.empty() ? own : quoted(own)) +
-                            ", the unit of parameter " + quoted(written_.name.text) + ": " +
-                            difference(from, to),
-                        "write the value in " + own + ", or declare the parameter in " + unit);
+    diagnostics_.report(Finding::unit_does_not_convert, literal.where, unit,
+                        (written_.unit.empty() ? own : quoted(own)), written_.name.text, difference(from, to),
+                        own);
   }
 
   const syntax::Parameter& written_;

@@ -6,7 +6,7 @@
 
 #include "pal/check/report.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::check {
@@ -51,9 +51,7 @@ class RequirementBuilder {
       if (loop && std::none_of(phase.during.begin(), phase.during.end(), same)) phase.during.push_back(*loop);
     }
     if (!phase.during.empty()) return phase;
-    diagnostics_.report(Code::PAL0822, written.step.where,
-                        "this statement is in no loop of its module, so no REPEAT is meant",
-                        "name a statement between a REPEAT and its UNTIL, or write AFTER");
+    diagnostics_.report(Finding::statement_in_no_loop, written.step.where);
     return std::nullopt;
   }
 
@@ -72,16 +70,11 @@ class RequirementBuilder {
   bool fits(const syntax::Phase& phase, const pan::Measure& measure) {
     const bool load = std::holds_alternative<pan::Load>(measure);
     if (load || std::holds_alternative<pan::BusyPeriod>(measure)) {
-      diagnostics_.report(Code::PAL0823, phase.where,
-                          std::string(load ? "a load" : "a busy period") +
-                              " measures a processor, not one of its threads: it has no phase",
-                          "leave this out, or measure a RESPONSE or an INTERVAL in the phase");
+      diagnostics_.report(Finding::measure_without_phase, phase.where, load ? "a load" : "a busy period");
       return false;
     }
     if (std::holds_alternative<pan::Completing>(measure) && phase.kind == syntax::Phase::Kind::during) {
-      diagnostics_.report(Code::PAL0823, phase.where,
-                          "a duration lasts until the skill completes: a loop cannot limit it",
-                          "write AFTER and the statement from which the duration counts");
+      diagnostics_.report(Finding::duration_without_phase, phase.where);
       return false;
     }
     return true;
@@ -119,10 +112,7 @@ class RequirementBuilder {
     const auto of = names_.party(loss.of);
     if (!of) return std::nullopt;
     if (!is_device(*of)) {
-      diagnostics_.report(
-          Code::PAL0818, loss.of.name.where,
-          quoted(loss.of.name.text) + " is not a device: its messages wait until they are taken",
-          "name a device, or a module without a body");
+      diagnostics_.report(Finding::loss_of_no_device, loss.of.name.where, loss.of.name.text);
       return std::nullopt;
     }
     return pan::Loss{*of, loss.most, loss.in};
@@ -132,9 +122,7 @@ class RequirementBuilder {
     const auto& listed = network_.skill.completions;
     if (std::none_of(listed.begin(), listed.end(),
                      [&](const pan::Completion& each) { return each.code == completing.code; })) {
-      diagnostics_.report(Code::PAL0817, completing.where,
-                          "the skill has no completion " + std::to_string(completing.code),
-                          "list it: COMPLETION " + std::to_string(completing.code) + " …");
+      diagnostics_.report(Finding::no_such_completion, completing.where, completing.code);
       return std::nullopt;
     }
     return pan::Completing{completing.code};
@@ -156,18 +144,14 @@ class RequirementBuilder {
     const auto sender = names_.party(sample.from);
     if (!message || !sender) return std::nullopt;
     std::vector<pan::ChannelId> channels = channels_of(*message, *sender);
-    const std::string from = quoted(sample.from.name.text);
+    const std::string& from = sample.from.name.text;
     if (!is_device(*sender)) {
-      diagnostics_.report(Code::PAL0819, sample.from.name.where,
-                          from + " is not a device: it measures nothing itself",
-                          "name the device that the values come from");
+      diagnostics_.report(Finding::sample_from_no_device, sample.from.name.where, from);
       return std::nullopt;
     }
     if (channels.empty()) {
-      diagnostics_.report(
-          Code::PAL0819, sample.message.where,
-          "no module waits for " + quoted(network_.messages[message->index()].name) + " from " + from,
-          "name a message of a device that a module of the skill waits for");
+      diagnostics_.report(Finding::nothing_waits_for_sample, sample.message.where,
+                          network_.messages[message->index()].name, from);
       return std::nullopt;
     }
     return channels;
@@ -180,10 +164,8 @@ class RequirementBuilder {
     if (!message || !sender) return std::nullopt;
     std::vector<pan::ChannelId> of = channels_of(*message, *sender);
     if (of.empty()) {
-      diagnostics_.report(Code::PAL0803, response.event.where,
-                          "no module waits for " + quoted(network_.messages[message->index()].name) +
-                              " from " + quoted(response.of.name.text),
-                          "name a message that a module waits for");
+      diagnostics_.report(Finding::nothing_waits_for_start, response.event.where,
+                          network_.messages[message->index()].name, response.of.name.text);
       return std::nullopt;
     }
     if (at.empty()) return std::nullopt;
@@ -225,12 +207,10 @@ class RequirementBuilder {
 
   void report_missing(const syntax::Step& step, std::optional<pan::ModuleId> only) {
     const auto meant = nearest(text_of(step), statements_of(only));
-    auto& finding = diagnostics_.report(
-        Code::PAL0802, step.where,
-        only ? "there is no such statement in " + quoted(step.in->name.text)
-             : std::string("there is no such statement in this skill"),
-        meant ? "did you mean " + *meant + "?"
-              : "write the statement as it stands in the module, without kind words if you like");
+    auto& finding =
+        only ? diagnostics_.report(Finding::no_such_statement_in_module, step.where, step.in->name.text)
+             : diagnostics_.report(Finding::no_such_statement, step.where);
+    finding.suggest(meant, "");
     if (meant && !step.in) finding.fix = {{step.where, *meant}};
   }
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/units/unit.hpp"
 
 namespace pal::check {
@@ -64,12 +64,9 @@ void report_two_messages(const syntax::MessageUnit& second, const syntax::Messag
     differences += "; " + quoted(b.name) + " is in " + unit_text(b.unit) + " here and in " +
                    unit_text(a.unit) + " there" + relation(b.unit, a.unit);
   }
-  auto& finding = diagnostics.report(
-      Code::PAL0205, second.name.where,
-      "message " + quoted(second.name.text) + " is declared twice" + differences,
-      differences.empty() ? "rename one of them, or remove it"
-                          : "keep one declaration, in a file that both use, and let activities convert");
-  finding.notes.push_back({first.name.where, "it is also declared here"});
+  if (differences.empty()) return report_twice(diagnostics, "message", second.name, first.name);
+  diagnostics.report(Finding::message_declared_twice, second.name.where, second.name.text, differences)
+      .notes.push_back({first.name.where, "it is also declared here"});
 }
 
 }  // namespace

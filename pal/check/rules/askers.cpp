@@ -1,11 +1,10 @@
 // Requests for one answer in two blocks at once.
 #include <map>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/blocks.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -26,11 +25,9 @@ void check_asking_blocks(const pan::Network& network, pan::ModuleId module, cons
       if (fresh) continue;
       const pan::Channel& channel = network.channels[request.index()];
       const pan::Channel& answer = network.channels[channel.answer.index()];
-      auto& finding = diagnostics.report(
-          Code::PAL0307, where,
-          quoted(network.messages[answer.message.index()].name) + " is requested from " +
-              quoted(party_name(network, channel.receiver)) + " in two blocks of one CONCURRENT",
-          "let one block ask and wait for it, or use another message in the other");
+      auto& finding = diagnostics.report(Finding::requested_in_two_blocks, where,
+                                         network.messages[answer.message.index()].name,
+                                         party_name(network, channel.receiver));
       finding.notes.push_back({entry->second, "it is also requested here"});
     }
   }

@@ -1,11 +1,10 @@
 // What condition_runs found of each CASE and each UNTIL, as findings: no arm may hold, an arm never holds, a
 // loop never ends.
-#include <string>
 
 #include "pal/check/conditions/condition_runs.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -13,10 +12,7 @@ namespace {
 
 void report_no_arm(const pan::Node& node, const std::vector<conditions::RunStep>& run,
                    const pan::Network& network, Diagnostics& diagnostics) {
-  auto& finding =
-      diagnostics.report(Code::PAL0405, node.where,
-                         "no arm of this CASE may hold, and the skill would end with its error completion",
-                         "add an arm for this, or test what cannot change meanwhile");
+  auto& finding = diagnostics.report(Finding::no_arm_may_hold, node.where);
   // The end of the run says how it comes about; its beginning is the same for most.
   constexpr std::size_t most_notes = 8;
   const auto first = run.size() > most_notes ? run.size() - most_notes : 0;
@@ -33,10 +29,7 @@ void report_dead_arms(const pan::Graph& graph, const pan::Node& node, const std:
   const auto& guards = std::get<pan::Choose>(node.content).guards;
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) continue;
-    auto& finding =
-        diagnostics.report(Code::PAL0406, node.where,
-                           "the arm ( " + guard_text(network, guards[i]) + " ) of this CASE is never taken",
-                           "remove it, or correct its condition");
+    auto& finding = diagnostics.report(Finding::arm_never_taken, node.where, guard_text(network, guards[i]));
     if (node.out[i] != node.mate) finding.notes.push_back({graph[node.out[i]].where, "it begins with this"});
   }
 }
@@ -44,10 +37,7 @@ void report_dead_arms(const pan::Graph& graph, const pan::Node& node, const std:
 void report_endless(const pan::Node& until, const pan::Graph& graph, const pan::Network& network,
                     Diagnostics& diagnostics) {
   const auto& guard = *std::get<pan::Until>(until.content).guard;
-  auto& finding = diagnostics.report(
-      Code::PAL0503, until.where,
-      "this loop never ends: no run makes " + guard_text(network, guard) + " hold here",
-      "set what it waits for inside the loop, or write UNTIL( forever ) if it is never to end");
+  auto& finding = diagnostics.report(Finding::loop_never_ends, until.where, guard_text(network, guard));
   finding.notes.push_back({graph[until.mate].where, "the loop begins here"});
 }
 

@@ -5,7 +5,7 @@
 #include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -68,11 +68,8 @@ void check_idle_modules(const pan::Network& network, Diagnostics& diagnostics) {
     const auto& module = network.modules[i];
     if (talks[i] || module.executed_by.valid() || pan::ModuleId(i) == network.main) continue;
     if (module.kind == pan::ModuleKind::contingency_module) continue;  // has a finding of its own
-    auto& finding =
-        diagnostics.report(Code::PAL0215, network.skill.where,
-                           "skill " + quoted(network.skill.name) + " lists " + kind_text(module.kind) + " " +
-                               quoted(module.name) + ", but exchanges no messages with it",
-                           "remove it from the template, or use it");
+    auto& finding = diagnostics.report(Finding::module_without_messages, network.skill.where,
+                                       network.skill.name, kind_text(module.kind), module.name);
     finding.notes.push_back({module.where, "it is declared here"});
   }
 }
@@ -88,23 +85,16 @@ void check_channels(const pan::Network& network, Diagnostics& diagnostics) {
     const auto& receiver = party_name(network, channel.receiver);
     if (channel.sender == channel.receiver) continue;
     if (!used[i].sent && has_body(network, channel.sender)) {
-      auto& finding =
-          diagnostics.report(Code::PAL0302, channel.where,
-                             quoted(sender) + " never sends " + quoted(message) + " to " + quoted(receiver),
-                             "add " + send_text(network, channel) + " to " + sender);
+      auto& finding = diagnostics.report(Finding::never_sends, channel.where, sender, message, receiver,
+                                         send_text(network, channel));
       note_module(network, channel.sender, finding);
     } else if (!used[i].taken && has_body(network, channel.receiver)) {
-      auto& finding = diagnostics.report(
-          Code::PAL0303, channel.where,
-          quoted(receiver) + " never waits for " + quoted(message) + " from " + quoted(sender),
-          "add " + wait_text(network, channel) + " to " + receiver);
+      auto& finding = diagnostics.report(Finding::never_waits, channel.where, receiver, message, sender,
+                                         wait_text(network, channel));
       note_module(network, channel.receiver, finding);
     } else if (is_request(network, channel) && !channel.answer.valid()) {
       const auto& answer = network.messages[network.messages[channel.message.index()].asks_for.index()].name;
-      diagnostics.report(Code::PAL0304, channel.where,
-                         quoted(receiver) + " never answers this request, and " + quoted(sender) +
-                             " never waits for the answer",
-                         "add WTM( " + answer + " from " + receiver + " ) to " + sender);
+      diagnostics.report(Finding::never_answers, channel.where, receiver, sender, answer);
     }
   }
   check_idle_modules(network, diagnostics);

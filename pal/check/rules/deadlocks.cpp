@@ -1,12 +1,10 @@
 // Deadlocks and lost messages, as findings.
-#include <string>
 
 #include "pal/check/deadlock/explore.hpp"
 #include "pal/check/deadlock/story.hpp"
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -31,15 +29,12 @@ void report_dead_end(const deadlock::Story& story, const pan::Network& network, 
     if (line.culprit) culprit = &line;
   }
   if (culprit == nullptr) return;
-  auto code = story.total ? Code::PAL0521 : Code::PAL0522;
-  auto message = story.total ? "skill " + quoted(network.skill.name) + " can deadlock: "
-                             : "skill " + quoted(network.skill.name) + " can come to wait for ever: ";
-  if (story.timely) {
-    code = Code::PAL0523;
-    message = "at unlucky times, " + message;
-  }
-  auto& finding =
-      diagnostics.report(code, culprit->where, message + culprit->thread + " " + culprit->text, story.hint);
+  const auto what =
+      story.timely
+          ? either<Finding::deadlock_at_unlucky_times, Finding::waits_for_ever_at_unlucky_times>(story.total)
+          : either<Finding::deadlock, Finding::waits_for_ever>(story.total);
+  auto& finding = diagnostics.report(what, culprit->where, network.skill.name, culprit->thread, culprit->text,
+                                     story.hint);
   add_run(story, most_notes, finding);
   for (const auto& line : story.stuck) {
     if (!line.culprit) finding.notes.push_back({line.where, "and for ever " + line.thread + " " + line.text});
@@ -51,20 +46,14 @@ void report_undelivered(const deadlock::Undelivered& undelivered, const deadlock
   const auto& channel = network.channels[undelivered.channel.index()];
   const auto& message = network.messages[channel.message.index()].name;
   const auto& receiver = party_name(network, channel.receiver);
-  auto& finding = diagnostics.report(
-      Code::PAL0527, story.run.back().where,
-      "the skill can complete before " + receiver + " has taken " + quoted(message) + ", which is then lost",
-      "before the completion wait for what " + receiver + " sends when it has taken it, as its next request");
+  auto& finding = diagnostics.report(Finding::undelivered_at_end, story.run.back().where, receiver, message);
   add_run(story, most_notes_of_a_warning, finding);
 }
 
 void report_untaken(const pan::Channel& channel, const pan::Network& network, Diagnostics& diagnostics) {
   const auto& message = network.messages[channel.message.index()].name;
-  diagnostics.report(Code::PAL0524, channel.where,
-                     "no run of the skill takes " + quoted(message) + " from " +
-                         party_name(network, channel.sender) + ": " + party_name(network, channel.receiver) +
-                         " never reaches a wait for it in time",
-                     "let " + party_name(network, channel.receiver) + " take it, or do not send it");
+  diagnostics.report(Finding::message_never_taken, channel.where, message,
+                     party_name(network, channel.sender), party_name(network, channel.receiver));
 }
 
 }  // namespace
@@ -86,23 +75,12 @@ void check_deadlocks(const pan::Network& network, const pan::Flow& flow, Diagnos
     report_undelivered(undelivered, deadlock::tell(network, automata, undelivered), network, diagnostics);
   }
   if (findings.complete) return;
-  const auto begin = "skill " + quoted(network.skill.name);
   if (findings.stopped) {
-    diagnostics.report(Code::PAL0525, network.skill.where,
-                       begin + " was not searched for deadlocks to the end: the time ran out",
-                       "give a longer --timeout; the search takes half of it at most");
+    diagnostics.report(Finding::search_ran_out_of_time, network.skill.where, network.skill.name);
   } else if (findings.overflowed) {
-    diagnostics.report(Code::PAL0525, network.skill.where,
-                       begin +
-                           " can have more than 12 requests for one message open at once, or withdrawn and "
-                           "yet to be answered: a "
-                           "deadlock could not be excluded",
-                       "let every request be answered, or taken back, before the next one");
+    diagnostics.report(Finding::too_many_requests_open, network.skill.where, network.skill.name);
   } else {
-    diagnostics.report(Code::PAL0525, network.skill.where,
-                       begin + " has too many states to exclude a deadlock: " +
-                           std::to_string(findings.states) + " were looked at",
-                       "check parts of it as skills of their own");
+    diagnostics.report(Finding::too_many_states, network.skill.where, network.skill.name, findings.states);
   }
 }
 

@@ -1,12 +1,10 @@
 // Statements that are never reached, and loops that spin.
-#include <string>
 #include <vector>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/check/rules/zero_time.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -50,15 +48,13 @@ class FlowCheck {
     const bool ended = first != nullptr;
     if (ended && second != nullptr) {
       const bool same = first->code == second->code;
-      auto& finding =
-          diagnostics_.report(Code::PAL0505, node.where, "the skill has sent its completion already",
-                              same ? "remove it" : "remove the one that is not meant");
+      auto& finding = diagnostics_.report(
+          either<Finding::same_completion_again, Finding::second_completion>(same), node.where);
       if (same) finding.fix = {{node.where, ""}};
       finding.notes.push_back({cause->where, "it ends here"});
       return;
     }
-    auto& finding = diagnostics_.report(Code::PAL0501, node.where, "this statement is never reached",
-                                        "remove it, or give the statement before it a way to end");
+    auto& finding = diagnostics_.report(Finding::never_reached, node.where);
     if (cause == nullptr || !cause->where.valid()) return;
     if (ended) {
       finding.notes.push_back({cause->where, "the skill ends here"});
@@ -98,10 +94,7 @@ class FlowCheck {
   }
 
   void report_spinning(pan::NodeId loop, pan::NodeId until, const std::vector<pan::NodeId>& from) {
-    auto& finding =
-        diagnostics_.report(Code::PAL0502, nodes_[loop.index()].where,
-                            "this loop can go round without waiting for anything, and keep its processor",
-                            "wait for a message or do an activity on every way through it");
+    auto& finding = diagnostics_.report(Finding::round_without_waiting, nodes_[loop.index()].where);
     std::vector<pan::NodeId> path;
     for (auto at = from[until.index()]; at.valid() && at != loop; at = from[at.index()]) path.push_back(at);
     for (auto at = path.rbegin(); at != path.rend(); ++at) {

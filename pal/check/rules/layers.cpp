@@ -7,7 +7,7 @@
 #include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -84,18 +84,14 @@ void check_layers(const pan::Network& network, Diagnostics& diagnostics) {
     if (pair.second < pair.first) std::swap(pair.first, pair.second);
     if (!seen.insert(pair).second) continue;
     if (channel.sender == channel.receiver) {
-      diagnostics.report(Code::PAL0305, channel.where,
-                         quoted(party_name(network, channel.sender)) + " sends itself a message",
-                         "remove it: a module can use its own values and conditions directly");
+      diagnostics.report(Finding::talks_to_itself, channel.where, party_name(network, channel.sender));
       continue;
     }
     const auto from = layer(network, channel.sender);
     const auto to = layer(network, channel.receiver);
     if (may_talk(from, to)) continue;
-    diagnostics.report(
-        Code::PAL0301, channel.where,
-        described(network, channel.sender) + " may not talk to " + described(network, channel.receiver),
-        partners(from == Layer::device ? to : from));
+    diagnostics.report(Finding::may_not_talk, channel.where, described(network, channel.sender),
+                       described(network, channel.receiver), partners(from == Layer::device ? to : from));
   }
 }
 

@@ -1,14 +1,12 @@
 // Activities and conditions that read a message which never comes, or has not come yet.
 #include <algorithm>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/check/rules/steady_conditions.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -162,20 +160,15 @@ void check_activity(const pan::Network& network, const pan::Flow& flow, const pa
     Sources sources(network, flow, activity.module, message);
     const auto& name = network.messages[message.index()].name;
     if (!sources.any()) {
-      diagnostics.report(
-          Code::PAL0509, activity.where,
-          quoted(activity.name) + " reads " + quoted(name) + ", which " + quoted(module.name) + " never has",
-          "take it by a WTM before, let an activity write it, or do not read it");
+      diagnostics.report(Finding::reads_what_never_comes, activity.where, activity.name, name, module.name);
       continue;
     }
     const auto without = sources.reached_without()[activity.module.index()];
     for (std::size_t i = 0; i < module.body.nodes.size(); ++i) {
       const auto* perform = std::get_if<pan::Perform>(&module.body.nodes[i].content);
       if (perform == nullptr || perform->activity != id || !without[i]) continue;
-      auto& finding = diagnostics.report(
-          Code::PAL0510, module.body.nodes[i].where,
-          quoted(activity.name) + " may read " + quoted(name) + " before " + quoted(module.name) + " has one",
-          "take one first on every way to here; until then all its fields are 0");
+      auto& finding = diagnostics.report(Finding::may_read_too_early, module.body.nodes[i].where,
+                                         activity.name, name, module.name);
       finding.notes.push_back({activity.where, "it reads it by this"});
       break;
     }
@@ -189,11 +182,8 @@ void check_condition(const pan::Network& network, const pan::Flow& flow, const p
   if (may_have_a_caller_elsewhere(network, writer)) return;
   for (const auto message : condition.from) {
     if (Sources(network, flow, condition.writer, message).any()) continue;
-    auto& finding = diagnostics.report(
-        Code::PAL0511, condition.where,
-        quoted(condition.name) + " is computed from " + quoted(network.messages[message.index()].name) +
-            ", which " + quoted(writer.name) + " never has",
-        "let " + writer.name + " take it before it sets the condition, or remove it from FROM");
+    auto& finding = diagnostics.report(Finding::computed_from_what_never_comes, condition.where,
+                                       condition.name, network.messages[message.index()].name, writer.name);
     finding.notes.push_back({writer.where, "this module sets it"});
   }
 }

@@ -1,12 +1,10 @@
 // The start of the skill and its completions; contingency methods that nothing executes.
 #include <algorithm>
 #include <set>
-#include <string>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -21,9 +19,7 @@ void check_start(const pan::Network& network, Diagnostics& diagnostics) {
     const auto is_method = [](const pan::Module& m) { return m.kind == pan::ModuleKind::skill_module; };
     const bool has_method = std::any_of(network.modules.begin(), network.modules.end(), is_method);
     if (!has_method) return;  // the template has a finding for that
-    diagnostics.report(Code::PAL0507, network.skill.where,
-                       "no module of skill " + quoted(network.skill.name) + " waits for the coordinator",
-                       "begin the skill method with WTM( Coordinator )");
+    diagnostics.report(Finding::nothing_waits_for_coordinator, network.skill.where, network.skill.name);
     return;
   }
   for (std::size_t m = 0; m < network.modules.size(); ++m) {
@@ -32,18 +28,11 @@ void check_start(const pan::Network& network, Diagnostics& diagnostics) {
       const auto& node = module.body.nodes[n];
       if (!std::holds_alternative<pan::WaitForStart>(node.content)) continue;
       if (module.kind != pan::ModuleKind::skill_module) {
-        diagnostics.report(Code::PAL0507, node.where,
-                           "a " + kind_text(module.kind) + " is not started by the coordinator",
-                           "remove it: only the skill method waits for the coordinator");
+        diagnostics.report(Finding::not_started_by_coordinator, node.where, kind_text(module.kind));
       } else if (n != 1) {
-        diagnostics.report(Code::PAL0507, node.where,
-                           "the coordinator starts a skill once, before anything else",
-                           "make this the first statement of the skill method");
+        diagnostics.report(Finding::coordinator_starts_once, node.where);
       } else if (pan::ModuleId(m) != network.main) {
-        auto& finding = diagnostics.report(
-            Code::PAL0507, node.where,
-            "two modules of skill " + quoted(network.skill.name) + " wait for the coordinator",
-            "let one of them be the skill method, and execute the other from it");
+        auto& finding = diagnostics.report(Finding::two_wait_for_coordinator, node.where, network.skill.name);
         finding.notes.push_back({network.modules[network.main.index()].where, "this is the other"});
       }
     }
@@ -58,15 +47,12 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
       if (complete == nullptr) continue;
       sent.insert(complete->code);
       if (!may_complete(module.kind)) {
-        diagnostics.report(Code::PAL0506, node.where, "a " + kind_text(module.kind) + " cannot end the skill",
-                           "send the completion from the skill module");
+        diagnostics.report(Finding::cannot_end_skill, node.where, kind_text(module.kind));
       }
       const auto known = std::any_of(network.skill.completions.begin(), network.skill.completions.end(),
                                      [&](const pan::Completion& c) { return c.code == complete->code; });
       if (known) continue;
-      auto& finding = diagnostics.report(
-          Code::PAL0607, node.where, "the template has no completion " + std::to_string(complete->code),
-          "add COMPLETION " + std::to_string(complete->code) + ", or send another code");
+      auto& finding = diagnostics.report(Finding::completion_not_in_template, node.where, complete->code);
       finding.notes.push_back({network.skill.where, "the template is here"});
     }
   }
@@ -75,9 +61,7 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
     const bool for_faults = completion.kind == pan::Completion::Kind::error && !has_error;
     has_error = has_error || for_faults;
     if (for_faults || sent.contains(completion.code)) continue;
-    diagnostics.report(Code::PAL0612, completion.where,
-                       "nothing sends completion " + std::to_string(completion.code),
-                       "send it where the skill ends in this way, or remove it");
+    diagnostics.report(Finding::completion_never_sent, completion.where, completion.code);
   }
 }
 
@@ -86,9 +70,7 @@ void check_end(const pan::Network& network, const pan::Flow& flow, Diagnostics& 
   const auto& module = network.modules[network.main.index()];
   const pan::NodeId end(module.body.nodes.size() - 1);
   if (!flow.reached(network.main, end)) return;
-  auto& finding = diagnostics.report(
-      Code::PAL0504, module.body[end].where, quoted(module.name) + " can get to its end without a completion",
-      "send TXM( Completion Protocol 0 ), or another code, on every way to the end");
+  auto& finding = diagnostics.report(Finding::end_without_completion, module.body[end].where, module.name);
   // The statements after which nothing comes but the end.
   std::set<pan::NodeId> joins{end};
   for (auto i = end.index(); i-- > 0;) {
@@ -127,10 +109,8 @@ void check_completes(const pan::Network& network, const pan::Flow& flow, Diagnos
     }
   }
   auto& finding =
-      diagnostics.report(Code::PAL0512, network.modules[network.main.index()].where,
-                         "skill " + quoted(network.skill.name) + " never completes: no way through " +
-                             quoted(network.modules[network.main.index()].name) + " reaches a completion",
-                         "let the loop end, or stand in a block of CONCURRENT beside one that ends");
+      diagnostics.report(Finding::skill_never_completes, network.modules[network.main.index()].where,
+                         network.skill.name, network.modules[network.main.index()].name);
   if (endless != nullptr) finding.notes.push_back({endless->where, "this loop never ends"});
 }
 
@@ -140,10 +120,7 @@ void check_contingencies(const pan::Network& network, Diagnostics& diagnostics) 
         module.executed_by.valid()) {
       continue;
     }
-    diagnostics.report(Code::PAL0508, module.where,
-                       "nothing executes contingency module " + quoted(module.name) +
-                           ", so it would run at the same time as the skill",
-                       "add Execute " + module.name + " where the contingency is met");
+    diagnostics.report(Finding::contingency_not_executed, module.where, module.name);
   }
 }
 

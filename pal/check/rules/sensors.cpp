@@ -4,8 +4,7 @@
 #include <map>
 #include <string>
 
-#include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -43,21 +42,17 @@ Uses information_of(const pan::Network& network, pan::ModuleId sensor) {
 }
 
 /// The two sides of a slot must name the same.
-void compare(const syntax::NameSlot& slot, const Uses& uses, Code code, const std::string& sensor,
-             const char* does, Diagnostics& diagnostics) {
+void compare(const syntax::NameSlot& slot, const Uses& uses, FindingWith<2> never, FindingWith<2> also,
+             const std::string& sensor, Diagnostics& diagnostics) {
   for (const auto& name : slot.names) {
     if (uses.contains(name.text)) continue;
-    diagnostics.report(code, name.where, quoted(sensor) + " never " + does + " " + quoted(name.text),
-                       "remove it here, or add what the body lacks");
+    diagnostics.report(never, name.where, sensor, name.text);
   }
   for (const auto& [used, where] : uses) {
     const bool named = std::any_of(slot.names.begin(), slot.names.end(),
                                    [&name = used](const auto& n) { return n.text == name; });
     if (named) continue;
-    auto& finding =
-        diagnostics.report(code, slot.where, quoted(sensor) + " also " + does + " " + quoted(used),
-                           "add " + used + " to this slot");
-    finding.notes.push_back({where, "the talk is here"});
+    diagnostics.report(also, slot.where, sensor, used).notes.push_back({where, "the talk is here"});
   }
 }
 
@@ -69,16 +64,17 @@ void check_sensors(const Names& names, const pan::Network& network, Diagnostics&
     const auto* unit = names.unit_of(id);
     if (unit == nullptr || !unit->sensor.where.valid()) continue;
     if (unit->kind != pan::ModuleKind::logical_sensor) {
-      diagnostics.report(Code::PAL0640, unit->sensor.where, "only a logical sensor has this slot",
-                         "write DESCRIPTION for a text; the body shows what a module uses");
+      diagnostics.report(Finding::slot_of_logical_sensor, unit->sensor.where);
       continue;
     }
     if (!unit->has_body) continue;
     if (const auto& drivers = unit->sensor.drivers) {
-      compare(*drivers, drivers_of(network, id), Code::PAL0641, unit->name.text, "talks with", diagnostics);
+      compare(*drivers, drivers_of(network, id), Finding::sensor_never_talks, Finding::sensor_also_talks,
+              unit->name.text, diagnostics);
     }
     if (const auto& returns = unit->sensor.returns) {
-      compare(*returns, information_of(network, id), Code::PAL0642, unit->name.text, "returns", diagnostics);
+      compare(*returns, information_of(network, id), Finding::sensor_never_returns,
+              Finding::sensor_also_returns, unit->name.text, diagnostics);
     }
   }
 }

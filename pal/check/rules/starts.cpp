@@ -1,11 +1,9 @@
 // Modules that begin with something other than a wait.
-#include <string>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/flow.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -27,10 +25,7 @@ void check_starts(const pan::Network& network, Diagnostics& diagnostics) {
           std::holds_alternative<pan::Fork>(node.content) || std::holds_alternative<pan::End>(node.content) ||
           std::holds_alternative<pan::WaitForStart>(node.content))
         break;
-      diagnostics.report(
-          Code::PAL0526, node.where,
-          kind_text(module.kind) + " " + quoted(module.name) + " starts without a message that asks it to",
-          "begin it with the WTM of the request that it serves");
+      diagnostics.report(Finding::starts_unasked, node.where, kind_text(module.kind), module.name);
       break;
     }
   }

@@ -3,10 +3,9 @@
 #include <set>
 #include <vector>
 
-#include "pal/check/report.hpp"
 #include "pal/check/rules/blocks.hpp"
 #include "pal/check/rules/families.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -26,11 +25,8 @@ void check_modules(const pan::Network& network, Diagnostics& diagnostics) {
       if (fresh || entry->second.first == module || !reported.emplace(set->condition, module).second)
         continue;
       auto& finding =
-          diagnostics.report(Code::PAL0401, node.where,
-                             "condition " + quoted(network.conditions[set->condition.index()].name) +
-                                 " is set by " + quoted(network.modules[entry->second.first.index()].name) +
-                                 " and by " + quoted(network.modules[i].name),
-                             "let one module set it, and use another condition in the other");
+          diagnostics.report(Finding::set_by_two, node.where, network.conditions[set->condition.index()].name,
+                             network.modules[entry->second.first.index()].name, network.modules[i].name);
       finding.notes.push_back({entry->second.second, "it is also set here"});
     }
   }
@@ -47,10 +43,8 @@ void check_writing_blocks(const pan::Network& network, pan::ModuleId module, con
     for (const auto& [condition, where] : sets) {
       const auto [entry, fresh] = earlier.emplace(condition, where);
       if (fresh) continue;
-      auto& finding = diagnostics.report(Code::PAL0402, where,
-                                         "condition " + quoted(network.conditions[condition.index()].name) +
-                                             " is set in two blocks of one CONCURRENT",
-                                         "let one block set it, and use another condition in the other");
+      auto& finding =
+          diagnostics.report(Finding::set_in_two_blocks, where, network.conditions[condition.index()].name);
       finding.notes.push_back({entry->second, "it is also set here"});
     }
   }

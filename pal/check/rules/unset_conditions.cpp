@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "pal/check/conditions/guards.hpp"
-#include "pal/check/report.hpp"
 #include "pal/check/rules/families.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::check {
 
@@ -183,10 +182,8 @@ class ReadCheck {
       if (!state.reached || state.must) continue;
       (state.may ? sometimes : never).push_back(nodes[i].where);
     }
-    report(Code::PAL0403, never, " is read here, but nothing can have set it",
-           "set it with SPC before, or do not read it");
-    report(Code::PAL0404, sometimes, " may be read here before it is set, and is FALSE then",
-           "set it before, or make sure that FALSE is meant");
+    report(Finding::nothing_can_have_set, never);
+    report(Finding::may_be_read_before_set, sometimes);
   }
 
  private:
@@ -198,10 +195,10 @@ class ReadCheck {
   }
 
   // One finding for each module and condition: its other places are notes.
-  void report(Code code, const std::vector<SourceSpan>& places, const char* what, const char* hint) {
+  void report(FindingWith<1> what, const std::vector<SourceSpan>& places) {
     if (places.empty()) return;
     const auto& name = network_.conditions[condition_.index()].name;
-    auto& finding = diagnostics_.report(code, places.front(), "condition " + quoted(name) + what, hint);
+    auto& finding = diagnostics_.report(what, places.front(), name);
     for (std::size_t i = 1; i < places.size(); ++i) finding.notes.push_back({places[i], "and here"});
   }
 

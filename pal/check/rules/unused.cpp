@@ -4,8 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "pal/check/report.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::check {
@@ -50,35 +49,28 @@ class UnusedCheck {
 
   void check(const pan::Environment& environment) {
     for (const auto& device : environment.devices) {
-      if (!used_.parties.contains(device.device))
-        given("device " + quoted(device.device), device.where, nearest_of(device.device, used_.parties));
+      if (!used_.parties.contains(device.device)) given("device", device.device, device.where, used_.parties);
     }
     for (const auto& time : environment.activities) {
       if (!used_.activities.contains(time.activity))
-        given("activity " + quoted(time.activity), time.where, nearest_of(time.activity, used_.activities));
+        given("activity", time.activity, time.where, used_.activities);
     }
     for (const auto& placement : environment.placements) {
       const std::string module = placement.thread.substr(0, placement.thread.find_first_of("./"));
-      if (!used_.parties.contains(module))
-        given("module " + quoted(module), placement.where, nearest_of(module, used_.parties));
+      if (!used_.parties.contains(module)) given("module", module, placement.where, used_.parties);
     }
   }
 
  private:
   void declared(const char* what, const syntax::Name& name, const std::set<std::string>& used) {
     if (name.text.empty() || used.contains(name.text)) return;
-    diagnostics_.report(Code::PAL0217, name.where,
-                        std::string(what) + " " + quoted(name.text) + " is never used",
-                        "use it, or remove it");
+    diagnostics_.report(Finding::never_used, name.where, what, name.text);
   }
 
-  void given(const std::string& what, SourceSpan where, const std::optional<std::string>& meant) {
-    diagnostics_.report(Code::PAL0731, where, "no skill of this file has " + what,
-                        meant ? "did you mean " + quoted(*meant) + "?" : "remove the line");
-  }
-
-  static std::optional<std::string> nearest_of(const std::string& name, const std::set<std::string>& known) {
-    return nearest(name, {known.begin(), known.end()});
+  void given(const char* what, const std::string& name, SourceSpan where,
+             const std::set<std::string>& known) {
+    diagnostics_.report(Finding::figure_for_nothing, where, what, name)
+        .suggest(nearest(name, {known.begin(), known.end()}));
   }
 
   Used used_;

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/dot/vocabulary.hpp"
 #include "pal/syntax/dot/words.hpp"
 
@@ -85,10 +85,7 @@ class ContentsReader {
     const auto messages = dot_parts(*node.values.find("pal_message"));
     const auto senders = dot_parts(*node.values.find("pal_sender"));
     if (messages.size() != senders.size()) {
-      diagnostics_.report(Code::PAL0115, node.where,
-                          "this wait names " + std::to_string(messages.size()) + " messages and " +
-                              std::to_string(senders.size()) + " senders",
-                          "name one sender for each message, separated by ';'");
+      diagnostics_.report(Finding::messages_without_senders, node.where, messages.size(), senders.size());
       throw Reported{};
     }
     WaitBranches branches;
@@ -128,9 +125,7 @@ class ContentsReader {
       first = std::move(heading);
     } else if (!same_names(first.reads, heading.reads) || !same_names(first.writes, heading.writes)) {
       auto& finding =
-          diagnostics_.report(Code::PAL0115, heading.where,
-                              "activity '" + heading.name.text + "' reads or writes other messages here",
-                              "give pal_reads and pal_writes at one of its nodes only");
+          diagnostics_.report(Finding::activity_differs_between_nodes, heading.where, heading.name.text);
       finding.notes.push_back({first.where, "than here"});
       throw Reported{};
     }

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/dot/tokens.hpp"
 #include "pal/syntax/dot/vocabulary.hpp"
 #include "pal/syntax/parse.hpp"
@@ -13,9 +13,6 @@
 namespace pal::syntax {
 
 namespace {
-
-constexpr const char* form = "write the graph as 'digraph NAME { node [pal_kind=…]; node -> node }'";
-constexpr const char* quotes = "put a name with a hyphen in quotes: \"pc-force\"";
 
 /// The nodes of one end of an edge, each once.
 using Ends = std::vector<std::size_t>;
@@ -35,14 +32,13 @@ class DotParser {
   DotGraph parse() {
     if (is_word("strict")) step();
     graph_.where = token_.where;
-    if (is_word("graph")) throw NotDot{token_.where, "a graph without directions is no program", form};
-    if (!is_word("digraph")) throw NotDot{token_.where, "'digraph' is expected", form};
+    if (is_word("graph")) throw NotDot{token_.where, {Finding::graph_without_directions}};
+    if (!is_word("digraph")) throw NotDot{token_.where, {Finding::no_digraph}};
     step();
     if (!is_sign("{")) identifier();
     statements({}, 0);
     if (token_.kind != DotToken::Kind::end) {
-      throw NotDot{token_.where, "nothing is expected after the graph",
-                   "put a second graph into a file of its own"};
+      throw NotDot{token_.where, {Finding::text_after_graph}};
     }
     return std::move(graph_);
   }
@@ -63,7 +59,8 @@ class DotParser {
   bool begins_group() const { return is_sign("{") || is_word("subgraph"); }
 
   [[noreturn]] void fail_expecting(const std::string& what) {
-    throw NotDot{token_.where, what + " is expected", is_sign("-") ? quotes : form};
+    throw NotDot{token_.where,
+                 {either<Finding::expected_before_hyphen, Finding::expected_in_graph>(is_sign("-")), what}};
   }
   void expect(const char* text) {
     if (!is_sign(text)) fail_expecting(std::string("'") + text + "'");
@@ -115,9 +112,7 @@ class DotParser {
 
   /// A list in braces with the defaults that hold in it; gives the nodes that it names.
   Ends statements(Defaults defaults, int depth) {
-    if (depth > deepest_nesting)
-      throw NotDot{token_.where, "subgraphs are nested too deeply",
-                   "leave the inner braces out: subgraphs mean nothing"};
+    if (depth > deepest_nesting) throw NotDot{token_.where, {Finding::subgraphs_nested_too_deeply}};
     Ends all;
     std::set<std::size_t> seen;
     expect("{");
@@ -178,13 +173,11 @@ class DotParser {
     const auto values = std::make_shared<DotValues>(defaults.edge);
     Ends all = from;
     while (is_sign("->") || is_sign("--")) {
-      if (is_sign("--"))
-        throw NotDot{token_.where, "'->' is expected: the ways of a program have directions", form};
+      if (is_sign("--")) throw NotDot{token_.where, {Finding::edge_without_direction}};
       step();
       Ends to = end_of_edge(defaults, depth, where);
       if (from.size() * to.size() > most_dot_edges - graph_.edges.size()) {
-        throw NotDot{where, "the graph has more than " + std::to_string(most_dot_edges) + " edges",
-                     "take a part out into a module of its own"};
+        throw NotDot{where, {Finding::too_many_edges, most_dot_edges}};
       }
       for (const std::size_t a : from) {
         for (const std::size_t b : to) graph_.edges.push_back({a, b, where, values});
@@ -206,8 +199,7 @@ class DotParser {
 
   /// To Graphviz a second subgraph of one name is the first one again, with all that was in it.
   void name_group(const DotValue& name) {
-    if (!groups_.insert(name.text).second)
-      throw NotDot{name.where, "a subgraph of this name stands before", "give it another name, or none"};
+    if (!groups_.insert(name.text).second) throw NotDot{name.where, {Finding::subgraph_twice}};
   }
 
   void port() {
@@ -221,8 +213,7 @@ class DotParser {
     const auto [found, fresh] = index_.emplace(name.text, graph_.nodes.size());
     if (fresh) {
       if (graph_.nodes.size() == most_dot_nodes) {
-        throw NotDot{name.where, "the graph has more than " + std::to_string(most_dot_nodes) + " nodes",
-                     "take a part out into a module of its own"};
+        throw NotDot{name.where, {Finding::too_many_nodes, most_dot_nodes}};
       }
       graph_.nodes.push_back({name.text, name.where, defaults.node});
     }
@@ -267,7 +258,7 @@ std::optional<DotGraph> read_dot(const SourceManager& sources, FileId file, Diag
   try {
     return DotParser(file, sources.text(file), diagnostics).parse();
   } catch (const NotDot& problem) {
-    diagnostics.report(Code::PAL0114, problem.where, problem.message, problem.hint);
+    diagnostics.report(problem.what, problem.where);
     return std::nullopt;
   }
 }

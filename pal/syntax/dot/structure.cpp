@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/dot/ways.hpp"
 #include "pal/syntax/dot/words.hpp"
 #include "pal/syntax/parse.hpp"
@@ -33,9 +33,7 @@ class StructureReader {
     Statements body;
     const auto end = sequence(ways_.only(start), 0, body);
     if (end && kind(*end) != "end") {
-      fail(*end, "what ends here was never begun",
-           "let the branches of a split come together before the module goes on, and end it in a node of "
-           "kind 'end'");
+      fail(*end, {Finding::ends_what_never_began});
     }
     if (end) visited_[*end] = true;
     find_unvisited();
@@ -50,8 +48,8 @@ class StructureReader {
   const std::string& kind(std::size_t i) const { return contents_.kinds[i]; }
   SourceSpan where(std::size_t i) const { return graph_.nodes[i].where; }
 
-  [[noreturn]] void fail(std::size_t at, std::string message, std::string hint) {
-    diagnostics_.report(Code::PAL0116, where(at), std::move(message), std::move(hint));
+  [[noreturn]] void fail(std::size_t at, const PartialDiagnostic& what) {
+    diagnostics_.report(what, where(at));
     throw Reported{};
   }
 
@@ -59,12 +57,11 @@ class StructureReader {
     std::optional<std::size_t> start;
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
       if (kind(i) != "start") continue;
-      if (start) fail(i, "the module begins twice", "keep one node of kind 'start'");
+      if (start) fail(i, {Finding::module_begins_twice});
       start = i;
     }
     if (start) return *start;
-    diagnostics_.report(Code::PAL0116, graph_.where, "the module begins nowhere",
-                        "add a node with pal_kind=start and an edge from it");
+    diagnostics_.report(Finding::module_begins_nowhere, graph_.where);
     throw Reported{};
   }
 
@@ -74,25 +71,20 @@ class StructureReader {
     for (std::size_t i = 0; i < graph_.nodes.size() && found < most; ++i) {
       if (visited_[i]) continue;
       ++found;
-      diagnostics_.report(Code::PAL0116, where(i), "no way leads to this node",
-                          "draw the edge to it, or remove it");
+      diagnostics_.report(Finding::no_way_leads_to_node, where(i));
     }
   }
 
   void visit(std::size_t i) {
     if (visited_[i]) {
-      fail(i, "two ways meet here that no split began, or a loop closes without 'repeat' and 'until'",
-           "let branches meet in a node of kind 'merge' or 'join', and loops go from 'until' back to "
-           "'repeat'");
+      fail(i, {Finding::two_ways_meet});
     }
     visited_[i] = true;
   }
 
   End sequence(std::size_t first, int depth, Statements& to) {
     if (depth > deepest_nesting) {
-      diagnostics_.report(Code::PAL0105, where(first),
-                          "statements are nested deeper than " + std::to_string(deepest_nesting),
-                          "move inner statements to a module of their own and Execute it");
+      diagnostics_.report(Finding::statements_nested_too_deeply, where(first), deepest_nesting);
       throw Reported{};
     }
     for (End next = first; next;) {
@@ -100,10 +92,7 @@ class StructureReader {
       const std::string& word = kind(at);
       if (word == "end" || word == "merge" || word == "until" || word == "join") return at;
       visit(at);
-      if (word == "start" || word == "guard") {
-        fail(at, "a node of kind '" + word + "' cannot stand here",
-             word == "start" ? "nothing leads to the 'start'" : "a 'guard' follows its 'case'");
-      }
+      if (word == "guard") fail(at, {Finding::misplaced_guard});
       Statement statement = std::move(contents_.statements[at]);
       next = on_from(at, depth, statement);
       to.push_back(std::move(statement));
@@ -129,10 +118,7 @@ class StructureReader {
     const End end = sequence(first, depth + 1, body);
     if (!end) return body;
     if (kind(*end) != together || (all && *all != *end)) {
-      auto& finding =
-          diagnostics_.report(Code::PAL0116, where(split),
-                              "the ways out of this node do not come together in one '" + together + "'",
-                              "let each of them lead to the same node of kind '" + together + "'");
+      auto& finding = diagnostics_.report(Finding::ways_do_not_meet, where(split), together);
       finding.notes.push_back({where(*end), "one of them comes here"});
       if (all && *all != *end) finding.notes.push_back({where(*all), "another one here"});
       throw Reported{};
@@ -151,8 +137,7 @@ class StructureReader {
     Choose result;
     End all;
     for (const std::size_t arm : ways_.branches(at)) {
-      if (kind(arm) != "guard")
-        fail(arm, "what follows a 'case' is the condition of an arm", "put a node of kind 'guard' between");
+      if (kind(arm) != "guard") fail(arm, {Finding::case_without_guard});
       visit(arm);
       Statements body = branch(at, ways_.only(arm), depth, "merge", all);
       result.arms.push_back({std::move(contents_.guards[arm].value()), std::move(body), where(arm)});
@@ -165,10 +150,8 @@ class StructureReader {
     const auto ways = ways_.branches(at);
     const std::size_t expected = wait.arms.size() + (wait.within ? 1 : 0);
     if (ways.size() != expected) {
-      fail(at,
-           "this wait has " + std::to_string(ways.size()) + (ways.size() == 1 ? " way" : " ways") +
-               " out and needs " + std::to_string(expected),
-           "draw an edge for each message, and a last one for ELSE if the wait gives up");
+      fail(at, ways.size() == 1 ? PartialDiagnostic(Finding::wait_has_one_way, expected)
+                                : PartialDiagnostic(Finding::wait_has_ways, ways.size(), expected));
     }
     End all;
     for (std::size_t k = 0; k < ways.size(); ++k)
@@ -179,9 +162,7 @@ class StructureReader {
   End repeat(std::size_t at, int depth, Statement& statement) {
     Repeat result;
     const End end = sequence(ways_.only(at), depth + 1, result.body);
-    if (!end || kind(*end) != "until")
-      fail(at, "this 'repeat' comes to no 'until'",
-           "let the body of the loop lead to a node of kind 'until'");
+    if (!end || kind(*end) != "until") fail(at, {Finding::repeat_without_until});
     visit(*end);
     auto& guard = contents_.guards[*end];
     const End next = ways_.behind_loop(at, *end, !guard);
@@ -200,9 +181,7 @@ class StructureReader {
     statement.content = std::move(result);
     if (!all) all = mate(at);
     if (!all || kind(*all) != "join") {
-      fail(at, "this 'concurrent' comes to no 'join'",
-           "draw an edge from a block to a node of kind 'join'; from one that cannot end, with "
-           "pal_stops=true");
+      fail(at, {Finding::concurrent_without_join});
     }
     return behind(all);
   }

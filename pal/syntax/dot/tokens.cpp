@@ -60,7 +60,7 @@ void DotLexer::skip() {
       const std::size_t end = text_.find("*/", at_ + 2);
       if (end == std::string_view::npos) {
         at_ += 2;
-        throw NotDot{span(begin), "this comment has no end", "end it with */"};
+        throw NotDot{span(begin), {Finding::comment_without_end}};
       }
       at_ = end + 2;
     } else {
@@ -104,7 +104,7 @@ DotToken DotLexer::quoted() {
   }
   if (at_ >= text_.size()) {
     at_ = begin + 1;
-    throw NotDot{span(begin), "this text has no closing quote", "end it with \""};
+    throw NotDot{span(begin), {Finding::text_without_quote}};
   }
   ++at_;
   return {DotToken::Kind::quoted, std::move(value), span(begin)};
@@ -121,7 +121,7 @@ DotToken DotLexer::html() {
     }
   }
   at_ = begin + 1;
-  throw NotDot{span(begin), "this '<' has no '>'", "end it with >, or put the text in quotes"};
+  throw NotDot{span(begin), {Finding::html_without_end}};
 }
 
 DotToken DotLexer::sign() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "pal/support/finding.hpp"
 #include "pal/support/source.hpp"
 
 namespace pal::syntax {
@@ -25,8 +26,7 @@ struct DotToken {
 /// The text is not DOT from here on. Never leaves pal/syntax.
 struct NotDot {
   SourceSpan where;
-  std::string message;
-  std::string hint;
+  PartialDiagnostic what;
 };
 
 class DotLexer {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
 namespace pal::syntax {
@@ -96,38 +96,31 @@ bool is_dot_attribute(std::string_view name) {
 }
 
 void report_strange_attribute(const DotValue& name, Diagnostics& diagnostics) {
-  const auto meant = nearest(name.text, all_attributes());
-  diagnostics.report(
-      Code::PAL0117, name.where, "there is no attribute " + shown(name.text) + ", so it has no effect",
-      meant ? "did you mean '" + *meant + "'?" : "remove it; docs/reference/pan.md lists the attributes");
+  diagnostics.report(Finding::unknown_attribute, name.where, shown(name.text))
+      .suggest(nearest(name.text, all_attributes()));
 }
 
 bool check_attributes(const DotNode& node, Diagnostics& diagnostics) {
   const DotValue* word = node.values.find("pal_kind");
   if (word == nullptr) {
-    diagnostics.report(Code::PAL0115, node.where, "this node has no pal_kind: nothing says what it means",
-                       "add [pal_kind=…] to the node; docs/reference/pan.md lists the kinds");
+    diagnostics.report(Finding::node_without_kind, node.where);
     return false;
   }
   const DotKind* kind = dot_kind(word->text);
   if (kind == nullptr) {
-    const auto meant = nearest(word->text, kind_names());
-    diagnostics.report(Code::PAL0115, word->where, "there is no kind " + shown(word->text) + " of node",
-                       meant ? "did you mean '" + *meant + "'?" : "docs/reference/pan.md lists the kinds");
+    diagnostics.report(Finding::unknown_kind_of_node, word->where, shown(word->text))
+        .suggest(nearest(word->text, kind_names()));
     return false;
   }
   bool good = true;
   for (const std::string_view needed : kind->needs) {
     if (node.values.find(needed) != nullptr) continue;
-    diagnostics.report(Code::PAL0115, node.where,
-                       "a node of kind '" + word->text + "' needs " + std::string(needed) + ", and has none",
-                       "add " + std::string(needed) + "=… to the node");
+    diagnostics.report(Finding::node_lacks_attribute, node.where, word->text, needed);
     good = false;
   }
   for (const auto& [name, value] : node.values) {
     if (holds(of_every_node, name) || holds(kind->needs, name) || holds(kind->may_have, name)) continue;
-    diagnostics.report(Code::PAL0117, value->where, "a node of kind '" + word->text + "' has no " + name,
-                       listed(*kind));
+    diagnostics.report(Finding::attribute_of_another_kind, value->where, word->text, name, listed(*kind));
   }
   return good;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/dot/words.hpp"
 
 namespace pal::syntax {
@@ -24,14 +24,11 @@ std::size_t DotWays::only(std::size_t from) const {
 
 std::size_t DotWays::single(std::size_t from, const Edges& edges) const {
   if (edges.empty()) {
-    diagnostics_.report(Code::PAL0116, graph_.nodes[from].where, "no way leads on from this node",
-                        "draw the edge to what comes next; the module ends in a node of kind 'end'");
+    diagnostics_.report(Finding::no_way_on, graph_.nodes[from].where);
     throw Reported{};
   }
   if (edges.size() > 1) {
-    auto& finding = diagnostics_.report(Code::PAL0116, edges[1]->where,
-                                        "a second edge leaves this node, but the node does not split",
-                                        "split with a node of kind 'case' or 'concurrent'");
+    auto& finding = diagnostics_.report(Finding::second_edge, edges[1]->where);
     finding.notes.push_back({edges[0]->where, "the first one is here"});
     throw Reported{};
   }
@@ -50,8 +47,7 @@ std::vector<std::size_t> DotWays::branches(std::size_t from) const {
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   if (order.empty()) {
-    diagnostics_.report(Code::PAL0116, graph_.nodes[from].where, "no way leads on from this node",
-                        "draw an edge to each of its branches");
+    diagnostics_.report(Finding::no_branches, graph_.nodes[from].where);
     throw Reported{};
   }
   std::vector<std::size_t> result;
@@ -68,9 +64,7 @@ bool DotWays::closes(std::size_t repeat, std::size_t until) const {
 
 std::optional<std::size_t> DotWays::behind_loop(std::size_t repeat, std::size_t until, bool forever) const {
   if (!closes(repeat, until)) {
-    auto& finding = diagnostics_.report(Code::PAL0116, graph_.nodes[until].where,
-                                        "no way leads from this 'until' back to its 'repeat'",
-                                        "draw the edge from the 'until' to the 'repeat'");
+    auto& finding = diagnostics_.report(Finding::no_way_back_to_repeat, graph_.nodes[until].where);
     finding.notes.push_back({graph_.nodes[repeat].where, "the loop begins here"});
     throw Reported{};
   }
@@ -79,10 +73,7 @@ std::optional<std::size_t> DotWays::behind_loop(std::size_t repeat, std::size_t 
   if (!forever) return single(until, on);
   for (const DotEdge* edge : on) {
     if (edge->values->is_true("pal_stops") || edge->values->is_true("pal_never_taken")) continue;
-    diagnostics_.report(
-        Code::PAL0116, edge->where, "nothing follows a loop that goes on for ever",
-        "give the 'until' a pal_guard; or, if this leads to the bar where the loop is stopped, give the "
-        "edge pal_stops=true");
+    diagnostics_.report(Finding::nothing_follows_endless_loop, edge->where);
     throw Reported{};
   }
   if (on.empty()) return std::nullopt;

@@ -8,7 +8,7 @@
 
 #include "PalLexer.h"
 #include "pal/pan/dump.hpp"
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/syntax/parse.hpp"
 
 namespace pal::syntax {
@@ -93,26 +93,22 @@ std::vector<DotValue> dot_parts(const DotValue& value) {
   }
 }
 
-void DotWords::fail(const DotValue& at, std::string message, std::string hint) {
-  diagnostics_.report(Code::PAL0115, at.where, std::move(message), std::move(hint));
+void DotWords::fail(const DotValue& at, const PartialDiagnostic& what) {
+  diagnostics_.report(what, at.where);
   throw Reported{};
 }
 
 Name DotWords::name(const DotValue& from) {
   const auto type = only_token(from.text);
   if (type != Lexer::NAME && !opens_unit(type) && !means_something_in_places(type)) {
-    fail(from, shown_word(from.text) + " is not a name",
-         "a name begins with a letter and goes on with letters, digits, '_' and inner hyphens; words such as "
-         "CASE name "
-         "nothing");
+    fail(from, {Finding::not_a_name, shown_word(from.text)});
   }
   return {from.text, from.where};
 }
 
 Name DotWords::activity_name(const DotValue& from) {
   const auto type = only_token(from.text);
-  if (opens_unit(type))
-    fail(from, shown_word(from.text) + " begins a unit of PAL and names no activity", "choose another name");
+  if (opens_unit(type)) fail(from, {Finding::unit_names_no_activity, shown_word(from.text)});
   return name(from);
 }
 
@@ -129,7 +125,7 @@ PartyName DotWords::party(const DotValue& from) {
 bool DotWords::truth(const DotValue& from) {
   if (from.text == "TRUE" || from.text == "true") return true;
   if (from.text == "FALSE" || from.text == "false") return false;
-  fail(from, shown_word(from.text) + " is neither TRUE nor FALSE", "write TRUE or FALSE");
+  fail(from, {Finding::no_truth, shown_word(from.text)});
 }
 
 std::int64_t DotWords::number(const DotValue& from, std::int64_t most) {
@@ -137,8 +133,7 @@ std::int64_t DotWords::number(const DotValue& from, std::int64_t most) {
   const char* end = from.text.data() + from.text.size();
   const auto read = std::from_chars(from.text.data(), end, result);
   if (read.ec != std::errc() || read.ptr != end || result < 0 || result > most) {
-    fail(from, shown_word(from.text) + " is not a number that fits here",
-         "write a whole number from 0 to " + std::to_string(most));
+    fail(from, {Finding::no_number_that_fits, shown_word(from.text), most});
   }
   return result;
 }
@@ -152,15 +147,13 @@ Guard DotWords::guard(const DotValue& from) {
       return std::move(*repeat->until);
     }
   }
-  fail(from, shown_word(from.text) + " is no condition of PAL",
-       "write for example \"pc-force OR NOT pc-reach\"");
+  fail(from, {Finding::no_condition, shown_word(from.text)});
 }
 
 ActivityHeading DotWords::activity(const DotValue& from) {
   auto module = module_of("ACTIVITY " + from.text + "\n");
   if (!module || module->activities.size() != 1 || !module->descriptions.empty() || module->has_body) {
-    fail(from, shown_word(from.text) + " is no activity",
-         "write for example \"think READS force WRITES motion; look\"");
+    fail(from, {Finding::no_activity, shown_word(from.text)});
   }
   ActivityHeading heading = std::move(module->activities.front());
   heading.where = from.where;
@@ -175,8 +168,7 @@ std::vector<std::string> DotWords::texts(const DotValue& from) {
   std::vector<std::string> result;
   for (const DotValue& part : dot_parts(from)) {
     if (!std::all_of(part.text.begin(), part.text.end(), is_printable)) {
-      fail(from, "this text has a line break or another control character in it",
-           "write it on one line, or two texts with a semicolon between");
+      fail(from, {Finding::control_character});
     }
     result.push_back(decoded(part.text));
   }
@@ -197,9 +189,7 @@ pan::ModuleKind DotWords::module_kind(const DotValue& from) {
         pan::ModuleKind::skill_module, pan::ModuleKind::contingency_module}) {
     if (pan::kind_text(kind) == from.text) return kind;
   }
-  fail(from, shown_word(from.text) + " is no kind of module",
-       "write 'sensor driver', 'logical sensor', 'machine controller', 'skill module' or 'contingency "
-       "module'");
+  fail(from, {Finding::no_kind_of_module, shown_word(from.text)});
 }
 
 }  // namespace pal::syntax

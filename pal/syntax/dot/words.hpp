@@ -43,7 +43,7 @@ class DotWords {
   NameSlot slot(const DotValue& from);
 
  private:
-  [[noreturn]] void fail(const DotValue& at, std::string message, std::string hint);
+  [[noreturn]] void fail(const DotValue& at, const PartialDiagnostic& what);
 
   Diagnostics& diagnostics_;
 };

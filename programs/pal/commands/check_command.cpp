@@ -6,6 +6,7 @@
 
 #include "pal/check/read_sources.hpp"
 #include "pal/pan/dump.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/output.hpp"
 #include "pal/syntax/print.hpp"
 #include "programs/pal/commands/commands.hpp"
@@ -57,7 +58,7 @@ void say_what_was_not_checked(const std::vector<Unchecked>& not_checked, bool an
   }
   const Unchecked& first = not_checked.front();
   if (any_verdict) {
-    err << "pal: " << subject_of(first) << " was not checked: " << first.reason;
+    err << "pal: " << text_of(finding_of(first));
     if (not_checked.size() > 1) err << "; nor " << not_checked.size() - 1 << " more";
     err << (first.left_out ? "\n" : " (--require-verdicts makes this an error)\n");
     return;

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/render.hpp"
 #include "pal/support/xml.hpp"
 
@@ -107,7 +107,7 @@ Case case_of(const Proof& proof, std::size_t index, const Session& session) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   Case result{verdict.requirement, {}, {}, {}, {}, verdict.statistics.seconds};
   if (verdict.state == analyzer::VerdictState::holds) {
-    result.text = taken_as_lost_text(proof, index);
+    if (const auto lost = taken_as_lost(proof, index)) result.text = text_of(*lost);
     if (proof.half_open) result.text += std::string(result.text.empty() ? "" : "\n") + half_open_text;
     return result;
   }

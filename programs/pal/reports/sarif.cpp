@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "programs/pal/reports/json_text.hpp"
 
 namespace pal::program {
@@ -182,11 +182,10 @@ std::string sarif(const Session& session, const std::vector<Unchecked>& not_chec
         notification("warning", std::to_string(not_kept) + " further findings are not in this log"));
   if (!remark.empty()) invoked["toolExecutionNotifications"].push_back(notification("note", remark));
   for (const Unchecked& row : not_checked)
-    invoked["toolExecutionNotifications"].push_back(notification(
-        row.left_out ? "note"
-        : required   ? "error"
-                     : "warning",
-        subject_of(row) + (row.skill.empty() ? " was checked: " : " was not checked: ") + row.reason));
+    invoked["toolExecutionNotifications"].push_back(notification(row.left_out ? "note"
+                                                                 : required   ? "error"
+                                                                              : "warning",
+                                                                 text_of(finding_of(row))));
   run["columnKind"] = "unicodeCodePoints";
   run["artifacts"] = log.artifacts();
   run["results"] = Json::array();

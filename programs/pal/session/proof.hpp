@@ -97,8 +97,9 @@ std::vector<Proof> prove(Session& session, const ProofLimits& limits, const Proo
 /// Whether every verdict is `holds`.
 bool all_hold(const std::vector<Proof>& proofs);
 
-/// What the verdict of a requirement that holds counts as lost, in a sentence; empty: nothing.
-std::string taken_as_lost_text(const Proof& proof, std::size_t index);
+/// What the verdict of a requirement that holds counts as lost (PAL0824); nothing, if it counts on nothing
+/// so.
+std::optional<PartialDiagnostic> taken_as_lost(const Proof& proof, std::size_t index);
 
 /// Adds the finding that time stands still in some run (PAL0821).
 void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& zeno_run, Session& session);

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::program {
 namespace {
@@ -104,20 +104,18 @@ std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof
   return list;
 }
 
-std::string subject_of(const Unchecked& unchecked) {
-  if (unchecked.skill.empty()) return "nothing";
-  if (unchecked.requirement.empty()) return "skill '" + unchecked.skill + "'";
-  return "'" + unchecked.requirement + "' of " + unchecked.skill +
-         (unchecked.environment.empty() ? "" : " in " + unchecked.environment);
+PartialDiagnostic finding_of(const Unchecked& unchecked) {
+  if (unchecked.skill.empty()) return {Finding::nothing_checked, unchecked.reason, unchecked.hint};
+  const std::string what = unchecked.requirement.empty()
+                               ? "skill '" + unchecked.skill + "'"
+                               : "'" + unchecked.requirement + "' of " + unchecked.skill +
+                                     (unchecked.environment.empty() ? "" : " in " + unchecked.environment);
+  return {Finding::not_checked, what, unchecked.reason, unchecked.hint};
 }
 
 void report_unchecked(const std::vector<Unchecked>& list, Session& session) {
   for (const Unchecked& row : list) {
-    if (row.left_out) continue;
-    const bool nothing = row.skill.empty();
-    session.diagnostics.report(
-        Code::PAL0892, row.where,
-        subject_of(row) + (nothing ? " was checked: " : " was not checked: ") + row.reason, row.hint);
+    if (!row.left_out) session.diagnostics.report(finding_of(row), row.where);
   }
 }
 

@@ -35,10 +35,10 @@ enum class Unproved {
 /// requirements.
 std::vector<Unchecked> unchecked(const Session& session, const std::vector<Proof>& proofs, Unproved unproved);
 
-/// "answer of touch in workcell", "skill touch", "the check".
-std::string subject_of(const Unchecked& unchecked);
+/// That it was not checked, and why (PAL0892).
+PartialDiagnostic finding_of(const Unchecked& unchecked);
 
-/// Adds a finding for each of them (PAL0892).
+/// Adds this finding for each of them.
 void report_unchecked(const std::vector<Unchecked>& list, Session& session);
 
 /// Whether any requirement has a verdict.

@@ -6,8 +6,8 @@
 #include "analyzer/exact/zeno_run.hpp"
 #include "analyzer/machine/loss_rows.hpp"
 #include "analyzer/verdict/sentence.hpp"
-#include "pal/support/diagnostic_code.hpp"
 #include "pal/support/duration_text.hpp"
+#include "pal/support/finding.hpp"
 #include "programs/pal/session/measure_text.hpp"
 #include "programs/pal/session/proof.hpp"
 
@@ -155,27 +155,17 @@ std::string hint_of(const Proof& proof, std::size_t index) {
 void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   Diagnostic& finding = diagnostics.report(
-      Code::PAL0816, verdict.where,
-      "'" + verdict.requirement + "' says nothing: " + verdict.explanation + " in " +
-          proof.problem.environment,
-      verdict.measure == Measure::load
-          ? "limit how long the processor is busy at a stretch (BUSY PERIOD), or the skill's "
-            "DURATION"
-          : "name a statement, an event or a completion that comes about in some run");
+      either<Finding::load_says_nothing, Finding::says_nothing>(verdict.measure == Measure::load),
+      verdict.where, verdict.requirement, verdict.explanation, proof.problem.environment);
   finding.requirement = verdict.requirement;
 }
 
 /// Events that no thread takes are lost in PAL, and delay nobody. Elsewhere they may be kept.
 void report_taken_as_lost(const Proof& proof, std::size_t index, Diagnostics& diagnostics) {
-  const std::string text = taken_as_lost_text(proof, index);
-  if (text.empty()) return;
+  const auto what = taken_as_lost(proof, index);
+  if (!what) return;
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
-  Diagnostic& finding = diagnostics.report(
-      Code::PAL0824, verdict.where, text,
-      "say how many may be lost (LOSS OF " +
-          proof.problem.devices[verdict.taken_as_lost.front().device].name +
-          " AT MOST … IN …), or take each in time; if the real sender keeps them, the bound is too low");
-  finding.requirement = verdict.requirement;
+  diagnostics.report(*what, verdict.where).requirement = verdict.requirement;
 }
 
 // Lines of a story that fit on a screen with what else is said, and parts of one whole.
@@ -236,12 +226,11 @@ bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem&
 void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics& diagnostics) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   const bool fails = verdict.state == State::fails;
-  const std::string what = fails ? " fails: " : " is undecided: ";
   Diagnostic& finding = diagnostics.report(
-      fails ? Code::PAL0890 : Code::PAL0891, verdict.where,
-      "'" + verdict.requirement + "'" + what + measure_text(proof.problem, index) + " " +
-          known_figure(proof.problem, verdict) + " in " + proof.problem.environment + ", " +
-          std::string(verdict.allowed().text()) + " " + whole_text(verdict.allowed().figure) + " is required",
+      either<Finding::requirement_fails, Finding::requirement_undecided>(fails), verdict.where,
+      verdict.requirement, measure_text(proof.problem, index) + " " + known_figure(proof.problem, verdict),
+      proof.problem.environment,
+      std::string(verdict.allowed().text()) + " " + whole_text(verdict.allowed().figure),
       hint_of(proof, index));
   finding.requirement = verdict.requirement;
   if (verdict.loop_growth) {
@@ -277,15 +266,13 @@ void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& 
     return problem.statements[statement].where;
   };
   Diagnostic& finding = session.diagnostics.report(
-      Code::PAL0821, statements.empty() ? SourceSpan{} : where(statements.front()),
-      "time stands still in some run in " + problem.environment +
-          ": a loop goes round for ever at one instant",
-      "give something in the loop a time, in the environment, or let it wait for something that takes time");
+      Finding::time_stands_still, statements.empty() ? SourceSpan{} : where(statements.front()),
+      problem.environment);
   for (std::size_t i = 1; i < statements.size(); ++i)
     finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
 }
 
-std::string taken_as_lost_text(const Proof& proof, std::size_t index) {
+std::optional<PartialDiagnostic> taken_as_lost(const Proof& proof, std::size_t index) {
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   std::string lost;
   for (const analyzer::LostEvents& each : verdict.taken_as_lost) {
@@ -293,9 +280,9 @@ std::string taken_as_lost_text(const Proof& proof, std::size_t index) {
     lost += (lost.empty() ? "" : ", and ") + std::to_string(each.lost) + " of " + std::to_string(each.in) +
             " in a row of " + proof.problem.channels[device.event].message + " of " + device.name;
   }
-  if (lost.empty()) return {};
-  return "'" + verdict.requirement + "' holds in " + proof.problem.environment +
-         " with lost events, which delay nothing: runs lose " + lost;
+  if (lost.empty()) return std::nullopt;
+  return PartialDiagnostic(Finding::holds_with_lost_events, verdict.requirement, proof.problem.environment,
+                           lost, proof.problem.devices[verdict.taken_as_lost.front().device].name);
 }
 
 bool look_for_zeno_run(const analyzer::Problem& problem, Session& session) {

@@ -63,6 +63,12 @@ server::Scene scene_of(sim::Workcell& workcell) {
     return server::ScenePose{{pose.translation().x(), pose.translation().y(), pose.translation().z()},
                              {turn.x(), turn.y(), turn.z(), turn.w()}};
   };
+  scene.figures = [base](const server::ScenePose& shown) {
+    sim::Pose pose = sim::Pose::Identity();
+    pose.translation() = Eigen::Vector3d(shown.position.data());
+    pose.linear() = Eigen::Quaterniond(shown.turn.data()).toRotationMatrix();
+    return sim::val::shown_figures(base.inverse() * pose);
+  };
   return scene;
 }
 

@@ -183,7 +183,7 @@ TEST_CASE("an environment that lacks something gives findings and no code") {
   SECTION("a thread without a place") {
     std::erase_if(environment.placements, [](const auto& place) { return place.thread == "LS1"; });
     code = "PAL0721";
-    message = "environment workcell does not say where LS1 runs";
+    message = "environment workcell does not place LS1";
   }
   SECTION("a place on no processor") {
     std::erase_if(environment.processors, [](const auto& processor) { return processor.name == "P2"; });
@@ -193,7 +193,7 @@ TEST_CASE("an environment that lacks something gives findings and no code") {
   SECTION("an activity without a time") {
     std::erase_if(environment.activities, [](const auto& time) { return time.activity == "hold"; });
     code = "PAL0725";
-    message = "environment workcell does not say how long hold of MC1 takes";
+    message = "environment workcell gives activity hold of MC1 no time";
   }
   CHECK(codegen::generate(input.specification.skills.front(), environment, input.sources, input.diagnostics)
             .empty());

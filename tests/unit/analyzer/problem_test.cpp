@@ -1,6 +1,7 @@
 #include "analyzer/problem/problem.hpp"
 
 #include <catch2/catch.hpp>
+#include <functional>
 
 #include "pal/support/diagnostic_code.hpp"
 #include "tests/support/skill.hpp"
@@ -120,4 +121,52 @@ TEST_CASE("an activity may take another time in another module") {
     }
   }
   CHECK(found);
+}
+
+TEST_CASE("figures of an environment that no text has are told") {
+  const auto skill = test::skill_from_text(small_skill("", worker, good_environment));
+  const auto told = [&](const std::function<void(pan::Environment&)>& change) {
+    pan::Environment environment = skill->specification.environments.front();
+    change(environment);
+    Diagnostics diagnostics;
+    CHECK_FALSE(make_problem(skill->specification.skills.front(), environment, diagnostics, &skill->sources));
+    return diagnostics.all().front().message;
+  };
+  const auto time = [&](Duration best, Duration worst) {
+    return told([&](pan::Environment& environment) { environment.activities.front().time = {best, worst}; });
+  };
+  const auto ms = [](int count) { return Duration(count * 1'000'000); };
+  CHECK(time(ms(-1), ms(1)) == "the time of activity work is negative");
+  CHECK(time(ms(2), ms(1)) == "the best time of activity work is longer than its worst");
+  CHECK(time(ms(1), Duration(2'000'000'000'000'000'000)) ==
+        "the time of activity work is too long to reckon with");
+  const auto device = [&](const std::function<void(pan::EventDevice&)>& change) {
+    return told([&](pan::Environment& environment) {
+      change(std::get<pan::EventDevice>(environment.devices.front().behaviour));
+    });
+  };
+  CHECK(device([](pan::EventDevice& event) { event.period = {}; }) ==
+        "the time of the period of MC1 is zero");
+  CHECK(device([&](pan::EventDevice& event) { event.phase = event.period; }) ==
+        "the phase of MC1 is not below its period");
+  CHECK(told([&](pan::Environment& environment) {
+          environment.devices.front().behaviour = pan::FrameDevice{ms(1), ms(2), {}};
+        }) == "MC1 collects a frame for longer than its period");
+}
+
+TEST_CASE("modules that execute one another too deep are told") {
+  std::string slots;
+  std::string modules;
+  for (int i = 1; i <= 40; ++i) {
+    const std::string n = std::to_string(i);
+    slots += "CONTINGENCY " + n + " \"it is dark\" METHOD CM" + n + "\n";
+    const std::string next = i == 40 ? "Do Nothing" : "Execute CM" + std::to_string(i + 1);
+    modules += "Contingency Module: CM" + n + "\nBEGIN\n" + next + "\nEND\n";
+  }
+  const std::string caller = worker;
+  const auto execute = caller.substr(0, caller.find("    work")) + "    Execute CM1\n" +
+                       caller.substr(caller.find("    work"));
+  const auto skill = test::skill_from_text(small_skill(slots, execute + modules, good_environment));
+  CHECK(test::messages(skill->diagnostics).find("PAL0730 modules execute one another more than 32 deep\n") !=
+        std::string::npos);
 }

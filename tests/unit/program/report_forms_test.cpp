@@ -107,6 +107,7 @@ TEST_CASE("an environment alone, and a skill that requires nothing, prove nothin
   CHECK(has(check(idle + bench, {}).out, "not checked  the skill has no REQUIREMENT"));
   CHECK(check(idle + bench, {"--without-times"}).status == ExitStatus::all_hold);
   CHECK(check(bench, {"--require-verdicts"}).status == ExitStatus::not_met);
+  CHECK(has(check(bench, {"--require-verdicts"}).err, "error[PAL0892]: nothing was checked: "));
   // Beside a skill that has one it is a warning in words, and an error if asked for.
   std::string both =
       press + bench + idle.substr(idle.find("SKILL press"), idle.find("Logical") - idle.find("SKILL press"));

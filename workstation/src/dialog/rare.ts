@@ -5,4 +5,5 @@ export { default as Versions } from "../storage/Versions";
 export { default as Explain } from "./Explain";
 export { default as KeysHelp } from "./KeysHelp";
 export { default as SkillHelp } from "./SkillHelp";
+export { default as Storyboard } from "./Storyboard";
 export { default as Ways } from "./Ways";

@@ -57,6 +57,7 @@ function FileMenu() {
     if (key === "saveAs") void save({ as: true });
     if (key === "versions") openWindow("versions", useDrawing.getState().name);
     if (key === "export") void exportFile();
+    if (key === "story") openWindow("storyboard");
     if (key === "import") void importFile();
   };
   return (
@@ -74,6 +75,7 @@ function FileMenu() {
             <Item id="save" symbol="save" word="file.save" keys="Ctrl+S" />
             <Item id="saveAs" symbol="save" word="file.saveAs" keys="Ctrl+Shift+S" />
             <Item id="versions" symbol="versions" word="file.versions" disabled={!named} />
+            <Item id="story" symbol="list" word="story.title" />
             <Separator />
             <Item id="import" symbol="upload" word="file.import" />
             <Item id="export" symbol="download" word="file.export" />

@@ -1,5 +1,5 @@
-// The window by which a person moves the arm by hand: frame, speed, step, a pair of buttons for each axis, where the arm
-// is, and how soon it stops when nobody is there any more.
+// The window by which a person moves the arm by hand: frame, speed, step, and a pair of buttons for each axis. It says where
+// the arm is, and how soon it stops when nobody is there any more.
 import { useEffect, useRef, useState } from "react";
 import { Button } from "react-aria-components";
 import type { Skill } from "../../generated/protocol";
@@ -54,7 +54,7 @@ function Panel({ known }: { known: Skill }) {
   const gamepad = useGamepad(usable);
   const part = percent / 100;
   const speed = greatest(known, "speed") * part, turn = greatest(known, "turn") * part;
-  set({ frame, speed, turn, way: step, angle: step });
+  useEffect(() => set({ frame, speed, turn, way: step, angle: step }), [frame, speed, turn, step]);
   useEffect(() => letAllGo, []);
   const box = useRef<HTMLDivElement>(null);
   useKeys(box, usable);

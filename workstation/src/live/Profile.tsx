@@ -2,19 +2,30 @@
 // scan had no range. The last ones are kept, and can be looked back at.
 import { useEffect, useRef, useState } from "react";
 import type { Channel, ProfileMark } from "../../generated/protocol";
+import { Symbol } from "../symbols/Symbol";
 import { number, t } from "../words/words";
 import { saveFile, ticks } from "./export";
 import type { ProfileFrame } from "./frames";
 import { eachFrame, profiles, profileVersion, watch } from "./live";
+import { actedAt, useReplay } from "./replay";
+import type { RowTrack } from "./rowTrack";
 import { limitsOf, stepsWithin, type LimitLine } from "./steps";
 import { lookAt, useInstant } from "./time";
 import { ChartTools } from "./Tools";
 
 const width = 640, height = 360, left = 52, right = 12, top = 40, bottom = 46;
 
+/** Points are kept of a run, and not what the logical sensors saw in them, nor where there was no range. */
+function recorded(track: RowTrack, channel: string, time: number): ProfileFrame | undefined {
+  const at = Math.max(0, track.at(time)), numbers = track.numbers[at], time_s = track.times[at];
+  if (!numbers || time_s === undefined) return undefined;
+  const points = numbers.length / 2;
+  return { form: "profile", channel, time_s, y: Float64Array.from({ length: points }, (_, i) => numbers[2 * i]!), z: Float64Array.from({ length: points }, (_, i) => numbers[2 * i + 1]!), scanned: points, missing: [], marks: [], dropped: 0 };
+}
+
 /** The newest profile, or the one of the instant at which people look. */
-function useProfile(held: ProfileFrame | undefined): ProfileFrame | undefined {
-  const time = useInstant((state) => state.time);
+function useProfile(channel: string, held: ProfileFrame | undefined): ProfileFrame | undefined {
+  const time = useInstant((state) => state.time), again = useReplay((state) => state.loaded)?.rows.get(channel);
   const [newest, setNewest] = useState(profiles.at(-1));
   useEffect(() => {
     let seen = -1;
@@ -24,6 +35,7 @@ function useProfile(held: ProfileFrame | undefined): ProfileFrame | undefined {
       setNewest(profiles.at(-1));
     });
   }, []);
+  if (again && time !== undefined) return recorded(again, channel, time);
   if (time !== undefined) return profiles.findLast((each) => each.time_s <= time) ?? profiles[0];
   return held ?? newest;
 }
@@ -47,7 +59,7 @@ const wordOf = (mark: ProfileMark) => `${t(`mark.${mark.name}`)}${mark.value ===
 export function ProfileView({ channel }: { channel: Channel }) {
   useEffect(() => watch(channel.channel, 0.001), [channel.channel]);
   const [held, setHeld] = useState<ProfileFrame>();
-  const profile = useProfile(held);
+  const profile = useProfile(channel.channel, held), again = useReplay((state) => state.loaded !== undefined);
   const drawn = useRef<SVGSVGElement>(null);
   const save = (kind: "csv" | "svg") => {
     if (!profile) return;
@@ -58,14 +70,16 @@ export function ProfileView({ channel }: { channel: Channel }) {
     <div className="chart profile" data-held={held !== undefined || undefined}>
       <ChartTools held={held !== undefined} onHold={(still) => setHeld(still ? profile : undefined)} onSave={save} />
       {profile ? <Picture profile={profile} channel={channel} drawn={drawn} /> : <p className="nothing">{t("profile.none")}</p>}
-      {profile && <Reading profile={profile} />}
-      {profiles.length > 1 && <Back profile={profile} />}
+      {again && <p className="chart-replayed"><Symbol name="versions" size={16} />{t("scene.notLive")}</p>}
+      {profile && <Reading profile={profile} again={again} />}
+      {!again && profiles.length > 1 && <Back profile={profile} />}
     </div>
   );
 }
 
 function Picture({ profile, channel, drawn }: { profile: ProfileFrame; channel: Channel; drawn: React.RefObject<SVGSVGElement | null> }) {
-  const limits = stepsWithin(profile.time_s, profile.time_s).flatMap((each) => limitsOf(each, channel));
+  const loaded = useReplay((state) => state.loaded), acted = loaded && actedAt(loaded.steps, profile.time_s);
+  const limits = (loaded ? (acted ? [acted] : []) : stepsWithin(profile.time_s, profile.time_s)).flatMap((each) => limitsOf(each, channel));
   const { y, z } = frameOf(profile, limits);
   const px = (value: number) => left + ((value - y[0]) / (y[1] - y[0])) * (width - left - right);
   // The range finder is above, so z grows downwards.
@@ -102,13 +116,13 @@ function Scan({ profile }: { profile: ProfileFrame }) {
   );
 }
 
-function Reading({ profile }: { profile: ProfileFrame }) {
+function Reading({ profile, again }: { profile: ProfileFrame; again: boolean }) {
   const missing = profile.missing.reduce((sum, [from, to]) => sum + to - from, 0);
   return (
     <ul className="profile-reading">
       <li><b>{number(profile.time_s, 3)} s</b></li>
       {profile.marks.map((mark, i) => <li key={i} data-mark={mark.name}>{wordOf(mark)}</li>)}
-      <li data-missing={missing > 0 || undefined}>{t("profile.missing", { count: missing, all: profile.scanned })}</li>
+      {again ? <li>{t("profile.again", { count: profile.y.length })}</li> : <li data-missing={missing > 0 || undefined}>{t("profile.missing", { count: missing, all: profile.scanned })}</li>}
     </ul>
   );
 }

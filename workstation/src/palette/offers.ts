@@ -40,7 +40,7 @@ const ofSkill = (skill: Skill): Offered => {
 const group = (word: Word, offers: Offered[]): Group => ({ word, offers });
 
 export function groups(skills: ReadonlyMap<string, Skill>, drawing: Drawing, shown: string, stored: readonly Stored[], own: string | undefined): Group[] {
-  const all = [...skills.values()].map(ofSkill);
+  const all = [...skills.values()].filter((each) => !each.by_hand).map(ofSkill);
   const family = (...wanted: Family[]) => all.filter((each) => wanted.includes(each.family));
   const operations: Offered[] = [
     { key: "operation:", name: t("palette.newPart"), text: t("about.operation"), offer: { kind: "operation" }, family: "super", symbol: "operation", unable: "" },

@@ -10,6 +10,7 @@ import { useChecks } from "../state/checks";
 import { useDrawing } from "../state/drawing";
 import { Symbol } from "../symbols/Symbol";
 import { duration, moment, number, t } from "../words/words";
+import { ByWay } from "./ByWay";
 import { shiftOf, spreadOf, type Cycle, type Shift } from "./shift";
 
 const hour = 3_600_000;
@@ -70,7 +71,7 @@ function Cycles({ shift, name }: { shift: Shift; name: string }) {
   const drawn = useDrawing((state) => state.drawing.name);
   const good = shift.cycles.filter((each) => each.code === 0), spread = spreadOf(good);
   const proved = result && drawn === name && result.ways.length > 0 ? { shortest: result.shortest_s, longest: result.longest_s, declared: result.ways.some((way) => way.declared) } : undefined;
-  if (!spread) return null;
+  if (!spread) return proved && result ? <ByWay cycles={shift.cycles} ways={result.ways} all={result.all_ways} /> : null;
   const cell = (value: number | null | undefined) => (typeof value === "number" && value >= 0.005 ? duration(value) : "–");
   return (
     <section>
@@ -83,6 +84,7 @@ function Cycles({ shift, name }: { shift: Shift; name: string }) {
         </tbody>
       </table>
       <Bars cycles={good.slice(-60)} longest={proved?.longest ?? undefined} />
+      {proved && result && <ByWay cycles={shift.cycles} ways={result.ways} all={result.all_ways} />}
     </section>
   );
 }

@@ -20,7 +20,7 @@ export interface Present {
 }
 
 export function begin(snapshot: Snapshot, now: number): Present {
-  const runs = new Map(snapshot.icons.map((each) => [each.icon, { ...each, reason: "" }]));
+  const runs = new Map(snapshot.icons.map((each) => [each.icon, each]));
   const began = snapshot.running ? Date.parse(snapshot.wall) - Date.parse(snapshot.running.begin_wall) : 0;
   return { snapshot, runs, taken: new Set(), beganAt: now - Math.max(0, began) };
 }

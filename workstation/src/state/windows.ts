@@ -1,7 +1,7 @@
 // Which windows are open, in what order they lie, and which panels are shown.
 import { create } from "zustand";
 
-export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways"
+export type WindowKind = "icon" | "skill" | "findings" | "store" | "breakpoints" | "explain" | "keys" | "versions" | "difference" | "ways" | "storyboard"
   | "channel" | "scene" | "sensors" | "gauges" | "requirement" | "tuning" | "locations" | "jog" | "production";
 
 export interface OpenWindow {
@@ -43,8 +43,11 @@ export function openWindow(kind: WindowKind, about = ""): void {
 /** A wide window hides not all of the one below it. */
 function beyondTop(kind: WindowKind): [number, number] | undefined {
   const top = useWindows.getState().open.at(-1);
-  if (!top || kind === "findings" || innerWidth < 1100) return undefined;
-  return [top.x >= 300 ? Math.max(16, top.x - 560) : Math.min(innerWidth - 696, top.x + 140), 96];
+  if (kind === "findings" || innerWidth < 1100) return undefined;
+  // The cell in 3-D stands at the right, so that what is looked at beside it has the rest.
+  if (kind === "scene") return [Math.max(16, innerWidth - 776), 96];
+  if (!top) return undefined;
+  return [top.x >= 300 ? 16 : Math.min(innerWidth - 696, top.x + 140), 96];
 }
 
 const room = 424;

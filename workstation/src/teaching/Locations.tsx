@@ -1,5 +1,5 @@
 // The window in which locations are taught: where the robot is, moved by steps; all locations with their versions; a
-// pallet from three of them.
+// pallet, and a place square on a surface, from three of them.
 import { useState } from "react";
 import { Button } from "react-aria-components";
 import type { Location } from "../../generated/protocol";
@@ -11,8 +11,10 @@ import { useDrawing } from "../state/drawing";
 import { openWindow } from "../state/windows";
 import { Symbol } from "../symbols/Symbol";
 import { moment, number, t } from "../words/words";
+import { Figures } from "./Figures";
 import { Pallet } from "./Pallet";
 import { Steps } from "./Steps";
+import { Surface } from "./Surface";
 import { useHere, usePoseNames } from "./here";
 import { apart, difference, freeLocation, needed } from "./places";
 
@@ -50,15 +52,9 @@ export default function Locations() {
       <ul className="locations" aria-label={t("teach.title")}>
         {locations.map((each) => <Row key={each.location} location={each} all={locations} here={here?.pose} joints={here?.joints} idle={idle} icons={wanted.get(each.location) ?? []} open={open === each.location} onOpen={() => setOpen(open === each.location ? "" : each.location)} onRenamed={setOpen} />)}
       </ul>
-      <Pallet locations={locations} idle={idle} />
+      <div className="chips"><Pallet locations={locations} idle={idle} /><Surface locations={locations} idle={idle} /></div>
     </div>
   );
-}
-
-export function Figures({ figures }: { figures: readonly number[] | undefined }) {
-  const poseNames = usePoseNames();
-  if (!figures) return <p className="hint">{t("teach.unknown")}</p>;
-  return <dl className="figures">{poseNames.map((each, i) => <div key={each}><dt>{each}</dt><dd>{number(figures[i]!, 1)}{i < 3 ? "" : "°"}</dd></div>)}</dl>;
 }
 
 interface RowProps {

@@ -1,5 +1,5 @@
-// Teaching: the arm is moved by steps, locations are taught, compared, gone to, renamed and deleted; a pallet from three
-// corners; and a dialog takes the place where the robot is.
+// Teaching: the arm is moved by steps, locations are taught, compared, gone to, renamed and deleted; a pallet, and a
+// place square on a surface, from three corners; and a dialog takes the place where the robot is.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
@@ -78,6 +78,26 @@ test("three corners by steps become a pallet", () => within({}, async (page) => 
   await row(page, "TRAY_3_3").waitFor();
   const middle = await place(page, "TRAY_2_2"), wanted = one.map((each, i) => (two[i]! + three[i]!) / 2 + 0 * each);
   assert.ok(Math.hypot(...middle.map((each, i) => each - wanted[i]!)) < 0.3, `${middle} ${wanted}`);
+  // The same corners as a surface, the third one 60 mm higher: the tool leans there by 45 degrees.
+  await step(page, "Move z by −60 mm");
+  await teach(page, "HIGH");
+  await page.getByRole("button", { name: "Square on a surface…" }).click();
+  const wizard = page.locator('[data-wizard="surface"]');
+  for (const [label, name] of [["First, where it stands", "C1"], ["Second, along x", "C2"], ["Third, beside them", "C2"]] as const) {
+    await wizard.getByRole("button", { name: label }).click();
+    await page.getByRole("option", { name, exact: true }).click();
+  }
+  await wizard.locator(".refusal").waitFor();
+  await wizard.getByRole("button", { name: "Third, beside them" }).click();
+  await page.getByRole("option", { name: "HIGH", exact: true }).click();
+  await wizard.locator(".figures").waitFor();
+  await shot(page, "light-surface");
+  await noViolation(page, "surface");
+  await wizard.getByRole("button", { name: "Teach SURFACE" }).click();
+  await row(page, "SURFACE").waitFor();
+  await row(page, "SURFACE").getByRole("button").first().click();
+  const a = Number((await row(page, "SURFACE").locator(".figures").first().locator("dd").nth(4).textContent())!.replace("−", "-").replace("°", ""));
+  assert.ok(Math.abs(Math.abs(a) - 45) < 1, `A is ${a}`);
 }));
 
 test("go there after the way was tried aside, teach again, rename, delete, and compare", () => within({ colorScheme: "dark" }, async (page) => {

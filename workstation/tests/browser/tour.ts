@@ -27,7 +27,10 @@ export async function tour(page: Page, name: string): Promise<void> {
   await page.locator('[data-window="icon"] .window-head button').click();
   await page.locator(".file").click();
   await look("file-menu", ".popover");
-  await page.keyboard.press("Escape");
+  await page.locator('[data-key="story"]').click();
+  await page.locator('[data-window="storyboard"] .story-picture').first().waitFor();
+  await look("storyboard");
+  await page.locator('[data-window="storyboard"] .window-head button').click();
   await page.keyboard.press("Control+o");
   await page.locator('[data-window="store"] .window-body > :not(.loading)').first().waitFor();
   await look("store");

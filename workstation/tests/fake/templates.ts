@@ -24,7 +24,7 @@ export function templates(folder: string): Skill[] {
     skills.push({
       skill, description: texts(body, "DESCRIPTION")[0] ?? "", descriptions: texts(body, "DESCRIPTION"), preconditions: texts(body, "PRECONDITION"),
       postconditions: texts(body, "POSTCONDITION"), model_data: [], parameters, completions, contingencies: [], requirements: [], environment: "workcell", pictures: [],
-      tool: /pick|place|pallet/.test(skill) ? "gripper" : /standoff|align|edge/.test(skill) ? "range-finder" : "", able: true, unable: "",
+      tool: /pick|place|pallet/.test(skill) ? "gripper" : /standoff|align|edge/.test(skill) ? "range-finder" : "", able: true, unable: "", by_hand: skill === "jog",
     });
   }
   return skills;

@@ -151,6 +151,18 @@ test("the range profile with the edge in it, and what was before", () => within(
   assert.ok(rows.length > 100 && rows[0] === "y (mm),z (mm)");
   await act(page, "stop").click();
   await untilState(page, "Stopped");
+  // The run again: the profile of an instant, from what the server kept, with the limit that held then.
+  await view(page, "The cell in 3-D");
+  await page.locator('[data-act="scene.replay"]').click();
+  await profile.locator(".chart-replayed").waitFor();
+  const slider = page.getByRole("slider", { name: "Instant of the run" });
+  await slider.focus();
+  await page.keyboard.press("End");
+  for (let i = 0; i < 30; ++i) await page.keyboard.press("ArrowLeft");
+  await profile.locator(".profile-reading", { hasText: "points of the run" }).waitFor();
+  await profile.locator(".profile-limit", { hasText: "standoff" }).waitFor();
+  assert.ok(((await profile.locator(".profile-points").getAttribute("d")) ?? "").length > 500);
+  await shot(page, "light-profile-again");
 }));
 
 test("sensors that tests read, and joints, on a tablet", () => within("touch", ["--fast"], "rub_in_square", { bypassCSP: true, viewport: { width: 1024, height: 768 }, hasTouch: true, isMobile: true }, async (page) => {

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""Checks the table of findings against the sources and the tests.
+
+    check_findings.py ROOT [--self-test]
+
+- Each row is reported somewhere, and stands below its code.
+- No source beside pal/support writes the message or the code of a finding itself.
+- Each text is expected by a test: a golden, a unit test, or an example that `pal explain` shows. Those that are not
+  are printed, and may be at most MOST_UNSEEN.
+Ends with 1 if one of these does not hold.
+"""
+import re
+import sys
+from pathlib import Path
+
+MOST_UNSEEN = 6
+ROW = re.compile(r'^PAL_FINDING\((PAL\d{4}), (\w+), ("(?:[^"\\]|\\.)*"), ("(?:[^"\\]|\\.)*")\)$')
+CODE = re.compile(r"^PAL_DIAGNOSTIC\((PAL\d{4}), (?:error|warning|note), \"[^\"]+\"\)$")
+OWN_TEXT = [(re.compile(r"\breport\(\s*Code::"), "reports a code; name a finding"),
+            (re.compile(r"\b(?:finding|diagnostic|told)\w*(?:\.|->)(?:message|hint)\s*\+?=\s*[^=]*\""), "writes a text; the table has it"),
+            (re.compile(r"\bDiagnostic\{"), "makes a finding; report it")]
+
+
+def unquoted(literal):
+    return literal[1:-1].replace('\\"', '"').replace("\\\\", "\\")
+
+
+def read_rows(tables):
+    """The rows as (code, name, text), and what is wrong with their order or form."""
+    rows, wrong = [], []
+    for table, text in tables:
+        code = None
+        for number, line in enumerate(text.splitlines(), 1):
+            if heading := CODE.match(line):
+                code = heading.group(1)
+            elif row := ROW.match(line):
+                if row.group(1) != code:
+                    wrong.append(f"{table}:{number}: {row.group(2)} does not stand below {row.group(1)}")
+                rows.append((row.group(1), row.group(2), unquoted(row.group(3))))
+            elif not line.startswith("//"):
+                wrong.append(f"{table}:{number}: is no row on one line")
+    return rows, wrong
+
+
+def own_texts(sources):
+    return [f"{name}:{text.count(chr(10), 0, found.start()) + 1}: {what}"
+            for name, text in sources for form, what in OWN_TEXT for found in form.finditer(text)]
+
+
+def unused(rows, sources):
+    named = {name for _, text in sources for name in re.findall(r"\bFinding::(\w+)", text)}
+    return [f"{name} ({code}) is reported nowhere" for code, name, _ in rows if name not in named]
+
+
+def unseen(rows, expected):
+    """The rows whose text is found nowhere, with anything on one line in the place of each placeholder."""
+    result = []
+    for code, name, text in rows:
+        form = "[^\n]*?".join(re.escape(part) for part in re.split(r"\{[a-z_]+\}", text))
+        if not re.search(form, expected):
+            result.append(f"{code} {name}: {text}")
+    return result
+
+
+def self_test():
+    table = 'PAL_DIAGNOSTIC(PAL0101, error, "t")\nPAL_FINDING(PAL0102, a, "no {x}", "")\nPAL_FINDING(PAL0101, b, "gone",\n'
+    rows, wrong = read_rows([("t.def", table)])
+    assert wrong == ["t.def:2: a does not stand below PAL0102", "t.def:3: is no row on one line"], wrong
+    source = [("s.cpp", "report(Finding::b);\nreport(Code::PAL0101, where);\nfinding.message = \"x\" + y;\n")]
+    assert unused(rows, source) == ["a (PAL0102) is reported nowhere"]
+    assert [each.split(": ")[0] for each in own_texts(source)] == ["s.cpp:2", "s.cpp:3"]
+    assert unseen(rows, "error: no shoe") == [] and unseen(rows, "no\nshoe") == ["PAL0102 a: no {x}"]
+
+
+def main():
+    if "--self-test" in sys.argv:
+        return self_test()
+    root = Path(sys.argv[1])
+    folders = [folder for folder in root.iterdir() if folder.is_dir() and folder.name not in ("build", ".git")]
+
+    def read(suffixes, inside):
+        return [(str(path.relative_to(root)), path.read_text(errors="replace"))
+                for folder in folders for path in sorted(folder.rglob("*"))
+                if path.suffix in suffixes and inside(path.relative_to(root)) and "node_modules" not in path.parts]
+
+    rows, wrong = read_rows(read([".def"], lambda path: path.parts[1:3] == ("support", "findings")))
+    is_test = lambda path: path.parts[0] == "tests"
+    sources = read([".cpp", ".hpp"], lambda path: not is_test(path))
+    wrong += own_texts(each for each in sources if not each[0].startswith("pal/support/")) + unused(rows, sources)
+    tests = read([".expected", ".cpp", ".hpp", ".py"], is_test)
+    expected = "\n".join(re.sub(r'"\n\s*"', "", text).replace('\\"', '"').replace("\\\\", "\\") for _, text in tests)
+    missing = unseen(rows, expected)
+    for each in missing:
+        print("in no test:", each)
+    for each in wrong:
+        print(each)
+    print(f"{len(rows)} findings, {len(missing)} of which no test expects (at most {MOST_UNSEEN})")
+    return 1 if wrong or len(missing) > MOST_UNSEEN else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
