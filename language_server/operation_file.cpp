@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "language_server/operation_schema.hpp"
 #include "language_server/operation_text.hpp"
 #include "language_server/session.hpp"
 #include "operations/check.hpp"
@@ -47,6 +48,11 @@ std::string skill_text(const pan::Template& skill) {
     text += "- code " + std::to_string(each.code) + ", " + kind_text(each.kind) +
             (each.description.empty() ? "" : ": " + each.description) + "\n";
   return text;
+}
+
+std::string member_text(const SchemaMember& member) {
+  return "`" + member.name + "`" + (member.type.empty() ? "" : ": " + member.type) +
+         (member.words.empty() ? "" : "\n\n" + member.words);
 }
 
 /// The frame of the icon that a place is in: the object of a list `icons`. Nothing: it is in none.
@@ -152,7 +158,8 @@ Json Session::operation_completion(const Place& place) {
       }
     }
   } else if (at.names_member) {
-    return items;
+    for (const SchemaMember& each : members_at(content, at))
+      add(each.name, 10, each.type, each.words, quoted(each.name));
   } else if (inner.object && inner.key == "skill") {
     for (const auto& [name, each] : skills())
       add(name, 7, each.descriptions.empty() ? "" : each.descriptions.front(), skill_text(each),
@@ -183,6 +190,10 @@ Json Session::operation_completion(const Place& place) {
       }
     }
   }
+  if (items.empty() && !at.names_member && inner.object)
+    for (const SchemaMember& each : members_at(content, at))
+      if (each.name == inner.key)
+        for (const std::string& value : each.values) add(value, 12, each.type, each.words, value);
   return items;
 }
 
@@ -190,9 +201,9 @@ Json Session::operation_hover(const Place& place) {
   const auto& content = place.text->content();
   const auto at = json_place(content, place.offset);
   const auto* icon = icon_of(at);
-  if (icon == nullptr || at.begin == at.end) return nullptr;
+  if (at.frames.empty() || at.begin == at.end) return nullptr;
   std::string text;
-  const auto name = json_member(content, icon->open, "skill");
+  const auto name = icon == nullptr ? std::nullopt : json_member(content, icon->open, "skill");
   const auto skill = name ? skills().find(*name) : skills().end();
   const auto& inner = at.frames.back();
   const std::string outer = at.frames.size() < 2 ? "" : at.frames[at.frames.size() - 2].key;
@@ -205,7 +216,7 @@ Json Session::operation_hover(const Place& place) {
         text = "`" + each.name + "` of " + skill->first + ": " + parameter_text(each) + "\n\n" +
                each.description;
     }
-  } else if (!inner.object && outer == "codes") {
+  } else if (!inner.object && outer == "codes" && icon != nullptr) {
     const auto here = json_member(content, icon->open, "id");
     for (auto next = content.find("\"skill\""); next != std::string::npos;
          next = content.find("\"skill\"", next + 1)) {
@@ -222,6 +233,9 @@ Json Session::operation_hover(const Place& place) {
       }
     }
   }
+  if (text.empty() && inner.object)
+    for (const SchemaMember& each : members_at(content, at))
+      if (each.name == (at.names_member ? at.word : inner.key)) text = member_text(each);
   if (text.empty()) return nullptr;
   return {{"contents", {{"kind", "markdown"}, {"value", text}}},
           {"range", range_of(*place.text, at.begin, at.end)}};

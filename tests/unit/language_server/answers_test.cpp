@@ -391,6 +391,10 @@ TEST_CASE("a file of operations has findings, words and help") {
   const int hover = client.ask_at("textDocument/hover", "try.op.json", "eel\", \"parameters");
   const int symbols =
       client.ask("textDocument/documentSymbol", {{"textDocument", {{"uri", uri("try.op.json")}}}});
+  const int fields = client.ask_at("textDocument/completion", "try.op.json", "ext\": \"done\"");
+  const int outer = client.ask_at("textDocument/completion", "try.op.json", "ame\": \"try");
+  const int field = client.ask_at("textDocument/hover", "try.op.json", "rror\": \"done");
+  const int of_file = client.ask_at("textDocument/hover", "try.op.json", "cons\"");
   client.open("try.op.json", replaced(operation, "depht", "depth"));
   const int value = client.ask_at("textDocument/completion", "try.op.json", "5}");
   const int parameter = client.ask_at("textDocument/hover", "try.op.json", "epth");
@@ -405,6 +409,14 @@ TEST_CASE("a file of operations has findings, words and help") {
         std::string::npos);
   CHECK(labels(client.result(value)) == std::set<std::string>{"5"});
   CHECK(client.result(symbols).is_null());
+  // Of a skill's icon, not of a delay's or an operation's.
+  CHECK(labels(client.result(fields)).contains("time-limit"));
+  CHECK_FALSE(labels(client.result(fields)).contains("seconds"));
+  CHECK(labels(client.result(outer)).contains("on-stop"));
+  CHECK(client.result(field)["contents"]["value"] ==
+        "`error`: a text\n\nThe icon that comes if it does not end normally.");
+  CHECK(client.result(of_file)["contents"]["value"].get<std::string>().find("What it is made of.") !=
+        std::string::npos);
   CHECK(client.result(fix).is_array());
   std::vector<std::size_t> counts;
   for (const auto& message : client.sent) {
