@@ -300,7 +300,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   std::vector<Promise> proved;
   if (command.proof)
     proved = promises(known, outcome, result.events.get(),
-                      session.real_time ? session.real_time->tolerance : Duration());
+                      command.real_time ? Duration(tolerance_in_real_time) : Duration());
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 

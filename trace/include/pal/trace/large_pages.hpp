@@ -9,7 +9,8 @@ namespace pal::trace {
 ///
 /// A system that hands out memory in pages of 4 KiB clears each of them when it is touched first. That may
 /// take several times as long as writing the events of a run into it. Room of more than 2 MiB is therefore
-/// aligned to 2 MiB, and the system is asked for pages of that size (`madvise`, MADV_HUGEPAGE). It may decline.
+/// aligned to 2 MiB, and the system is asked for pages of that size (`madvise`, MADV_HUGEPAGE). It may
+/// decline.
 void* allocate_in_large_pages(std::size_t bytes);
 /// `bytes`: as it was allocated.
 void release_large_pages(void* room, std::size_t bytes) noexcept;
