@@ -48,7 +48,8 @@ def run(pal, command, an_input):
     elif ended > 2 or (status is not None and ended != status):
         what.append(f"ended with {process.returncode}, not {status}")
     what += [f"did not say {code}" for code in codes if code.encode() not in text]
-    if len(text) > 8 << 20:
+    # Ten thousand findings are kept; as JSON each has its text, its arguments and its place.
+    if len(text) > 10 << 20:
         what.append("said too much")
     figures = f"{seconds:5.2f} s {usage.ru_maxrss / 1024:5.0f} MB {len(text) / 1024:6.0f} KB said, status {process.returncode}"
     complaint = ": " + ", ".join(what) + "\n" + text[-600:].decode(errors="replace") if what else ""

@@ -291,6 +291,15 @@ def channels():
             server.end()
 
 
+def heard(client):
+    """Takes one message; false: the server has ended."""
+    try:
+        client.step()
+        return True
+    except ConnectionError:
+        return False
+
+
 class LiveReader(multiprocessing.Process):
     """Takes live data, answers pings, and keeps nothing."""
 
@@ -299,8 +308,7 @@ class LiveReader(multiprocessing.Process):
         self.client, self.samples = client, multiprocessing.Value("q", 0)
 
     def run(self):
-        while True:
-            self.client.step()
+        while heard(self.client):
             self.samples.value += sum(message["head"].get("spans", 1) for message in self.client.events if "head" in message)
             self.client.events.clear()
 
@@ -314,8 +322,7 @@ class Watcher(threading.Thread):
         self.client = client
 
     def run(self):
-        while True:
-            self.client.step()
+        while heard(self.client):
             self.client.events.clear()
 
 
