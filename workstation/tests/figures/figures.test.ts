@@ -24,7 +24,7 @@ function bundle(): void {
   say("first bundle, compressed", `${Math.round(size / 1000)} kB, ${later} later`, "under 400 kB");
 }
 
-async function ready(from: Browser, served: Cell): Promise<void> {
+async function ready(from: Browser, served: Cell, when: string): Promise<void> {
   const times: number[] = [];
   for (let i = 0; i < 5; ++i) {
     const page = await openPage(from, "about:blank");
@@ -38,7 +38,7 @@ async function ready(from: Browser, served: Cell): Promise<void> {
     times.push(await page.evaluate(() => (window as unknown as { ready: number }).ready));
     await page.context().close();
   }
-  say("page ready with the skills of the cell, median of 5", `${Math.round(at(times.sort((a, b) => a - b), 0.5))} ms`, "under 1000 ms");
+  say(`page ready, ${when}, median of 5`, `${Math.round(at(times.sort((a, b) => a - b), 0.5))} ms`, "under 1000 ms");
 }
 
 /** Asked seldom, so that the asking does not count. */
@@ -136,7 +136,10 @@ test("figures", async () => {
   try {
     bundle();
     undone();
-    await ready(chromium, served);
+    // A cell that has just begun still proves its skills: once meanwhile, and once when it has rested.
+    await ready(chromium, served, "while the cell proves");
+    await new Promise((resolve) => setTimeout(resolve, 30_000));
+    await ready(chromium, served, "afterwards");
     await colours(chromium, served);
     await panning(chromium, served);
   } finally {
