@@ -1,4 +1,5 @@
-// The methods of the JSON protocol on what the cell looks like, and on runs that are looked at again.
+// The methods of the JSON protocol on what the cell looks like, on places in it, and on runs that are looked
+// at again.
 #include <fmt/format.h>
 
 #include <array>

@@ -17,10 +17,14 @@ BrokenPromise::Unit unit_of(const RequirementSpec& requirement) {
 // The promises of a device.
 constexpr std::size_t not_later = 0, not_sooner = 1, once = 2, promises_of_a_device = 3;
 
+/// PAL has no word for frames that are late, so that no proof could hold with a tolerance of theirs.
 DeviceTimes with_tolerance(DeviceTimes times, Time tolerance) {
-  times.jitter += tolerance;
-  times.answer.best = std::max(Time::zero(), times.answer.best - tolerance);
-  times.answer.worst += tolerance;
+  using enum DeviceTimes::Behaviour;
+  if (times.behaviour == events || times.behaviour == sporadic) times.jitter += tolerance;
+  if (times.behaviour == on_request) {
+    times.answer.best = std::max(Time::zero(), times.answer.best - tolerance);
+    times.answer.worst += tolerance;
+  }
   return times;
 }
 }  // namespace

@@ -82,6 +82,18 @@ export async function drawing(page: Page): Promise<{ name: string; icons: { id: 
 /** A field of the open dialog of an icon. */
 export const field = (page: Page, label: string) => page.locator('[data-window="icon"]').getByRole("textbox", { name: label, exact: true });
 
+/** What a print of the page would show: the parts that are seen then. */
+export async function printed(page: Page, shown: string, hidden: readonly string[]): Promise<void> {
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await page.emulateMedia({ media: "print" });
+  await page.locator(shown).first().waitFor({ state: "visible" });
+  for (const each of hidden) await page.locator(each).first().waitFor({ state: "hidden" });
+  await shot(page, `print-${shown.replace(/\W+/g, "-")}`);
+  await page.emulateMedia({ media: "screen" });
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await page.locator(hidden[0]!).first().waitFor({ state: "visible" });
+}
+
 export async function shot(page: Page, name: string): Promise<void> {
   const folder = process.env.PICTURES;
   if (!folder) return;

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, BrowserContextOptions } from "playwright-core";
 import { noViolation } from "./axe";
-import { act, browser, errors, imported, openPage, shot, untilState } from "./browser";
+import { act, browser, errors, imported, openPage, printed, shot, untilState } from "./browser";
 import { cell } from "./cell";
 
 let chromium: Browser;
@@ -40,6 +40,7 @@ async function shift(name: string, options: BrowserContextOptions): Promise<void
     assert.match((await ways.allTextContents()).join("|"), /exit failed with code 2.*side-1/);
     await shot(page, `${name}-production`);
     await noViolation(page, `production, ${name}`);
+    await printed(page, ".production .tiles", [".page", ".production .button"]);
     assert.deepEqual(errors.get(page), []);
   } catch (problem) {
     await shot(page, "failed-produce");

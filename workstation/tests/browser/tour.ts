@@ -1,7 +1,7 @@
 // A walk through the windows that belong to a drawing. With PICTURES=FOLDER it keeps a picture of each.
 import type { Page } from "playwright-core";
 import { noViolation } from "./axe";
-import { icon, shot } from "./browser";
+import { icon, printed, shot } from "./browser";
 
 /** Every window in turn: axe-core looks at the whole page first, then at what was opened. */
 export async function tour(page: Page, name: string): Promise<void> {
@@ -30,6 +30,7 @@ export async function tour(page: Page, name: string): Promise<void> {
   await page.locator('[data-key="story"]').click();
   await page.locator('[data-window="storyboard"] .story-picture').first().waitFor();
   await look("storyboard");
+  await printed(page, ".story-picture", [".page", ".story-print"]);
   await page.locator('[data-window="storyboard"] .window-head button').click();
   await page.keyboard.press("Control+o");
   await page.locator('[data-window="store"] .window-body > :not(.loading)').first().waitFor();

@@ -24,8 +24,8 @@ struct RealTime {
   /// other level of its processor has work; without SCHED_FIFO, only while it pays. 0: it sleeps at once.
   Time look_out = std::chrono::microseconds(100);
   /// What the environment declares of devices is watched with this much to spare: an answer may come so much
-  /// sooner or later, an event with so much more jitter. It is what the clocks and threads of this machine
-  /// add to devices that keep their times. The proof counts only if it holds with it, too.
+  /// sooner or later, an event with so much more jitter. Frames have none. It is what the clocks and threads
+  /// of this machine add to devices that keep their times. The proof counts only if it holds with it, too.
   Time tolerance{};
   /// Code that exceeds its declared worst time by this much of its processor is taken as never returning. The
   /// devices are closed, and the process ends, because C++ can end a thread in no other way.
