@@ -88,6 +88,8 @@ export async function printed(page: Page, shown: string, hidden: readonly string
   await page.emulateMedia({ media: "print" });
   await page.locator(shown).first().waitFor({ state: "visible" });
   for (const each of hidden) await page.locator(each).first().waitFor({ state: "hidden" });
+  // Paper is light, whatever the screen is.
+  if ((await page.locator("html").getAttribute("data-theme")) !== "light") throw new Error("the print is dark");
   await shot(page, `print-${shown.replace(/\W+/g, "-")}`);
   await page.emulateMedia({ media: "screen" });
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
