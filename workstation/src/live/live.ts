@@ -103,12 +103,3 @@ useCell.subscribe((state, before) => {
   if (wishes.size > 0) tell();
 });
 if (useCell.getState().link === "ready") void readChannels();
-
-/** Calls back with each frame of the screen, while it can be seen. */
-export function eachFrame(look: () => void): () => void {
-  let handle = requestAnimationFrame(function again() {
-    handle = requestAnimationFrame(again);
-    look();
-  });
-  return () => cancelAnimationFrame(handle);
-}

@@ -2,7 +2,7 @@
 import { useEffect, useState } from "react";
 import { Button } from "react-aria-components";
 import { Choose } from "../dialog/Choose";
-import { eachFrame } from "../live/live";
+import { eachFrame } from "../live/eachFrame";
 import { actedAt, endReplay, keptRuns, replay, show, useReplay, type KeptRun, type Loaded } from "../live/replay";
 import { onEvent, useCell } from "../state/cell";
 import { useReplayed } from "../state/replayed";

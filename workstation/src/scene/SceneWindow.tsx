@@ -4,7 +4,8 @@ import { Button, Checkbox, Popover, DialogTrigger, Dialog, ToggleButton } from "
 import { Matrix4 } from "three";
 import type { Scene } from "../../generated/protocol";
 import { Tool } from "../canvas/CanvasTools";
-import { eachFrame, profiles, profileVersion, rowsOf, trackOf, useChannels, watch } from "../live/live";
+import { eachFrame } from "../live/eachFrame";
+import { profiles, profileVersion, rowsOf, trackOf, useChannels, watch } from "../live/live";
 import { onLook } from "../live/look";
 import { replayedTrack, useReplay } from "../live/replay";
 import type { RowTrack } from "../live/rowTrack";

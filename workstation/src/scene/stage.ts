@@ -5,6 +5,7 @@ import type { Scene } from "../../generated/protocol";
 import { look } from "../live/look";
 import { Arrow, arrowLook, Axes, Fan, Floor, Path, presses } from "./marks";
 import { frameAt, matrixOf, modelOf, putBodies, type Model } from "./model";
+import { Pace, type Fineness } from "./pace";
 
 export type NamedView = "front" | "side" | "top" | "iso";
 
@@ -53,6 +54,9 @@ export class Stage {
   labels: Label[] = [];
 
   #renderer: WebGLRenderer;
+  #pace = new Pace();
+  /** Passed once the picture that was asked for is drawn. */
+  #fence: WebGLSync | null = null;
   #picture = new Picture();
   #sky = new HemisphereLight(0xffffff, 0x8a8f96, 1.7);
   #sun = new DirectionalLight(0xffffff, 2.1);
@@ -74,6 +78,8 @@ export class Stage {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true });
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.type = PCFShadowMap;
+    // Shadows move with the bodies, not with the camera.
+    this.#renderer.shadowMap.autoUpdate = false;
     this.model = modelOf(scene);
     this.camera.up.set(0, 0, 1);
     this.#sun.position.set(1.2, -1.6, 3.2);
@@ -95,6 +101,7 @@ export class Stage {
     this.#world.matrix.setPosition(directions);
     this.colour();
     this.#put(...this.#wanted("iso"));
+    this.#renderer.shadowMap.needsUpdate = true;
   }
 
   /** The colours of the page's theme. */
@@ -131,6 +138,7 @@ export class Stage {
   /** Where the bodies are; the tool's tip with them. */
   put(rows: Float32Array, later?: Float32Array, part = 0): void {
     putBodies(this.model, rows, later, part);
+    this.#renderer.shadowMap.needsUpdate = true;
     this.model.root.updateMatrixWorld(true);
     const { tip } = this.scene, body = this.model.bodies[tip.body]!;
     this.tip.copy(body.matrixWorld).multiply(matrixOf(tip.position, tip.turn));
@@ -224,7 +232,6 @@ export class Stage {
   }
 
   resize(width: number, height: number): void {
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.#renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
@@ -288,7 +295,26 @@ export class Stage {
     return this.#spherical.map((each, i) => each.toFixed(i < 2 ? 1 : 3)).join(" ");
   }
 
-  /** Draws, if something has changed. `named`: puts labels where their places are on the screen, in px. */
+  #refine({ ratio, shadow }: Fineness): void {
+    const wanted = Math.min(ratio, devicePixelRatio);
+    if (this.#renderer.getPixelRatio() !== wanted) this.#renderer.setPixelRatio(wanted);
+    if (this.#sun.shadow.mapSize.x === shadow) return;
+    this.#sun.shadow.mapSize.set(shadow, shadow);
+    this.#sun.shadow.map?.dispose();
+    this.#sun.shadow.map = null;
+    this.#renderer.shadowMap.needsUpdate = true;
+  }
+
+  /** The picture that was asked for is there. */
+  #passed(): boolean {
+    const gl = this.#renderer.getContext() as WebGL2RenderingContext;
+    if (this.#fence && gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) !== gl.SIGNALED && !gl.isContextLost()) return false;
+    gl.deleteSync(this.#fence);
+    this.#fence = null;
+    return true;
+  }
+
+  /** Draws, if something has changed and the machine keeps up. `named`: puts labels where their places are on the screen, in px. */
   draw(named: (label: Label, x: number, y: number, seen: boolean) => void): boolean {
     if (this.#flight) {
       const { from, to, begun } = this.#flight, part = Math.min(1, (performance.now() - begun) / 250), eased = part * part * (3 - 2 * part);
@@ -297,9 +323,16 @@ export class Stage {
       this.#put(between(0), between(1), between(2), target);
       if (part === 1) this.#flight = undefined;
     }
-    if (!this.stale) return false;
+    const now = performance.now();
+    if (this.#pace.drawing && this.#passed()) this.#pace.end(now);
+    const refines = !this.stale && this.#pace.shouldRefine(now);
+    if ((!this.stale && !refines) || !this.#pace.may(now)) return false;
     this.stale = false;
+    this.#refine(this.#pace.begin(now, refines));
     this.#renderer.render(this.#picture, this.camera);
+    const gl = this.#renderer.getContext() as WebGL2RenderingContext;
+    this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
     const { clientWidth: width, clientHeight: height } = this.canvas, place = new Vector3();
     for (const each of this.labels) {
       place.copy(each.place).project(this.camera);
