@@ -82,7 +82,7 @@ function View({ scene, places, offered }: { scene: Scene; places: readonly Place
     resized.observe(host);
     const stopLook = onLook(() => made.colour());
     const words = new Map<string, HTMLElement>();
-    const show = showing(made, host);
+    const show = showing(made);
     let taken: { x: number; y: number; width: number }[] = [];
     const name = (label: Label, x: number, y: number, seen: boolean) => {
       let text = words.get(label.key);
@@ -102,12 +102,16 @@ function View({ scene, places, offered }: { scene: Scene; places: readonly Place
       text.style.transform = `translate(${x.toFixed(1)}px, ${below.toFixed(1)}px)`;
     };
     const stopFrames = eachFrame(() => {
-      show();
+      const time = show();
       taken = [];
-      if (!made.draw(name)) return;
+      const drawn = made.draw(name);
+      // A machine that does not keep up draws it later.
+      if (!made.stale && time !== undefined) host.dataset["time"] = String(time);
+      if (!drawn) return;
       const there = new Set(made.labels.map((each) => each.key));
       for (const [key, text] of words) if (!there.has(key)) text.hidden = true;
       host.dataset["camera"] = made.camera_words;
+      host.dataset["fineness"] = made.fineness_words;
       host.dataset["tip"] = made.tipAt.toArray().map((each) => each.toFixed(5)).join(" ");
     });
     return () => {
@@ -184,12 +188,20 @@ function View({ scene, places, offered }: { scene: Scene; places: readonly Place
   );
 }
 
-/** Puts what the channels show, live or of the replayed run, into the picture. */
-function showing(stage: Stage, host: HTMLElement): () => void {
-  let of: unknown, seen = "", walked = 0;
+/** Puts what the channels show, live or of the replayed run, into the picture. Gives the cell's time of it, s. */
+function showing(stage: Stage): () => number | undefined {
+  let shownTime: number | undefined;
+  let of: unknown, seen = "", walked = 0, scanned: unknown;
   const tipThen = new Matrix4();
   /** Of a replay: how much of the path there is at each instant. */
   let pieces: number[] = [];
+  /** There is a scan to show, if it is asked for. */
+  let fanned = false;
+  const putFan = (y: ArrayLike<number>, z: ArrayLike<number>, rows: RowTrack, at: number) => {
+    stage.fan.put(y, z, stage.tipOf(rows.numbers[at]!, tipThen));
+    fanned = y.length > 0;
+    stage.stale = true;
+  };
   const feel = (channel: Track, at: number) => stage.feel(at >= 0 ? [0, 1, 2].map((field) => channel.last[field]![at]!) : undefined, newtons);
   const walk = (rows: RowTrack) => {
     // A track that has begun anew, or lost its older half, is walked from its beginning.
@@ -215,14 +227,15 @@ function showing(stage: Stage, host: HTMLElement): () => void {
     if (points.size > 0) stage.press(points.numbers.at(-1)!, newtons);
     feel(forces, forces.size - 1);
     const scan = profiles.at(-1), at = scan ? rows.at(scan.time_s) : -1;
-    if (scan && at >= 0 && time - scan.time_s < fresh) stage.fan.put(scan.y, scan.z, stage.tipOf(rows.numbers[at]!, tipThen));
-    else stage.fan.object.visible = false;
-    host.dataset["time"] = String(time);
+    if (!scan || at < 0 || time - scan.time_s >= fresh) fanned = false;
+    else if (scan !== scanned) putFan(scan.y, scan.z, rows, at);
+    scanned = scan;
+    shownTime = time;
   };
   const again = () => {
     const { loaded } = useReplay.getState(), { time } = useReplayed.getState();
     const rows = loaded?.rows.get(poses), points = loaded?.rows.get(contacts), scans = loaded?.rows.get(profile), forces = replayedTrack(force, 6);
-    const now = `${time}:${forces.version}`;
+    const now = `${time}:${forces.version}:${stage.shown.sensor}`;
     if (!rows || rows.size === 0 || now === seen) return;
     seen = now;
     const at = Math.max(0, rows.at(time)), later = rows.numbers[at + 1];
@@ -231,20 +244,22 @@ function showing(stage: Stage, host: HTMLElement): () => void {
     stage.press(pressed >= 0 ? points!.numbers[pressed]! : new Float32Array(0), newtons);
     feel(forces, forces.at(time) ?? -1);
     stage.path.upTo(pieces[at] ?? 0);
+    stage.stale = true;
     const scan = scans ? scans.at(time) : -1;
     if (scan >= 0 && time - scans!.times[scan]! < fresh) {
       const points_of = scans!.numbers[scan]!, y = points_of.filter((_, i) => i % 2 === 0), z = points_of.filter((_, i) => i % 2 === 1);
-      stage.fan.put(y, z, stage.tipOf(rows.numbers[Math.max(0, rows.at(scans!.times[scan]!))]!, tipThen));
+      putFan(y, z, rows, Math.max(0, rows.at(scans!.times[scan]!)));
     } else {
-      stage.fan.object.visible = false;
+      fanned = false;
     }
-    host.dataset["time"] = String(time);
+    shownTime = time;
   };
   return () => {
     const { loaded } = useReplay.getState();
     if (loaded !== of) {
       of = loaded;
       seen = "";
+      scanned = undefined;
       walked = 0;
       stage.path.clear();
       stage.wholePath.clear();
@@ -258,7 +273,10 @@ function showing(stage: Stage, host: HTMLElement): () => void {
     }
     if (loaded) again();
     else live();
-    stage.fan.object.visible &&= stage.shown.laser;
+    const fan = stage.fan.object, visible = fanned && stage.shown.laser;
+    if (fan.visible !== visible) stage.stale = true;
+    fan.visible = visible;
+    return shownTime;
   };
 }
 

@@ -1,6 +1,6 @@
 // What is drawn over the bodies: axes, arrows of forces, the laser's fan, the tool's path, the floor's grid.
 import {
-  BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, PlaneGeometry, ShadowMaterial,
+  BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Group, type InstancedInterleavedBuffer, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, PlaneGeometry, ShadowMaterial,
   CylinderGeometry, ConeGeometry, DoubleSide, Vector3, type ColorRepresentation,
 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
@@ -61,13 +61,13 @@ export class Path {
     this.#points = new Float32Array(capacity * 6);
     const geometry = new LineSegmentsGeometry();
     geometry.setPositions(this.#points);
-    (geometry.getAttribute("instanceStart") as unknown as { data: { setUsage(usage: number): void } }).data.setUsage(DynamicDrawUsage);
     geometry.instanceCount = 0;
     this.object = new LineSegments2(geometry, new LineMaterial({ linewidth: width, transparent: true }));
+    this.#buffer.setUsage(DynamicDrawUsage);
     this.object.frustumCulled = false;
   }
-  get #buffer(): { array: Float32Array; needsUpdate: boolean } {
-    return (this.object.geometry.getAttribute("instanceStart") as unknown as { data: { array: Float32Array; needsUpdate: boolean } }).data;
+  get #buffer(): InstancedInterleavedBuffer {
+    return (this.object.geometry.getAttribute("instanceStart") as unknown as { data: InstancedInterleavedBuffer }).data;
   }
   clear(): void {
     this.#count = 0;
@@ -79,16 +79,19 @@ export class Path {
   add(point: Vector3): void {
     if (this.#begun && this.#last.distanceToSquared(point) < 0.25e-6) return;
     if (this.#begun) {
-      const { array } = this.#buffer;
+      const buffer = this.#buffer, array = this.#points;
       if (this.#count === this.capacity) {
         const half = this.capacity >> 1;
         array.copyWithin(0, half * 6);
         this.#count -= half;
+        buffer.addUpdateRange(0, half * 6);
       }
       this.#last.toArray(array, this.#count * 6);
       point.toArray(array, this.#count * 6 + 3);
+      // The graphics get what is new, not the whole.
+      buffer.addUpdateRange(this.#count * 6, 6);
       ++this.#count;
-      this.#buffer.needsUpdate = true;
+      buffer.needsUpdate = true;
       this.object.geometry.instanceCount = this.#count;
     }
     this.#begun = true;

@@ -31,9 +31,9 @@ export class Pace {
   #again = -Infinity;
   #fine = false;
 
-  /** A picture may begin: the last one is there, and since then the others had as much time as it took. */
+  /** A picture may begin: the last one is there, and if it was slow, the others had twice its time since then. */
   may(now: number): boolean {
-    return this.#began === undefined && now >= this.#ended + (this.#took > 17 ? this.#took : 0);
+    return this.#began === undefined && now >= this.#ended + (this.#took > short ? 2 * this.#took : 0);
   }
 
   /** A picture begins now. `still`: nothing has changed for a while. */
@@ -72,7 +72,8 @@ export class Pace {
   get drawing(): boolean {
     return this.#began !== undefined;
   }
-  get level(): number {
-    return this.#level;
+  /** A picture, lately, ms. */
+  get took(): number {
+    return this.#took;
   }
 }

@@ -14,6 +14,16 @@ const views: Record<NamedView, readonly [number, number]> = { front: [0, 4], sid
 /** An arrow's length for a newton, and its least and greatest, m. */
 const m_per_N = 0.006, shortest = 0.045, longest = 0.3;
 
+/** What nobody sees: a body or a contact that moves less, m, and a force that changes less, N. */
+const bodyStep = 2e-5, contactStep = 2e-4, forceStep = 0.05;
+/** The numbers of a contact: where it is, and its force. */
+const contactWidth = 6;
+
+/** The same rows, but for what nobody sees. `step`: by the column of a contact. */
+function near(rows: Float32Array, before: Float32Array | undefined, step: (column: number) => number): boolean {
+  return before !== undefined && rows.length === before.length && rows.every((each, i) => Math.abs(each - before[i]!) < step(i % contactWidth));
+}
+
 /** Where the floor shows which way x, y and z are: before the cell, where nothing hides it. */
 const directions = new Vector3(-0.7, -0.9, 0.002);
 
@@ -38,6 +48,13 @@ export interface Shows {
   locations: boolean;
 }
 
+/** False: the processor draws. */
+function hasGraphicsCard(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return context !== null;
+}
+
 export class Stage {
   readonly model: Model;
   readonly camera = new PerspectiveCamera(32, 1, 0.02, 60);
@@ -55,6 +72,8 @@ export class Stage {
 
   #renderer: WebGLRenderer;
   #pace = new Pace();
+  /** Edges are smooth by the graphics card. Else those of a picture that rests are, since it is drawn with more pixels. */
+  #smooth: boolean;
   /** Passed once the picture that was asked for is drawn. */
   #fence: WebGLSync | null = null;
   #picture = new Picture();
@@ -71,11 +90,15 @@ export class Stage {
   #flight: { from: [number, number, number, Vector3]; to: [number, number, number, Vector3]; begun: number } | undefined;
   #shows: Shows = { path: true, contacts: true, sensor: false, laser: true, locations: true };
   #forces: Label[] = [];
+  /** The rows that are in the picture; undefined: none, or a place between two rows. */
+  #bodiesPut: Float32Array | undefined;
+  #contactsPut: Float32Array | undefined;
   #sensorLabel: Label | undefined;
 
   /** Throws if this browser draws nothing in three dimensions. */
   constructor(readonly canvas: HTMLCanvasElement, readonly scene: Scene, readonly still: () => boolean) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.#smooth = hasGraphicsCard();
+    this.#renderer = new WebGLRenderer({ canvas, antialias: this.#smooth });
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.type = PCFShadowMap;
     // Shadows move with the bodies, not with the camera.
@@ -135,8 +158,10 @@ export class Stage {
     this.#name();
   }
 
-  /** Where the bodies are; the tool's tip with them. */
+  /** Where the bodies are; the tool's tip with them. A cell that rests sends what was there before. */
   put(rows: Float32Array, later?: Float32Array, part = 0): void {
+    if (part === 0 && near(rows, this.#bodiesPut, () => bodyStep)) return;
+    this.#bodiesPut = part === 0 ? rows : undefined;
     putBodies(this.model, rows, later, part);
     this.#renderer.shadowMap.needsUpdate = true;
     this.model.root.updateMatrixWorld(true);
@@ -161,6 +186,8 @@ export class Stage {
 
   /** Contacts as rows of the protocol have them. `value`: a force in words. */
   press(rows: Float32Array, value: (newton: number) => string): void {
+    if (near(rows, this.#contactsPut, (column) => (column < 3 ? contactStep : forceStep))) return;
+    this.#contactsPut = rows;
     const all = presses(rows);
     while (this.#arrows.length < all.length) {
       const made = new Arrow(this.#contactLook);
@@ -183,6 +210,8 @@ export class Stage {
 
   /** What acts on the sensor, N in its frame; undefined: it is not known. */
   feel(force: readonly number[] | undefined, value: (newton: number) => string): void {
+    // It always sways a little, and its arrow is seldom asked for.
+    if (!this.#shows.sensor && !this.#sensorLabel) return;
     this.#sensorLabel = undefined;
     if (force) {
       const { sensor } = this.scene, frame = this.model.bodies[sensor.body]!.matrixWorld.clone().multiply(matrixOf(sensor.position, sensor.turn));
@@ -295,8 +324,8 @@ export class Stage {
     return this.#spherical.map((each, i) => each.toFixed(i < 2 ? 1 : 3)).join(" ");
   }
 
-  #refine({ ratio, shadow }: Fineness): void {
-    const wanted = Math.min(ratio, devicePixelRatio);
+  #refine({ ratio, shadow }: Fineness, still: boolean): void {
+    const wanted = still && !this.#smooth ? ratio : Math.min(ratio, devicePixelRatio);
     if (this.#renderer.getPixelRatio() !== wanted) this.#renderer.setPixelRatio(wanted);
     if (this.#sun.shadow.mapSize.x === shadow) return;
     this.#sun.shadow.mapSize.set(shadow, shadow);
@@ -314,6 +343,11 @@ export class Stage {
     return true;
   }
 
+  /** How finely it was drawn, and how long pictures take, ms, in words that tests read. */
+  get fineness_words(): string {
+    return `${this.#renderer.getPixelRatio()} ${this.#pace.took.toFixed(0)}`;
+  }
+
   /** Draws, if something has changed and the machine keeps up. `named`: puts labels where their places are on the screen, in px. */
   draw(named: (label: Label, x: number, y: number, seen: boolean) => void): boolean {
     if (this.#flight) {
@@ -328,7 +362,7 @@ export class Stage {
     const refines = !this.stale && this.#pace.shouldRefine(now);
     if ((!this.stale && !refines) || !this.#pace.may(now)) return false;
     this.stale = false;
-    this.#refine(this.#pace.begin(now, refines));
+    this.#refine(this.#pace.begin(now, refines), refines);
     this.#renderer.render(this.#picture, this.camera);
     const gl = this.#renderer.getContext() as WebGL2RenderingContext;
     this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -112,6 +112,7 @@ for (const shown of [["Force"], flat, windows])
     say("the last sample in it → pixel, median", `${at(sampled.slice(before.sampled.length), 0.5).toFixed(0)} ms`, "under 50 ms");
     say(`scripting for a frame, ${(((frames - before.frames)) / seconds).toFixed(0)} frames a second`, `${((scripting / (frames - before.frames)) * 1000).toFixed(1)} ms`, "under 8 ms");
     if (poses.count > before.poses.count) say(`poses of all bodies, ${((poses.count - before.poses.count) / seconds).toFixed(0)} a second`, `${((poses.bytes - before.poses.bytes) / seconds / 1000).toFixed(1)} kB/s`, "under 100 kB/s at 30 a second");
+    if (shown === windows) console.log(`  the cell in 3-D: pixels for one of the screen, and ms a picture: ${await page.locator(".scene-frame").getAttribute("data-fineness")}`);
     await until(page, "Ended");
     await page.context().close();
   });
