@@ -101,5 +101,7 @@ export async function shot(page: Page, name: string): Promise<void> {
   if (!folder) return;
   mkdirSync(folder, { recursive: true });
   await page.waitForTimeout(150);
+  // The cell in 3-D is drawn finely once it rests. A cell that moves is not waited for.
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector<HTMLElement>(".scene-frame")?.dataset["fineness"] ?? "1") >= 1, undefined, { timeout: 3000 }).catch(() => {});
   await page.screenshot({ path: join(folder, `${name}.png`) });
 }
