@@ -57,25 +57,24 @@ async function run({ client, ask }: Driver, served: Cell): Promise<[number, numb
   return [served.processorTime() - before, served.allProcessorTime() - all, wall];
 }
 
-async function page(from: Browser, served: Cell, sensors: boolean, sends: (text: string) => void = () => {}): Promise<Page> {
+async function page(from: Browser, served: Cell, windows: readonly string[], sends: (text: string) => void = () => {}): Promise<Page> {
   const opened = await openPage(from, "about:blank");
   opened.on("websocket", (socket) => socket.on("framesent", ({ payload }) => sends(String(payload))));
   await opened.goto(served.url);
   await opened.locator('[data-offer="skill:touch"]').waitFor({ state: "attached" });
-  if (sensors)
-    for (const name of ["Force", "Requirements"]) {
-      await opened.getByRole("button", { name: "Windows on the cell" }).click();
-      await opened.locator(".menu-item", { has: opened.locator(".name", { hasText: new RegExp(`^${name}$`) }) }).click();
-    }
+  for (const name of windows) {
+    await opened.getByRole("button", { name: "Windows on the cell" }).click();
+    await opened.locator(".menu-item", { has: opened.locator(".name", { hasText: new RegExp(`^${name}$`) }) }).click();
+  }
   await opened.waitForTimeout(500);
   return opened;
 }
 
 /** What a page sends while it opens and looks at one run. */
-async function recorded(from: Browser, served: Cell, by: Driver, sensors: boolean): Promise<Sent> {
+async function recorded(from: Browser, served: Cell, by: Driver, windows: readonly string[]): Promise<Sent> {
   const sent: Sent = { opening: [], running: [] };
   let began = 0;
-  const opened = await page(from, served, sensors, (text) => void (began === 0 ? sent.opening.push(text) : sent.running.push({ after: performance.now() - began, text })));
+  const opened = await page(from, served, windows, (text) => void (began === 0 ? sent.opening.push(text) : sent.running.push({ after: performance.now() - began, text })));
   began = performance.now();
   await run(by, served);
   await opened.context().close();
@@ -111,10 +110,10 @@ const replayed = (served: Cell, sent: Sent): Guests => {
   };
 };
 
-const real = (from: Browser, served: Cell, sensors: boolean): Guests => {
+const real = (from: Browser, served: Cell, windows: readonly string[]): Guests => {
   let pages: Page[] = [];
   return {
-    come: async () => void (pages = [await page(from, served, sensors), await page(from, served, sensors)]),
+    come: async () => void (pages = [await page(from, served, windows), await page(from, served, windows)]),
     begun: () => {},
     go: async () => {
       for (const each of pages) await each.context().close();
@@ -133,7 +132,7 @@ const elsewhere = (from: Browser): Guests => {
         pin(other.pid, 1);
         there = await driver(other);
       }
-      pages = [await page(from, other, false), await page(from, other, false)];
+      pages = [await page(from, other, []), await page(from, other, [])];
     },
     begun: () => void run(there, other),
     go: async () => {
@@ -198,10 +197,13 @@ after(async () => {
   await served.end();
 });
 
-for (const sensors of [false, true]) {
-  const name = sensors ? "two pages with force and requirements" : "two pages";
-  test(`${name}, replayed by light clients`, async (about) => compared(about.name, replayed(served, await recorded(chromium, served, by, sensors)), rounds));
-  test(`${name}, in a browser`, (about) => compared(about.name, real(chromium, served, sensors), Math.ceil(rounds / 4)));
+for (const [name, windows] of [
+  ["two pages", []],
+  ["two pages with force and requirements", ["Force", "Requirements"]],
+  ["two pages with all windows", ["Force", "Position of the tool", "Joints", "Requirements", "Sensors", "The cell in 3-D"]],
+] as const) {
+  test(`${name}, replayed by light clients`, async (about) => compared(about.name, replayed(served, await recorded(chromium, served, by, windows)), rounds));
+  test(`${name}, in a browser`, (about) => compared(about.name, real(chromium, served, windows), Math.ceil(rounds / 4)));
 }
 test("two pages of another cell, in a browser", (about) => compared(about.name, elsewhere(chromium), Math.ceil(rounds / 4)));
 // What the machine itself does: the other processor is busy, and nobody talks with the cell.
