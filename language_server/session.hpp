@@ -159,6 +159,7 @@ class Session {
   // hover.cpp
   Json hover(const Json& params);
   std::string about(const check::Symbol& symbol, const Family& family);
+  std::string pages_at(const Place& place);
 
   // completion.cpp
   Json completion(const Json& params);

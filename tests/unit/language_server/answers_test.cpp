@@ -193,7 +193,7 @@ class OneBound : public Prover {
     made.state = "open";
     made.bound = "<= 9 ms";
     made.limit = "20 ms";
-    proof.chart = [](std::size_t) { return std::nullopt; };
+    proof.chart = [](std::size_t, bool) { return std::nullopt; };
     if (told) told(proof);
     proof.requirements.front().state = "holds";
     proof.requirements.front().exact = depth == Depth::whole;
@@ -274,7 +274,7 @@ TEST_CASE("the signature of a message") {
   const Json& known = client.result(module);
   CHECK(known["signatures"][0]["label"] == "WTM( force from module )");
   CHECK(known["activeParameter"] == 1);
-  CHECK(known["signatures"][0]["documentation"]["value"].get<std::string>().find("Carries: real, in N") !=
+  CHECK(known["signatures"][0]["documentation"]["value"].get<std::string>().find("- Content: real, in N") !=
         std::string::npos);
   CHECK(client.result(nowhere).is_null());
 }
