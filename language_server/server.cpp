@@ -113,6 +113,7 @@ class Server {
         if (tasks_.empty()) {
           lock.unlock();
           if (session_.check([this] { return waiting_ > 0; })) hand_over(session_.take_jobs());
+          rest();
           lock.lock();
           changed_.wait(lock, [this] { return !tasks_.empty() || ended_; });
           if (tasks_.empty()) return;
@@ -149,6 +150,8 @@ class Server {
       const auto stop = [this, begun] { return newest_ != begun; };
       prove(job, stop);
       give([this] { session_.hide_progress(); });
+      job.analysis = nullptr;
+      rest();
     }
   }
 
@@ -174,6 +177,11 @@ class Server {
     }
     auto advice = std::make_shared<AllAdvice>(advise(*job.analysis, *options_.prover, job.seconds, stop));
     if (!stop()) give([this, job, advice] { session_.advised(job, std::move(*advice)); });
+  }
+
+  /// A thread has done all that it was asked for.
+  void rest() const {
+    if (options_.at_rest) options_.at_rest();
   }
 
   void give(std::function<void()> task) {
