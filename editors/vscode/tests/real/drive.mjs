@@ -79,13 +79,14 @@ const command = async (words) => {
   await row.waitFor({ timeout: long });
   await row.click();
 };
-/** Of the tasks that the extension has for the text before the user. */
+/** Of the tasks that the extension has for the text before the user: they stand below its name. */
 const runTask = async (name) => {
-  await page.keyboard.press("F1");
-  await page.locator(".quick-input-widget input").first().fill(`task ${name}`);
-  const row = page.locator(".quick-input-list .monaco-list-row").filter({ hasText: name }).first();
-  await row.waitFor();
-  await row.click();
+  await command("Tasks: Run Task");
+  for (const each of [/^pal$/, new RegExp(`(^|pal: )${name.replace(/[./]/g, "\\$&")}`)]) {
+    const row = page.locator(".quick-input-list .monaco-list-row").filter({ has: page.locator(".label-name", { hasText: each }) }).first();
+    await row.waitFor();
+    await row.click();
+  }
 };
 /** Lenses are drawn again when a proof ends, which may be between the press and the release of a button. */
 const lens = async (title, opened) => {
