@@ -31,7 +31,7 @@ const settings = {
   "workbench.colorTheme": "Light Modern", "workbench.startupEditor": "none", "editor.minimap.enabled": false, "telemetry.telemetryLevel": "off",
   "security.workspace.trust.enabled": false, "chat.disableAIFeatures": true, "workbench.secondarySideBar.defaultVisibility": "hidden", "editor.fontSize": 13,
   "window.commandCenter": false, "workbench.layoutControl.enabled": false, "extensions.ignoreRecommendations": true, "update.mode": "none", "editor.fontFamily": "DejaVu Sans Mono",
-  "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "terminal.integrated.gpuAcceleration": "off", "files.simpleDialog.enable": true, ...programs,
+  "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "terminal.integrated.gpuAcceleration": "off", "terminal.integrated.fontSize": 12, "files.simpleDialog.enable": true, ...programs,
 };
 writeFileSync(join(user, "User/settings.json"), JSON.stringify(settings));
 mkdirSync(join(user, "Machine"));
@@ -82,11 +82,9 @@ const command = async (words) => {
 /** Of the tasks that the extension has for the text before the user: they stand below its name. */
 const runTask = async (name) => {
   await command("Tasks: Run Task");
-  for (const each of [/^pal$/, new RegExp(`(^|pal: )${name.replace(/[./]/g, "\\$&")}`)]) {
-    const row = page.locator(".quick-input-list .monaco-list-row").filter({ has: page.locator(".label-name", { hasText: each }) }).first();
-    await row.waitFor();
-    await row.click();
-  }
+  const rows = page.locator(".quick-input-list .monaco-list-row");
+  await rows.getByText("pal", { exact: true }).first().click();
+  await rows.getByText(name).first().click();
 };
 /** Lenses are drawn again when a proof ends, which may be between the press and the release of a button. */
 const lens = async (title, opened) => {
@@ -270,7 +268,7 @@ try {
     await page.goto(`http://127.0.0.1:${port}/?folder=${skills}`);
     await page.locator(".explorer-viewlet").getByText("touch", { exact: true }).first().click();
     await page.locator(".explorer-viewlet").getByText("touch.pal").first().dblclick();
-    await lens("run in the workcell", () => terminal("completion"));
+    await lens("run in the workcell", () => terminal("fresh-force: measured"));
     await shot("editor-workcell");
   });
 
