@@ -264,7 +264,6 @@ try {
   });
 
   await step("a skill runs in the workcell", async () => {
-    await command("Preferences: Toggle between Light/Dark Themes");
     await page.goto(`http://127.0.0.1:${port}/?folder=${skills}`);
     await page.locator(".explorer-viewlet").getByText("touch", { exact: true }).first().click();
     await page.locator(".explorer-viewlet").getByText("touch.pal").first().dblclick();
