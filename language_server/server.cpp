@@ -112,8 +112,9 @@ class Server {
         std::unique_lock lock(mutex_);
         if (tasks_.empty()) {
           lock.unlock();
+          const bool texts = session_.has_to_check();
           if (session_.check([this] { return waiting_ > 0; })) hand_over(session_.take_jobs());
-          rest();
+          if (texts) rest();
           lock.lock();
           changed_.wait(lock, [this] { return !tasks_.empty() || ended_; });
           if (tasks_.empty()) return;
@@ -179,7 +180,7 @@ class Server {
     if (!stop()) give([this, job, advice] { session_.advised(job, std::move(*advice)); });
   }
 
-  /// A thread has done all that it was asked for.
+  /// A thread has done all that a text asked for.
   void rest() const {
     if (options_.at_rest) options_.at_rest();
   }

@@ -15,7 +15,7 @@ struct Options {
   std::string documentation;       // URL of the folder docs; empty: findings get no links
   const Prover* prover = nullptr;  // none: nothing is proved
   double repair_seconds = 0.5;     // one who asks for quick fixes waits so long for those that must be tried
-  /// Called when a thread has nothing more to do, perhaps by several at once. Empty: nothing is.
+  /// Called when a thread has done what a text asked for, perhaps by several at once. Empty: nothing is.
   std::function<void()> at_rest = {};
 };
 

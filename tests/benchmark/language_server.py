@@ -147,7 +147,9 @@ def of_skills(pal, source, edits):
         text = path.read_text()
         if "END SKILL" not in text:
             continue
-        cell = folder / "workcell.pal"
+        cell = path.parent / "workcell.pal"
+        if not cell.exists():
+            cell = folder / "workcell.pal"
         client = start(pal, folder)
         begin = open_file(client, path.as_uri(), text)
         open_file(client, cell.as_uri(), cell.read_text())

@@ -110,8 +110,10 @@ void give_back_memory() {
 
 void give_back_memory_beyond(std::size_t bytes) {
 #ifdef __GLIBC__
-  const auto heap = ::mallinfo2();
-  if (taken().resident > heap.uordblks + heap.hblkhd + bytes) give_back_memory();
+  const std::size_t resident = taken().resident;
+  if (resident <= bytes) return;
+  const auto heap = ::mallinfo2();  // which other threads wait for
+  if (resident > heap.uordblks + heap.hblkhd + bytes) give_back_memory();
 #else
   (void)bytes;
 #endif
