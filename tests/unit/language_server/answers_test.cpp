@@ -146,9 +146,12 @@ TEST_CASE("a mistake of each family is mended by a quick fix") {
 }
 
 TEST_CASE("an overload is mended by another place") {
-  const Json short_proofs{{"proofTimeSeconds", 1}};  // each look at three opened texts
-  CHECK(codes(overload, short_proofs).contains("PAL0890"));
-  CHECK_FALSE(codes(after_fix(overload, "place SM1 on P1", short_proofs), short_proofs).contains("PAL0890"));
+  const Json short_proofs{{"proofTimeSeconds", 1}};              // each look at three opened texts
+  const std::set<std::string> never_ends{"PAL0512", "PAL0612"};  // as it is meant
+  auto overloaded = never_ends;
+  overloaded.insert("PAL0890");
+  CHECK(codes(overload, short_proofs) == overloaded);
+  CHECK(codes(after_fix(overload, "place SM1 on P1", short_proofs), short_proofs) == never_ends);
 }
 
 TEST_CASE("a finding in a file that is not open is told") {

@@ -219,10 +219,11 @@ TEST_CASE("pictures lead from their elements to the text") {
   const Json file{{"uri", uri("feel.pal")}};
   const int pan = client.ask("pal/picture", {{"textDocument", file}, {"kind", "pan"}, {"module", "LS1"}});
   const int atc = client.ask("pal/picture", {{"textDocument", file}, {"kind", "atc"}, {"dark", true}});
+  const int narrow = client.ask("pal/picture", {{"textDocument", file}, {"kind", "atc"}, {"narrow", true}});
   const int none = client.ask("pal/picture", {{"textDocument", file}, {"kind", "pan"}, {"module", "XX"}});
   const int wrong = client.ask("pal/picture", {{"textDocument", file}, {"kind", "map"}});
   client.run();
-  for (const int id : {pan, atc}) {
+  for (const int id : {pan, atc, narrow}) {
     const Json& picture = client.result(id);
     const std::string svg = picture["svg"];
     INFO(picture["reason"]);
@@ -239,6 +240,8 @@ TEST_CASE("pictures lead from their elements to the text") {
   CHECK(client.result(pan)["places"][0]["uri"] == uri("shared.pal"));
   CHECK(client.result(atc)["requirement"] == "soon");
   CHECK(client.result(atc)["state"] == "holds");
+  CHECK(client.result(atc)["svg"].get<std::string>().find(" width=\"940\"") != std::string::npos);
+  CHECK(client.result(narrow)["svg"].get<std::string>().find(" width=\"450\"") != std::string::npos);
   CHECK(client.result(none)["svg"] == "");
   CHECK(client.result(none)["reason"] != "");
   CHECK(client.answer(wrong).contains("error"));
