@@ -36,8 +36,8 @@ std::shared_ptr<const Analysis> analyze(const Workspace& workspace, std::vector<
                                         const std::function<bool()>& stop) {
   auto made = std::make_shared<Analysis>();
   made->root = inputs.front();
-  made->trees = check::read_sources(workspace, made->sources, inputs, made->diagnostics);
-  made->specification = check::check(made->trees, made->diagnostics, stop);
+  const auto trees = check::read_sources(workspace, made->sources, inputs, made->diagnostics);
+  made->specification = check::check(trees, made->diagnostics, stop);
   made->ended = stop && stop();
   made->inputs = std::move(inputs);
   for (const auto& skill : made->specification.skills)

@@ -15,14 +15,12 @@
 #include "pal/check/check.hpp"
 #include "pal/support/diagnostic.hpp"
 #include "pal/support/source.hpp"
-#include "pal/syntax/tree.hpp"
 
 namespace pal::language_server {
 
 struct Analysis {
   std::string root;  // the file with the skills, or one that no skill uses
   SourceManager sources;
-  std::vector<syntax::Tree> trees;
   Diagnostics diagnostics;
   check::Specification specification;
   std::vector<std::optional<std::size_t>> environment_of;  // by skill: in specification.environments

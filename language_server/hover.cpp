@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "language_server/session.hpp"
-#include "pal/doc/words.hpp"
+#include "pal/doc/facts.hpp"
+#include "pal/explain/page.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/threads.hpp"
 
@@ -104,44 +105,38 @@ class Teller {
     return text + (places.empty() ? "" : ":" + places) + "\n\n";
   }
 
-  std::string names(const std::vector<pan::MessageId>& messages) const {
+  /// The words of `pal doc`, each fact in a line.
+  static std::string lines(const std::vector<doc::Fact>& facts) {
     std::string text;
-    for (const auto id : messages)
-      text += (text.empty() ? "" : ", ") + code(network_.messages[id.index()].name);
-    return text;
+    for (const auto& fact : facts) {
+      const std::string line = doc::markdown(fact.line);
+      if (!line.empty()) text += "\n- " + fact.head + ": " + line;
+    }
+    return text.empty() ? text : text + "\n\n";
   }
 
   std::string message(const std::string& name) const {
     const auto index = index_of(network_.messages, name);
     if (!index) return {};
-    std::string text = "Carries: " + doc::content_of(network_.messages[*index]) + "\n\n";
-    for (const auto& channel : network_.channels) {
-      const auto& sent = network_.messages[channel.message.index()];
-      const bool request = sent.asks_for == pan::MessageId(*index);
-      if (channel.message == pan::MessageId(*index) || request)
-        text += "- " + std::string(request ? "request: " : "") + code(party(channel.sender)) + " → " +
-                code(party(channel.receiver)) + "\n";
+    auto facts = doc::facts_of(network_, pan::MessageId(*index));
+    for (std::size_t i = 0; i < network_.messages.size(); ++i) {
+      if (network_.messages[i].asks_for == pan::MessageId(*index))
+        facts.push_back({"Requests", doc::facts_of(network_, pan::MessageId(i)).back().line});
     }
-    return text;
+    return lines(facts);
   }
 
   std::string condition(const std::string& name) const {
     const auto index = index_of(network_.conditions, name);
-    if (!index) return {};
-    const auto& condition = network_.conditions[*index];
-    std::string text = condition.description.empty() ? "" : condition.description + "\n\n";
-    if (condition.writer.valid()) text += "Set by " + code(network_.modules[condition.writer.index()].name);
-    if (!condition.from.empty()) text += ", from " + names(condition.from);
-    return text + "\n";
+    return index ? lines(doc::facts_of(network_, pan::ConditionId(*index))) : std::string();
   }
 
   std::string module(const std::string& name) const {
     const auto index = index_of(network_.modules, name);
     if (!index) return {};
     const auto& module = network_.modules[*index];
-    std::string text = pan::kind_text(module.kind);
-    for (const auto& each : module.descriptions) text += ". " + each;
-    text += "\n\n";
+    std::string text = pan::kind_text(module.kind) + " " +
+                       doc::markdown(doc::line_of(network_, pan::ModuleId(*index))) + "\n\n";
     for (std::size_t i = 0; environment_ != nullptr && i < module.threads.size(); ++i) {
       const auto* place = pan::place_of(*environment_, module.threads[i]);
       if (place != nullptr)
@@ -162,11 +157,10 @@ class Teller {
 
   std::string activity(const std::string& name, const std::string& owner) const {
     std::string text;
-    for (const auto& activity : network_.activities) {
-      if (activity.name != name || network_.modules[activity.module.index()].name != owner) continue;
-      if (!activity.reads.empty()) text += "Reads " + names(activity.reads) + ". ";
-      if (!activity.writes.empty()) text += "Writes " + names(activity.writes) + ".";
-      text += "\n\n";
+    for (std::size_t i = 0; i < network_.activities.size(); ++i) {
+      const auto& activity = network_.activities[i];
+      if (activity.name == name && network_.modules[activity.module.index()].name == owner)
+        text += lines(doc::facts_of(network_, pan::ActivityId(i)));
     }
     const pan::ActivityTime* found = nullptr;
     for (std::size_t i = 0; environment_ != nullptr && i < environment_->activities.size(); ++i) {
@@ -231,6 +225,24 @@ std::string Session::about(const Symbol& symbol, const Family& family) {
   return result;
 }
 
+/// Editors show a finding themselves; this is what `pal explain` says of its kind.
+std::string Session::pages_at(const Place& place) {
+  std::string text;
+  std::set<Code> told;
+  for (const auto& root : roots_of(place.path)) {
+    const Known& here = known(root);
+    const auto file = here.analysis->file(place.path);
+    for (const auto& finding : findings(here, place.path)) {
+      const auto& where = finding.where;
+      if (!file || where.file != *file || place.offset < where.begin || where.end < place.offset) continue;
+      if (!told.insert(finding.code).second) continue;
+      text += (text.empty() ? "" : "\n\n") + code(std::string(name(finding.code))) + " **" +
+              std::string(title(finding.code)) + "**\n\n" + explain::explain(finding.code).summary + "\n";
+    }
+  }
+  return text;
+}
+
 Json Session::hover(const Json& params) {
   const auto place = place_in(params);
   if (is_operation(place.path)) return operation_hover(place);
@@ -260,6 +272,8 @@ Json Session::hover(const Json& params) {
       }
     }
   }
+  const std::string pages = pages_at(place);
+  if (!pages.empty()) text += (text.empty() ? "" : "\n---\n") + pages;
   if (text.empty()) return nullptr;
   Json result{{"contents", {{"kind", "markdown"}, {"value", text}}}};
   if (!range.is_null()) result["range"] = range;

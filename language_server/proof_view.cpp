@@ -271,11 +271,14 @@ Json Session::requirements(const Json& params) {
         }
         list.push_back(std::move(made));
       }
-      result.push_back({{"skill", network.skill.name},
-                        {"uri", workspace_.uri(analysis->path(where.file))},
-                        {"range", range_of(analysis->text(where.file), where.begin, where.end)},
-                        {"environment", environment == nullptr ? "" : environment->name},
-                        {"requirements", std::move(list)}});
+      result.push_back(
+          {{"skill", network.skill.name},
+           {"uri", workspace_.uri(analysis->path(where.file))},
+           {"range", range_of(analysis->text(where.file), where.begin, where.end)},
+           {"environment", environment == nullptr ? "" : environment->name},
+           {"environmentUri",
+            environment == nullptr ? std::string() : workspace_.uri(analysis->path(environment->where.file))},
+           {"requirements", std::move(list)}});
     }
   }
   return result;
@@ -381,7 +384,7 @@ Json Session::atc_picture(const Json& params) {
       if (!chosen && wanted.empty()) chosen = failing ? failing : any;
       if (!result["svg"].get<std::string>().empty() || !chosen) continue;
       const auto& each = proof.requirements[*chosen];
-      auto drawing = proof.chart(*chosen);
+      auto drawing = proof.chart(*chosen, flag_of(params, "narrow"));
       if (!drawing) continue;
       result["reason"] = "";
       result["skill"] = proof.skill;

@@ -54,8 +54,9 @@ struct SkillProof {
   std::vector<ProvedRequirement> requirements;  // in the order of the text
   std::vector<Diagnostic> findings;             // about the two together, not about one requirement
   bool ended = false;                           // by its time, or because it was stopped
-  /// The worst run of a requirement. Nothing: there is none. It may be called at any time, by one thread.
-  std::function<std::optional<Drawing>(std::size_t requirement)> chart;
+  /// The worst run of a requirement; `narrow`: for half a page. Nothing: there is none. It may be called at
+  /// any time, by one thread.
+  std::function<std::optional<Drawing>(std::size_t requirement, bool narrow)> chart;
 };
 
 /// By how much a time of the environment may grow.

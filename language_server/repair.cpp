@@ -77,14 +77,18 @@ class Search {
              std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                  std::chrono::duration<double>(seconds))) {
     for (const auto& each : analysis.diagnostics.all()) before_.insert({each.code, each.message});
+    // The same files in the same order as in the analysis, so the places are the same.
+    SourceManager sources;
+    Diagnostics again;
+    trees_ = check::read_sources(files, sources, analysis.inputs, again);
   }
 
   std::vector<Repair> run() {
-    const auto place = statement_at(analysis_.trees, finding_.where);
+    const auto place = statement_at(trees_, finding_.where);
     if (!place || !before_.contains({finding_.code, finding_.message})) return {};
     std::vector<Found> places{*place};
     for (const auto& note : finding_.notes) {
-      const auto other = statement_at(analysis_.trees, note.where);
+      const auto other = statement_at(trees_, note.where);
       if (other && std::none_of(places.begin(), places.end(), [&](const Found& each) {
             return each.list == other->list && each.index == other->index;
           }))
@@ -186,7 +190,7 @@ class Search {
 
   /// Before each statement of a module but the wait for its start.
   void insert_in(const std::string& name, const std::string& words) {
-    for (const auto& tree : analysis_.trees) {
+    for (const auto& tree : trees_) {
       const rewrite::Placing put(analysis_.sources.text(tree.file));
       rewrite::visit_lists(tree, [&](const syntax::ModuleUnit& module, const syntax::Statements& list) {
         for (std::size_t i = 0; module.name.text == name && i < list.size(); ++i) {
@@ -227,6 +231,7 @@ class Search {
   const Diagnostic& finding_;
   const std::chrono::steady_clock::time_point end_;
   std::set<std::pair<Code, std::string>> before_;
+  std::vector<syntax::Tree> trees_;
   std::vector<Repair> found_;
 };
 

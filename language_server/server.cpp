@@ -112,7 +112,9 @@ class Server {
         std::unique_lock lock(mutex_);
         if (tasks_.empty()) {
           lock.unlock();
+          const bool texts = session_.has_to_check();
           if (session_.check([this] { return waiting_ > 0; })) hand_over(session_.take_jobs());
+          if (texts) rest();
           lock.lock();
           changed_.wait(lock, [this] { return !tasks_.empty() || ended_; });
           if (tasks_.empty()) return;
@@ -149,6 +151,8 @@ class Server {
       const auto stop = [this, begun] { return newest_ != begun; };
       prove(job, stop);
       give([this] { session_.hide_progress(); });
+      job.analysis = nullptr;
+      rest();
     }
   }
 
@@ -174,6 +178,11 @@ class Server {
     }
     auto advice = std::make_shared<AllAdvice>(advise(*job.analysis, *options_.prover, job.seconds, stop));
     if (!stop()) give([this, job, advice] { session_.advised(job, std::move(*advice)); });
+  }
+
+  /// A thread has done all that a text asked for.
+  void rest() const {
+    if (options_.at_rest) options_.at_rest();
   }
 
   void give(std::function<void()> task) {

@@ -1,6 +1,7 @@
 // The language server: messages in, messages out, proofs on a thread of their own.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 
@@ -14,6 +15,8 @@ struct Options {
   std::string documentation;       // URL of the folder docs; empty: findings get no links
   const Prover* prover = nullptr;  // none: nothing is proved
   double repair_seconds = 0.5;     // one who asks for quick fixes waits so long for those that must be tried
+  /// Called when a thread has done what a text asked for, perhaps by several at once. Empty: nothing is.
+  std::function<void()> at_rest = {};
 };
 
 /// Serves one client until it says `exit` or `in` ends. One thread reads, one answers, one proves. A message

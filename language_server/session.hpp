@@ -59,6 +59,8 @@ class Session {
   /// Checks what has changed and publishes its findings. Once `newer` says that a message waits, the rest is
   /// left for the next call. Whether all is done.
   bool check(const std::function<bool()>& newer);
+  /// Whether check() has something to do.
+  bool has_to_check() const { return !to_check_.empty(); }
 
   /// The proofs to be made for what was checked; earlier ones are of no use any more.
   std::vector<ProofJob> take_jobs();
@@ -159,6 +161,7 @@ class Session {
   // hover.cpp
   Json hover(const Json& params);
   std::string about(const check::Symbol& symbol, const Family& family);
+  std::string pages_at(const Place& place);
 
   // completion.cpp
   Json completion(const Json& params);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "pal/doc/facts.hpp"
 #include "pal/doc/parts.hpp"
 #include "pal/pan/dot.hpp"
 #include "pal/pan/dump.hpp"
@@ -104,8 +105,8 @@ class Writer {
     add(paragraphs("Textual Description", skill.descriptions));
     add(paragraphs("Preconditions", skill.preconditions));
     add(paragraphs("Postconditions", skill.postconditions));
-    add(items("Sensors", modules_with_devices(pan::ModuleKind::sensor_driver)));
-    add(items("Robotic Machines", modules_with_devices(pan::ModuleKind::machine_controller)));
+    add(items("Sensors", modules_of(pan::ModuleKind::sensor_driver)));
+    add(items("Robotic Machines", modules_of(pan::ModuleKind::machine_controller)));
     add(paragraphs("Model Data", skill.model_data));
     add(items("Logical Sensors", modules_of(pan::ModuleKind::logical_sensor)));
     add(items("Skill Methods", modules_of(pan::ModuleKind::skill_module)));
@@ -124,44 +125,10 @@ class Writer {
 
   std::vector<Line> modules_of(pan::ModuleKind kind) const {
     std::vector<Line> lines;
-    for (const auto& module : network_.modules) {
-      if (module.kind == kind) lines.push_back(named(module.name, module.descriptions));
-    }
-    return lines;
-  }
-
-  /// Each with the devices that it talks with.
-  std::vector<Line> modules_with_devices(pan::ModuleKind kind) const {
-    std::vector<Line> lines;
     for (std::size_t i = 0; i < network_.modules.size(); ++i) {
-      const auto& module = network_.modules[i];
-      if (module.kind != kind) continue;
-      auto line = named(module.name, module.descriptions);
-      for (const auto device : devices_of(pan::ModuleId(i))) {
-        const auto& known = network_.devices[device.index()];
-        line = line + text(". It drives ") + code(known.name) +
-               text(known.description.empty() ? "" : ", " + known.description);
-      }
-      lines.push_back(std::move(line));
+      if (network_.modules[i].kind == kind) lines.push_back(line_of(network_, pan::ModuleId(i)));
     }
     return lines;
-  }
-
-  std::vector<pan::DeviceId> devices_of(pan::ModuleId module) const {
-    std::vector<bool> talks(network_.devices.size());
-    for (const auto& channel : network_.channels) {
-      const auto mark = [&](const pan::Party& one, const pan::Party& other) {
-        const auto* device = std::get_if<pan::DeviceId>(&other);
-        if (device != nullptr && one == pan::Party(module)) talks[device->index()] = true;
-      };
-      mark(channel.sender, channel.receiver);
-      mark(channel.receiver, channel.sender);
-    }
-    std::vector<pan::DeviceId> result;
-    for (std::size_t i = 0; i < talks.size(); ++i) {
-      if (talks[i]) result.emplace_back(i);
-    }
-    return result;
   }
 
   std::vector<Line> contingencies(bool methods) const {
@@ -241,43 +208,35 @@ class Writer {
     return result;
   }
 
+  /// A row of a thing: its name, and its facts.
+  void add_row(Table& table, const std::string& name, const std::vector<Fact>& facts) const {
+    std::vector<Line> row{code(name)};
+    for (const auto& fact : facts) row.push_back(fact.line);
+    table.rows.push_back(std::move(row));
+    if (table.heads.size() > 1) return;
+    for (const auto& fact : facts) table.heads.push_back(fact.head);
+  }
+
   Table messages() const {
-    Table table{{"Message", "Content", "Ways"}, {}};
+    Table table{{"Message"}, {}};
     for (std::size_t i = 0; i < network_.messages.size(); ++i) {
       const auto& message = network_.messages[i];
-      if (message.asks_for.valid()) continue;
-      std::string ways;
-      for (const auto& channel : network_.channels) {
-        if (channel.message != pan::MessageId(i)) continue;
-        ways += (ways.empty() ? "" : ", ") + party_name(network_, channel.sender) + " → " +
-                party_name(network_, channel.receiver);
-      }
-      table.rows.push_back({code(message.name), text(content_of(message)), text(ways)});
+      if (!message.asks_for.valid()) add_row(table, message.name, facts_of(network_, pan::MessageId(i)));
     }
     return table;
   }
 
-  std::vector<std::string> names_of(const std::vector<pan::MessageId>& messages) const {
-    std::vector<std::string> result;
-    for (const auto id : messages) result.push_back(network_.messages[id.index()].name);
-    return result;
-  }
-
   Table conditions() const {
-    Table table{{"Condition", "Meaning", "Set by", "From"}, {}};
-    for (const auto& c : network_.conditions) {
-      table.rows.push_back({code(c.name), text(c.description),
-                            c.writer.valid() ? code(name(c.writer)) : Line{}, codes(names_of(c.from))});
-    }
+    Table table{{"Condition"}, {}};
+    for (std::size_t i = 0; i < network_.conditions.size(); ++i)
+      add_row(table, network_.conditions[i].name, facts_of(network_, pan::ConditionId(i)));
     return table;
   }
 
   Table activities() const {
-    Table table{{"Activity", "Module", "Reads", "Writes"}, {}};
-    for (const auto& a : network_.activities) {
-      table.rows.push_back(
-          {code(a.name), code(name(a.module)), codes(names_of(a.reads)), codes(names_of(a.writes))});
-    }
+    Table table{{"Activity"}, {}};
+    for (std::size_t i = 0; i < network_.activities.size(); ++i)
+      add_row(table, network_.activities[i].name, facts_of(network_, pan::ActivityId(i)));
     return table;
   }
 

@@ -56,6 +56,7 @@ Document document(const pan::Network& network, const SourceManager& sources);
 
 /// Text for people to read or to publish. All that comes from the program is escaped.
 std::string markdown(const Document& document);
+std::string markdown(const Line& line);
 
 /// A page that needs no other file: styles and drawings are in it. It prints on A4.
 std::string html(const std::vector<Document>& documents);

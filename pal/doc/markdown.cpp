@@ -80,6 +80,10 @@ struct BlockText {
 
 }  // namespace
 
+std::string markdown(const Line& line) {
+  return markdown_text(line);
+}
+
 std::string markdown(const Document& document) {
   std::string result = "# " + escaped(document.title) + "\n";
   for (const auto& part : document.parts) {

@@ -1,11 +1,12 @@
 """How long an editor waits: from an edit to findings, to the first bounds and to all verdicts, for hover and completion; memory.
 
-Usage: language_server.py PAL SOURCE_DIR [skills|open|lines|edits] [NUMBER].
+Usage: language_server.py PAL SOURCE_DIR [skills|open|lines|edits|clangd] [NUMBER].
 
 skills  Two lines a skill, after NUMBER edits of each kind, in milliseconds: median and greatest.
 open    Memory with all PAL files of the tree open.
 lines   An edit with NUMBER lines of PAL open, of which it changes one.
-edits   Memory after each tenth of NUMBER edits.
+edits   Memory after each tenth of NUMBER edits; fails if it grows by more than 2 MB after the first tenth.
+clangd  The same of clangd (apt-get install clangd) in a file of this project, in turns with pal in a skill: NUMBER edits each.
 """
 import json
 import pathlib
@@ -13,13 +14,14 @@ import re
 import statistics
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 
 
 class Client:
-    def __init__(self, pal):
-        self.process = subprocess.Popen([pal, "language-server"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    def __init__(self, command):
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.sent = []
         self.changed = threading.Condition()
         self.number = 0
@@ -29,7 +31,8 @@ class Client:
         stream = self.process.stdout
         while line := stream.readline():
             length = int(line.split(b":")[1])
-            stream.readline()
+            while stream.readline() != b"\r\n":
+                pass
             message = json.loads(stream.read(length))
             with self.changed:
                 self.sent.append((time.perf_counter(), message))
@@ -79,7 +82,7 @@ def cpu(client):
 
 
 def start(pal, folder, **settings):
-    client = Client(pal)
+    client = Client([pal, "language-server"])
     client.ask("initialize", {"rootUri": folder.as_uri(), "capabilities": {}, "initializationOptions": {"pictures": True, **settings}})
     client.tell("initialized", {})
     return client
@@ -144,7 +147,9 @@ def of_skills(pal, source, edits):
         text = path.read_text()
         if "END SKILL" not in text:
             continue
-        cell = folder / "workcell.pal"
+        cell = path.parent / "workcell.pal"
+        if not cell.exists():
+            cell = folder / "workcell.pal"
         client = start(pal, folder)
         begin = open_file(client, path.as_uri(), text)
         open_file(client, cell.as_uri(), cell.read_text())
@@ -229,6 +234,7 @@ def after_edits(pal, source, edits):
     begin = open_file(client, path.as_uri(), text)
     client.wait(is_method("textDocument/publishDiagnostics"), begin)
     line = text.count("\n")
+    sizes = []
     for i in range(1, edits + 1):
         begin = append(client, path.as_uri(), i, line, "# x")
         client.tell("textDocument/didChange", {"textDocument": {"uri": path.as_uri(), "version": i}, "contentChanges": [
@@ -238,12 +244,72 @@ def after_edits(pal, source, edits):
             with client.changed:
                 client.sent.clear()
         if i % max(1, edits // 10) == 0:
-            print(f"{i} edits: {memory(client)} MB", flush=True)
+            sizes.append(memory(client))
+            print(f"{i} edits: {sizes[-1]} MB", flush=True)
     client.process.kill()
+    if sizes[-1] > sizes[0] + 2:
+        sys.exit("the memory grows")
+
+
+class Clangd:
+    """clangd in a file of the language server."""
+
+    def __init__(self, source, folder):
+        path = source / "language_server/hover.cpp"
+        command = {"directory": str(source), "file": str(path), "arguments": ["clang++", "-std=c++20", f"-I{source}", "-c", str(path)]}
+        (pathlib.Path(folder) / "compile_commands.json").write_text(json.dumps([command]))
+        self.client = Client(["clangd", f"--compile-commands-dir={folder}", "--background-index=0", "--log=error"])
+        self.client.ask("initialize", {"rootUri": source.as_uri(), "capabilities": {}})
+        self.client.tell("initialized", {})
+        self.text = path.read_text()
+        self.uri = path.as_uri()
+        self.word = place_of(self.text, "index_.path(", len("index_.pa"))
+
+
+class Pal:
+    """pal in a skill, with the environment that is looked for."""
+
+    def __init__(self, pal, source):
+        path = source / "skills_pal/touch/touch.pal"
+        self.client = start(pal, source / "skills_pal", proofTimeSeconds=0)
+        self.text = path.read_text()
+        self.uri = path.as_uri()
+        self.word = place_of(self.text, "TXM( request Zforce", len("TXM( request Zf"))
+
+
+def place_of(text, word, behind):
+    before = text[:text.index(word) + behind]
+    return {"line": before.count("\n"), "character": len(before) - before.rfind("\n") - 1}
+
+
+def beside_clangd(pal, source, edits):
+    with tempfile.TemporaryDirectory() as folder:
+        sides = {"clangd": Clangd(source, folder), "pal": Pal(pal, source)}
+        print(subprocess.run(["clangd", "--version"], capture_output=True, text=True).stdout.split("\n")[0])
+        for name, side in sides.items():
+            side.times = {"edit to findings": [], "hover": [], "completion": []}
+            begin = open_file(side.client, side.uri, side.text)
+            opened = side.client.wait(is_method("textDocument/publishDiagnostics", uri=side.uri), begin, 120)
+            print(f"{name}: {side.text.count(chr(10))} lines, {opened:.0f} ms from opening it to findings")
+        for i in range(1, edits + 1):
+            for side in sides.values():
+                comment = f"// {i}\n" if side.uri.endswith("cpp") else f"# {i}\n"
+                here = {"textDocument": {"uri": side.uri}, "position": side.word}
+                begin = append(side.client, side.uri, i, side.text.count("\n"), comment)
+                side.times["edit to findings"].append(side.client.wait(is_method("textDocument/publishDiagnostics", uri=side.uri, version=i), begin))
+                side.times["hover"].append(side.client.ask("textDocument/hover", here))
+                side.times["completion"].append(side.client.ask("textDocument/completion", here))
+        print(f"{'':18} {'pal':>15} {'clangd':>15} ratio")
+        for what in sides["pal"].times:
+            mine, other = sides["pal"].times[what], sides["clangd"].times[what]
+            print(f"{what:18} {figures(mine)} {figures(other)} {statistics.median(mine) / statistics.median(other):.2f}")
+        for side in sides.values():
+            side.client.process.kill()
 
 
 def main(pal, source, what="skills", number=None):
-    run, usual = {"skills": (of_skills, 10), "open": (with_all_open, 0), "lines": (with_many_lines, 100_000), "edits": (after_edits, 10_000)}[what]
+    run, usual = {"skills": (of_skills, 10), "open": (with_all_open, 0), "lines": (with_many_lines, 100_000), "edits": (after_edits, 10_000),
+                  "clangd": (beside_clangd, 20)}[what]
     run(pal, pathlib.Path(source).resolve(), int(number or usual))
 
 

@@ -46,7 +46,7 @@ LAYERS = {
     "codegen": ["pal/support", "pal/pan"],
     "operations": ["pal/support", "pal/pan"],  # neither robots nor simulators: it asks a SkillRunner
     "server": ["operations", "pal/explain", "pal/support", "pal/pan"],  # likewise
-    "language_server": ["pal/support", "pal/pan", "pal/doc", "pal/syntax", "pal/rewrite", "pal/check", "operations"],  # proofs come from the program
+    "language_server": ["pal/support", "pal/pan", "pal/doc", "pal/explain", "pal/syntax", "pal/rewrite", "pal/check", "operations"],  # proofs come from the program
     "study": ["pal/support", "pal/pan", "analyzer", "analyzer/whatif", "analyzer/chart"] + PARTS + ["trace"],
     **rooms("pal", COMPILER),
     **{room: KERNEL[:i] + ["trace"] for i, room in enumerate(KERNEL)},

@@ -1,10 +1,10 @@
 // PAL in VS Code: everything that is said of a text comes from `pal language-server`; this only shows it.
 import * as vscode from "vscode";
 import { Pictures } from "./pictures";
-import type { PictureKind } from "./protocol";
+import type { PictureKind, SkillRequirements } from "./protocol";
 import { Requirements } from "./requirements";
-import { program, Server } from "./server";
-import { taskProvider } from "./tasks";
+import { Server } from "./server";
+import { runInWorkcell, taskProvider, whatIf } from "./tasks";
 import { Texts } from "./texts";
 
 /** The arguments of the server's code lenses; without them a command is meant for the text before the user. */
@@ -13,7 +13,6 @@ interface LensArguments {
   skill: string;
   module?: string;
   requirement?: string;
-  environmentUri?: string;
 }
 
 function activeUri(): string | undefined {
@@ -34,15 +33,12 @@ async function choosePal(): Promise<void> {
   if (chosen?.[0] !== undefined) await vscode.workspace.getConfiguration("pal").update("path", chosen[0].fsPath, vscode.ConfigurationTarget.Global);
 }
 
-async function runInWorkcell(given: LensArguments): Promise<void> {
-  const workcell = program("workcell");
-  if (workcell === undefined) {
-    await vscode.window.showErrorMessage("The program workcell is not on the path, and the setting pal.workcellPath names none.");
-    return;
-  }
-  const run = new vscode.ProcessExecution(workcell, ["run", given.skill]);
-  const made = new vscode.Task({ type: "process" }, vscode.TaskScope.Workspace, `run ${given.skill}`, "pal", run);
-  await vscode.tasks.executeTask(made);
+/** The skill that is meant, and its environment; of several in a text the one that the user chooses. */
+async function skillOf(given: LensArguments, server: Server): Promise<SkillRequirements | undefined> {
+  const known = (await server.skillsOf(given.uri)).filter((each) => given.skill === "" || each.skill === given.skill);
+  if (known.length < 2) return known[0];
+  const chosen = await vscode.window.showQuickPick(known.map((each) => each.skill), { title: "Skill" });
+  return known.find((each) => each.skill === chosen);
 }
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
@@ -54,23 +50,21 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     if (of !== undefined) pictures.show(kind, { uri: of.uri, skill: of.skill, module: of.module ?? "", requirement: of.requirement ?? "", letters: false });
   };
   const command = (name: string, does: (given: unknown) => unknown) => vscode.commands.registerCommand(name, does);
+  const ofSkill = (does: (skill: SkillRequirements) => Promise<void>) => async (given: unknown) => {
+    const of = argumentsOf(given);
+    const skill = of === undefined ? undefined : await skillOf(of, server);
+    if (skill !== undefined) await does(skill);
+  };
   context.subscriptions.push(
     server,
     pictures,
     new Requirements(server),
     vscode.workspace.registerTextDocumentContentProvider("pal-text", texts),
-    vscode.tasks.registerTaskProvider("pal", taskProvider),
+    vscode.tasks.registerTaskProvider("pal", taskProvider(server)),
     command("pal.showGraph", show("pan")),
     command("pal.showChart", show("atc")),
-    command("pal.whatIf", (given) => {
-      const of = argumentsOf(given);
-      const environment = of?.environmentUri === undefined || of.environmentUri === "" ? undefined : vscode.Uri.parse(of.environmentUri);
-      return of === undefined ? undefined : texts.whatIf(vscode.Uri.parse(of.uri), of.skill, environment);
-    }),
-    command("pal.runInWorkcell", (given) => {
-      const of = argumentsOf(given);
-      return of === undefined ? undefined : runInWorkcell(of);
-    }),
+    command("pal.whatIf", ofSkill(whatIf)),
+    command("pal.runInWorkcell", ofSkill(runInWorkcell)),
     command("pal.explain", (given) => texts.explain(typeof given === "string" ? given : undefined)),
     command("pal.restart", () => server.restart()),
     command("pal.showOutput", () => server.showOutput()),

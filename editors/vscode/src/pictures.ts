@@ -2,14 +2,13 @@
 // typed; a click on an element goes to its statement, and the cursor marks the elements of its own.
 import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
-import type { FromPage, Picture, PictureKind, PictureParams, Shown, ToPage } from "./protocol";
+import type { FromPage, Look, Picture, PictureKind, PictureParams, Shown, ToPage } from "./protocol";
 import type { Server } from "./server";
 
 const titles = { pan: "PAN", atc: "ATC" } as const;
 
 class PictureView {
-  private ready = false;
-  private dark = false;
+  private look: Look | undefined; // undefined: the page is not ready
   private asked = 0;
   private timer: NodeJS.Timeout | undefined;
 
@@ -42,11 +41,11 @@ class PictureView {
   }
 
   async draw(): Promise<void> {
-    if (!this.ready) return;
+    if (this.look === undefined) return;
     const asked = ++this.asked;
     const { uri, skill, module, requirement, letters } = this.shown;
     const editor = vscode.window.visibleTextEditors.find((each) => each.document.uri.toString() === uri);
-    const params: PictureParams = { textDocument: { uri }, kind: this.kind, dark: this.dark };
+    const params: PictureParams = { textDocument: { uri }, kind: this.kind, ...this.look };
     if (skill !== "") params.skill = skill;
     if (module !== "") params.module = module;
     if (requirement !== "") params.requirement = requirement;
@@ -73,12 +72,8 @@ class PictureView {
 
   private async receive(message: FromPage): Promise<void> {
     switch (message.type) {
-      case "ready":
-        this.ready = true;
-        this.dark = message.dark;
-        return this.draw();
-      case "dark":
-        this.dark = message.dark;
+      case "look":
+        this.look = message.look;
         return this.draw();
       case "choose":
         return this.show(message.shown);

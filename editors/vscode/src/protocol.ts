@@ -20,6 +20,7 @@ export interface PictureParams {
   requirement?: string;
   letters?: boolean;
   dark?: boolean;
+  narrow?: boolean;
 }
 
 /** A range of a text, at the element of the SVG that has this id. */
@@ -60,6 +61,7 @@ export interface SkillRequirements {
   uri: string;
   range: Range;
   environment: string;
+  environmentUri: string;
   requirements: Requirement[];
 }
 
@@ -77,13 +79,18 @@ export interface Shown {
   letters: boolean;
 }
 
-/** What the picture's page is told, and what it tells. */
+/** How the page wants its picture. */
+export interface Look {
+  dark: boolean;
+  narrow: boolean;
+}
+
+/** What the picture's page is told, and what it tells; its look is the first thing. */
 export type ToPage =
   | { type: "picture"; picture: Picture; shown: Shown }
   | { type: "cursor"; uri: string; position: Position };
 export type FromPage =
-  | { type: "ready"; dark: boolean }
-  | { type: "dark"; dark: boolean }
+  | { type: "look"; look: Look }
   | { type: "go"; uri: string; range: Range }
   | { type: "choose"; shown: Shown }
   | { type: "save"; svg: string };

@@ -1,6 +1,6 @@
 // Requirements as tests: each file with skills, its skills, their requirements; green only if proved.
 import * as vscode from "vscode";
-import type { Requirement, SkillRequirements } from "./protocol";
+import type { Requirement } from "./protocol";
 import type { Server } from "./server";
 
 const range = (of: { start: { line: number; character: number }; end: { line: number; character: number } }) =>
@@ -12,6 +12,7 @@ const hasSkill = (text: string) => /^\s*END\s+SKILL\b/im.test(text);
 export class Requirements implements vscode.Disposable {
   private readonly tests = vscode.tests.createTestController("pal", "PAL requirements");
   private readonly known = new Map<string, Requirement>(); // by the id of the test
+  private readonly told = new Map<string, string>(); // by the id of a file: what is shown of it
   private readonly subscriptions: vscode.Disposable[] = [];
 
   constructor(private readonly server: Server) {
@@ -58,7 +59,7 @@ export class Requirements implements vscode.Disposable {
   private async resolve(uri: vscode.Uri, tell = false): Promise<void> {
     const file = this.tests.items.get(uri.toString());
     if (file === undefined) return;
-    const skills = (await this.server.ask<SkillRequirements[]>("pal/requirements", { textDocument: { uri: uri.toString() } })) ?? [];
+    const skills = await this.server.skillsOf(uri.toString());
     const items = skills
       .filter((each) => each.uri === uri.toString() || vscode.Uri.parse(each.uri).fsPath === uri.fsPath)
       .map((skill) => {
@@ -79,7 +80,9 @@ export class Requirements implements vscode.Disposable {
     file.children.replace(items);
     if (!tell) return;
     const leaves = leavesOf(file).filter((each) => this.known.get(each.id)?.state !== "open");
-    if (leaves.length === 0) return;
+    const now = leaves.map((each) => `${each.id} ${this.known.get(each.id)?.state}`).join("\n");
+    if (leaves.length === 0 || this.told.get(file.id) === now) return;
+    this.told.set(file.id, now);
     const run = this.tests.createTestRun(new vscode.TestRunRequest(leaves), file.label, false);
     for (const each of leaves) this.say(run, each, false); // the finding and the bound stand in the text already
     run.end();
@@ -89,6 +92,7 @@ export class Requirements implements vscode.Disposable {
   private say(run: vscode.TestRun, test: vscode.TestItem, why: boolean): void {
     const known = this.known.get(test.id);
     if (known === undefined) return run.skipped(test);
+    if (why) run.appendOutput(`${known.state.padEnd(10)} ${test.label}  ${test.description ?? ""}\r\n`, undefined, test);
     if (known.state === "holds") return run.passed(test);
     const message = new vscode.TestMessage(known.message === "" ? `${known.state}: ${known.bound} of ${known.limit}` : known.message);
     message.location = new vscode.Location(test.uri!, test.range!);

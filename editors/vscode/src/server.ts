@@ -2,7 +2,7 @@
 import * as vscode from "vscode";
 import { LanguageClient, type ServerOptions } from "vscode-languageclient/node";
 import { findProgram, versionOf } from "./find";
-import type { Changed } from "./protocol";
+import type { Changed, SkillRequirements } from "./protocol";
 
 /** Those that the server may put into code lenses: the extension carries them out. */
 export const lensCommands = ["pal.showGraph", "pal.showChart", "pal.whatIf", "pal.runInWorkcell"];
@@ -85,6 +85,11 @@ export class Server implements vscode.Disposable {
       this.output.appendLine(`${method}: ${String(error)}`);
       return undefined;
     }
+  }
+
+  /** The skills that see a file, with what is known of their requirements. */
+  async skillsOf(uri: string): Promise<SkillRequirements[]> {
+    return (await this.ask<SkillRequirements[]>("pal/requirements", { textDocument: { uri } })) ?? [];
   }
 
   configure(): void {

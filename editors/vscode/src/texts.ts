@@ -1,12 +1,11 @@
-// What pal says, as a text beside: the page of a finding, and what if.
+// What pal says, as a text beside: the page of a finding.
 import { execFile } from "node:child_process";
-import { dirname } from "node:path";
 import * as vscode from "vscode";
 import { program } from "./server";
 
-function output(command: string, args: string[], cwd?: string): Promise<string> {
+function output(command: string, args: string[]): Promise<string> {
   return new Promise((resolve) => {
-    execFile(command, args, { timeout: 120000, maxBuffer: 1 << 26, ...(cwd === undefined ? {} : { cwd }) }, (_, out, err) => resolve(out === "" ? err : err === "" ? out : `${out}\n${err}`));
+    execFile(command, args, { timeout: 10000, maxBuffer: 1 << 26 }, (_, out, err) => resolve(out === "" ? err : out));
   });
 }
 
@@ -34,18 +33,6 @@ export class Texts implements vscode.TextDocumentContentProvider {
     if (asked === undefined) return;
     const uri = this.set(`${asked}.md`, await output(pal, ["explain", asked]));
     await vscode.commands.executeCommand("markdown.showPreviewToSide", uri);
-  }
-
-  /** Asks of what is saved, so it is saved first. */
-  async whatIf(file: vscode.Uri, skill: string, environment: vscode.Uri | undefined): Promise<void> {
-    const pal = program("pal");
-    if (pal === undefined) return;
-    for (const document of vscode.workspace.textDocuments) if (document.isDirty && document.languageId === "pal") await document.save();
-    const args = ["whatif", file.fsPath, ...(skill === "" ? [] : ["--skill", skill])];
-    if (environment !== undefined && environment.fsPath !== file.fsPath) args.push("--environment", environment.fsPath);
-    const text = await vscode.window.withProgress({ location: vscode.ProgressLocation.Notification, title: `What if: ${skill}` }, () => output(pal, args, dirname(file.fsPath)));
-    const uri = this.set(`What if ${skill === "" ? "the skill" : skill}`, text);
-    await vscode.window.showTextDocument(uri, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true, preview: true });
   }
 }
 

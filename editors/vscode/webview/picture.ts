@@ -1,6 +1,6 @@
 // The page of a picture: shows an SVG, tells clicks, marks what the cursor is at.
 import { marked } from "../src/places";
-import type { FromPage, Picture, Shown, ToPage } from "../src/protocol";
+import type { FromPage, Look, Picture, Shown, ToPage } from "../src/protocol";
 import own from "./shown.css";
 
 declare function acquireVsCodeApi(): { postMessage(message: FromPage): void; setState(state: Shown): void };
@@ -21,6 +21,18 @@ let zoom = 0; // 0: the width of the window, but no larger than it was drawn
 let svg: SVGSVGElement | undefined;
 
 const isDark = () => document.body.classList.contains("vscode-dark") || (document.body.classList.contains("vscode-high-contrast") && !document.body.classList.contains("vscode-high-contrast-light"));
+
+/** A chart that is made narrower than this cannot be read. */
+const legible = 720;
+let look: Look | undefined;
+
+/** Tells the picture that is wanted, if it is another one. */
+function tellLook(): void {
+  const now = { dark: isDark(), narrow: window.innerWidth < legible };
+  if (now.dark === look?.dark && now.narrow === look.narrow) return;
+  look = now;
+  tell({ type: "look", look });
+}
 
 /** A policy without inline styles keeps those of an SVG out; the same rules as objects are let in. */
 function adopt(drawn: SVGSVGElement): void {
@@ -142,14 +154,14 @@ scroll.addEventListener("wheel", (event) => {
   event.preventDefault();
   setZoom(event.deltaY < 0 ? 1.1 : 1 / 1.1);
 }, { passive: false });
-window.addEventListener("resize", size);
+window.addEventListener("resize", () => {
+  size();
+  tellLook();
+});
 window.addEventListener("message", ({ data }: MessageEvent<ToPage>) => {
   if (data.type === "picture") return show(data.picture, data.shown);
   cursor = { uri: data.uri, position: data.position };
   mark();
 });
-let dark = isDark();
-new MutationObserver(() => {
-  if (dark !== isDark()) tell({ type: "dark", dark: (dark = isDark()) });
-}).observe(document.body, { attributes: true, attributeFilter: ["class"] });
-tell({ type: "ready", dark });
+new MutationObserver(tellLook).observe(document.body, { attributes: true, attributeFilter: ["class"] });
+tellLook();

@@ -7,6 +7,7 @@
 
 #include "pal/check/deadlock/dead.hpp"
 #include "pal/check/deadlock/search.hpp"
+#include "pal/check/deadlock/thread_sets.hpp"
 
 namespace pal::check::deadlock {
 
@@ -14,27 +15,28 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 
+/// There may be as many as a search may have states. Sets of threads are those of Decider::sets_, by number.
 struct Node {
   const State* state = nullptr;
   std::uint32_t index = none;    // in the order of the search; none: not begun
   std::uint32_t lowlink = none;  // … the first of its component that is known
   std::uint32_t component = none;
-  Threads chosen;       // whose moves from here are followed
-  Threads followed;     // … and on the way to the states that are kept after it
-  Threads moved;        // some run from here moves them
-  bool leaves = false;  // to another component
+  std::uint32_t chosen = 0;    // whose moves from here are followed
+  std::uint32_t followed = 0;  // … and on the way to the states that are kept after it
+  std::uint32_t moved = 0;     // some run from here moves them
+  bool leaves = false;         // to another component
 };
 
 struct Successor {
   std::uint32_t to = 0;
-  Threads moved;
+  std::uint32_t moved = 0;
 };
 
 /// Moves that follow one another without an alternative.
 struct Chain {
   std::uint32_t to = none;
-  Threads followed;
-  Threads moved;
+  std::uint32_t followed = 0;
+  std::uint32_t moved = 0;
   bool ended = false;
 };
 
@@ -111,14 +113,17 @@ class Decider {
     add_successors(chosen, enabled);
   }
 
+  void add(std::uint32_t& set, const Threads& more) { set = sets_.with(set, more); }
+  void add(std::uint32_t& set, std::uint32_t more) { add(set, Threads(sets_[more])); }
+
   /// To the frame on top.
   void add_successors(const Threads& chosen, const Enabled& enabled) {
     const auto id = frames_.back().node;
-    nodes_[id].chosen |= chosen;
+    add(nodes_[id].chosen, chosen);
     for (std::size_t t = 0; t < enabled.size(); ++t) {
       if (!chosen.test(t)) continue;
       for (const auto& move : enabled[t]) add_successor(id, move);
-      nodes_[id].moved |= moved_by_guess(*nodes_[id].state, enabled[t]);
+      add(nodes_[id].moved, moved_by_guess(*nodes_[id].state, enabled[t]));
     }
   }
 
@@ -137,7 +142,7 @@ class Decider {
 
   void add_successor(std::uint32_t from, const Move& move) {
     note(*nodes_[from].state, move);
-    nodes_[from].followed.set(move.action.thread);
+    add(nodes_[from].followed, Threads().set(move.action.thread));
     if (move.guessed) {
       result_.blurred = result_.blurred || move.action.kind == Action::Kind::discards;
       if (!move.ended) guessed_.push_back(node_of(move.state));
@@ -145,19 +150,19 @@ class Decider {
     }
     if (move.ended) {
       nodes_[from].leaves = true;
-      nodes_[from].moved.set();
+      add(nodes_[from].moved, Threads().set());
       return;
     }
     const auto& chain = chain_from(move.state, move.action.thread);
-    nodes_[from].followed |= chain.followed;
+    add(nodes_[from].followed, chain.followed);
     if (chain.ended) {
       nodes_[from].leaves = true;
-      nodes_[from].moved.set();
+      add(nodes_[from].moved, Threads().set());
       return;
     }
-    Successor successor{chain.to, chain.moved};
-    add_moved(*nodes_[from].state, move, successor.moved);
-    frames_.back().successors.push_back(successor);
+    Threads moved = sets_[chain.moved];
+    add_moved(*nodes_[from].state, move, moved);
+    frames_.back().successors.push_back({chain.to, sets_.number_of(moved)});
   }
 
   /// Follows what comes next without an alternative: the states in between are not kept.
@@ -167,6 +172,7 @@ class Decider {
     auto& chain = entry->second;
     if (!fresh) return chain;
     State state = first;
+    Threads followed, moved;
     for (std::size_t i = 0; i < most_at_once; ++i) {
       const Enabled enabled(moves_, state, automata_.threads.size());
       const auto chosen = choose(independence_, state, enabled, {}, thread);
@@ -175,13 +181,15 @@ class Decider {
       if (enabled[thread].size() != 1) break;
       const auto& move = enabled[thread].front();
       note(state, move);
-      chain.followed.set(thread);
-      add_moved(state, move, chain.moved);
+      followed.set(thread);
+      add_moved(state, move, moved);
       chain.ended = move.ended;
-      if (chain.ended) return chain;
+      if (chain.ended) break;
       state = State(move.state);
     }
-    chain.to = node_of(std::move(state));
+    chain.followed = sets_.number_of(followed);
+    chain.moved = sets_.number_of(moved);
+    if (!chain.ended) chain.to = node_of(std::move(state));
     return chain;
   }
 
@@ -203,7 +211,7 @@ class Decider {
   }
 
   void follow(std::uint32_t from, const Successor& successor) {
-    nodes_[from].moved |= successor.moved;
+    add(nodes_[from].moved, successor.moved);
     const auto to = successor.to;
     if (nodes_[to].index == none) return begin(to);
     join(from, to);
@@ -211,7 +219,7 @@ class Decider {
 
   /// After `to` is known: its component is complete, or it is one with that of `from`.
   void join(std::uint32_t from, std::uint32_t to) {
-    nodes_[from].moved |= nodes_[to].moved;
+    add(nodes_[from].moved, nodes_[to].moved);
     if (nodes_[to].component != none) {
       nodes_[from].leaves = true;
     } else {
@@ -235,13 +243,13 @@ class Decider {
   bool extend(std::uint32_t root) {
     const auto begin_of = first_of(root);
     Threads followed;
-    for (auto i = begin_of; i < stack_.size(); ++i) followed |= nodes_[stack_[i]].followed;
+    for (auto i = begin_of; i < stack_.size(); ++i) followed |= sets_[nodes_[stack_[i]].followed];
     for (auto i = begin_of; i < stack_.size(); ++i) {
       const auto id = stack_[i];
       const Enabled enabled(moves_, *nodes_[id].state, automata_.threads.size());
       if ((enabled.can_move() & ~followed).none()) continue;
       frames_.push_back({id, {}, 0});
-      add_successors(enabled.can_move() & ~nodes_[id].chosen, enabled);
+      add_successors(enabled.can_move() & ~sets_[nodes_[id].chosen], enabled);
       return true;
     }
     return false;
@@ -257,11 +265,12 @@ class Decider {
   void complete_component(std::uint32_t root) {
     const auto begin_of = first_of(root);
     Threads moved;
-    for (auto i = begin_of; i < stack_.size(); ++i) moved |= nodes_[stack_[i]].moved;
+    for (auto i = begin_of; i < stack_.size(); ++i) moved |= sets_[nodes_[stack_[i]].moved];
+    const auto number = sets_.number_of(moved);
     for (auto i = begin_of; i < stack_.size(); ++i) {
       auto& node = nodes_[stack_[i]];
       node.component = root;
-      node.moved = moved;
+      node.moved = number;
       const auto never_moves = [&](std::size_t thread) { return !moved.test(thread); };
       result_.partial = result_.partial || dead(automata_, moves_, *node.state, 0, never_moves);
     }
@@ -275,6 +284,7 @@ class Decider {
   const std::function<bool()>& stop_;
   std::unordered_map<State, std::uint32_t> seen_;
   std::unordered_map<State, Chain> chains_;  // by the state that they begin in
+  ThreadSets sets_;
   std::vector<Node> nodes_;
   std::vector<Frame> frames_;
   std::vector<std::uint32_t> guessed_;

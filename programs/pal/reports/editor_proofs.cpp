@@ -138,17 +138,26 @@ class Known {
     proof.analysis = std::move(analysis);
   }
 
-  /// What can be said while the analysis of what is open has come so far. What holds by a bound is decided
-  /// only once it is known that time passes and that something is measured.
-  language_server::SkillProof under_way(language_server::SkillProof made,
-                                        const analyzer::Analysis& now) const {
+  /// Of what is open: what is decided while the analysis of it has come so far, by requirement of the
+  /// problem; all else is undecided. What holds by a bound is decided only once it is known that time passes
+  /// and that something is measured.
+  std::vector<analyzer::Verdict> decided(const analyzer::Analysis& now) const {
+    auto verdicts = analyzer::nothing_known(proof.problem, "").verdicts;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const auto& verdict = now.verdicts[i];
+      if (verdict.state == analyzer::VerdictState::fails || !now.bounds_only) verdicts[open_[i]] = verdict;
+    }
+    return verdicts;
+  }
+
+  /// What can be said meanwhile; `decided_now` are decided().
+  language_server::SkillProof under_way(language_server::SkillProof made, const analyzer::Analysis& now,
+                                        const std::vector<analyzer::Verdict>& decided_now) const {
     Proof told{proof.problem, proof.analysis, true, false, false};
     std::vector<bool> decided(told.problem.requirements.size(), true);
     for (std::size_t i = 0; i < open_.size(); ++i) {
-      const auto& verdict = now.verdicts[i];
-      told.analysis.verdicts[open_[i]] = verdict;
-      decided[open_[i]] = verdict.state == analyzer::VerdictState::fails ||
-                          (verdict.state != analyzer::VerdictState::undecided && !now.bounds_only);
+      told.analysis.verdicts[open_[i]] = now.verdicts[i];
+      decided[open_[i]] = decided_now[open_[i]].state != analyzer::VerdictState::undecided;
     }
     for (std::size_t r = 0; r < decided.size(); ++r) {
       auto each = requirement_of(told, r);
@@ -183,7 +192,7 @@ language_server::SkillProof EditorProver::prove(
   check::check_shared_messages(skill, environment, diagnostics);
   auto problem = analyzer::make_problem(skill, environment, diagnostics, &sources);
   made.findings = diagnostics.all();
-  made.chart = [](std::size_t) { return std::nullopt; };
+  made.chart = [](std::size_t, bool) { return std::nullopt; };
   if (!problem || diagnostics.has_errors()) return made;
   const bool whole = depth == language_server::Depth::whole;
   const ProofKey key = key_of(skill, environment, *problem, sources);
@@ -197,7 +206,10 @@ language_server::SkillProof EditorProver::prove(
     options.stop = [usual = options.stop, stop] { return usual() || stop(); };
     if (told) {
       options.known = [&](const analyzer::Analysis& now) {
-        if (!stop()) told(known.under_way(made, now));
+        const auto decided = known.decided(now);
+        // A text with the same words may come before the analysis has ended.
+        kept_.keep(key, known.proof.problem, decided, KeptProofs::Found::at_first);
+        if (!stop()) told(known.under_way(made, now, decided));
       };
     }
     const auto choice = whole ? analyzer::AnalysisChoice::thorough : analyzer::AnalysisChoice::automatic;
@@ -205,17 +217,19 @@ language_server::SkillProof EditorProver::prove(
     ended = options.stop();
     // Where time stands still the run that shows it is told, which is not kept.
     if (!stop() && !known.proof.analysis.zeno_run)
-      kept_.keep(key, known.proof.problem, known.proof.analysis.verdicts, whole && !ended);
+      kept_.keep(key, known.proof.problem, known.proof.analysis.verdicts,
+                 whole && !ended ? KeptProofs::Found::whole : KeptProofs::Found::at_the_end);
   }
   const auto proof = std::make_shared<const Proof>(
       Proof{std::move(known.proof.problem), std::move(known.proof.analysis), true, ended, false});
   made.ended = proof->ended;
   for (std::size_t i = 0; i < proof->analysis.verdicts.size(); ++i)
     made.requirements.push_back(requirement_of(*proof, i));
-  made.chart = [proof](std::size_t index) -> std::optional<language_server::Drawing> {
+  made.chart = [proof](std::size_t index, bool narrow) -> std::optional<language_server::Drawing> {
     auto shown = shown_run(*proof, index);
     if (!shown) return std::nullopt;
     shown->options.ids = true;
+    shown->options.narrow = narrow;
     const auto timeline = analyzer::chart::timeline(shown->run);
     language_server::Drawing drawing{analyzer::chart::svg(timeline, shown->options), {}};
     drawing.places = places_of(drawing.svg, timeline, proof->problem);

@@ -92,7 +92,11 @@ std::vector<std::optional<KeptVerdict>> KeptProofs::find(const ProofKey& key,
 }
 
 void KeptProofs::keep(const ProofKey& key, const analyzer::Problem& problem,
-                      const std::vector<analyzer::Verdict>& verdicts, bool whole) {
+                      const std::vector<analyzer::Verdict>& verdicts, Found found) {
+  const auto is_open = [](const analyzer::Verdict& verdict) {
+    return verdict.state == analyzer::VerdictState::undecided;
+  };
+  if (std::all_of(verdicts.begin(), verdicts.end(), is_open)) return;
   const std::lock_guard lock(mutex_);
   if (model(key.model) == models_.end()) models_.push_front({key.model, nullptr, {}});
   Model& kept = models_.front();
@@ -107,8 +111,9 @@ void KeptProofs::keep(const ProofKey& key, const analyzer::Problem& problem,
   }
   kept.problem = std::make_shared<const analyzer::Problem>(problem);
   for (std::size_t r = 0; r < verdicts.size(); ++r) {
-    if (verdicts[r].state == analyzer::VerdictState::undecided) continue;
-    kept.verdicts[key.requirements[r]] = KeptVerdict{verdicts[r], whole || verdicts[r].exact};
+    if (is_open(verdicts[r])) continue;
+    const bool whole = found == Found::whole || (found == Found::at_the_end && verdicts[r].exact);
+    kept.verdicts[key.requirements[r]] = KeptVerdict{verdicts[r], whole};
   }
   while (models_.size() > most_models) models_.pop_back();
 }

@@ -38,9 +38,14 @@ class KeptProofs {
   /// By requirement of `problem`, with its lines and places; nothing where it is to be proved.
   std::vector<std::optional<KeptVerdict>> find(const ProofKey& key, const analyzer::Problem& problem);
 
-  /// Keeps what is decided; `verdicts` are on the requirements of `problem`. `whole` as in KeptVerdict.
+  enum class Found {
+    at_first,    // while the proof goes on
+    at_the_end,  // of a proof that looked for no more than verdicts, or had no time to: exact ones are whole
+    whole        // all are, as in KeptVerdict
+  };
+  /// Keeps what is decided; `verdicts` are on the requirements of `problem`.
   void keep(const ProofKey& key, const analyzer::Problem& problem,
-            const std::vector<analyzer::Verdict>& verdicts, bool whole);
+            const std::vector<analyzer::Verdict>& verdicts, Found found);
 
  private:
   struct Model {

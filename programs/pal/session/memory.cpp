@@ -55,17 +55,27 @@ std::size_t limit_of_groups() {
   return least;
 }
 
-/// Whether more than `bytes` are resident, or nearly all of the address space is taken that the program may
-/// have (proc(5)).
-bool is_over(std::size_t bytes) {
-  std::ifstream file("/proc/self/statm");
-  std::size_t size = 0;
+/// In bytes (proc(5)).
+struct Taken {
+  std::size_t addresses = 0;
   std::size_t resident = 0;
-  file >> size >> resident;
+};
+
+Taken taken() {
+  std::ifstream file("/proc/self/statm");
+  Taken pages;
+  file >> pages.addresses >> pages.resident;
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  return {pages.addresses * page, pages.resident * page};
+}
+
+/// Whether more than `bytes` are resident, or nearly all of the address space is taken that the program may
+/// have.
+bool is_over(std::size_t bytes) {
+  const Taken now = taken();
   rlimit limit{};
   const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-  return resident * page > bytes || (limited && size * page > limit.rlim_cur / 8 * 7);
+  return now.resident > bytes || (limited && now.addresses > limit.rlim_cur / 8 * 7);
 }
 
 }  // namespace
@@ -95,6 +105,17 @@ bool takes_more(std::size_t bytes) {
 void give_back_memory() {
 #ifdef __GLIBC__
   ::malloc_trim(0);
+#endif
+}
+
+void give_back_memory_beyond(std::size_t bytes) {
+#ifdef __GLIBC__
+  const std::size_t resident = taken().resident;
+  if (resident <= bytes) return;
+  const auto heap = ::mallinfo2();  // which other threads wait for
+  if (resident > heap.uordblks + heap.hblkhd + bytes) give_back_memory();
+#else
+  (void)bytes;
 #endif
 }
 

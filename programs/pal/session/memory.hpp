@@ -21,4 +21,7 @@ bool takes_more(std::size_t bytes);
 /// Returns memory to the system that was freed, and that the allocator keeps.
 void give_back_memory();
 
+/// Likewise, if that is more than `bytes`. For any thread, and as often as one likes.
+void give_back_memory_beyond(std::size_t bytes);
+
 }  // namespace pal::program

@@ -87,7 +87,7 @@ def main(emacs, pal, source):
     print(json.dumps(result, indent=1))
     assert "error" not in result, result["error"]
     assert result["mode"] == "pal-mode"
-    assert "Carries: value, greatest: real, in N" in result["hover"]
+    assert "Content: value, greatest: real, in N" in result["hover"]
     assert "there is no message 'Zforse'" in result["finding"]
     assert result["mended"] and result["renamed"]
     assert "LS1" in result["completion"] and "SD1" not in result["completion"]

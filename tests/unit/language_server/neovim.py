@@ -67,7 +67,7 @@ def main(nvim, pal, source):
     print(json.dumps(result, indent=1))
     assert "error" not in result, result["error"]
     assert result["clean"] == 0
-    assert "Carries: value, greatest: real, in N" in result["hover"]
+    assert "Content: value, greatest: real, in N" in result["hover"]
     assert "there is no message 'Zforse'" in result["finding"]
     assert "LS1" in result["completion"] and "SD1" not in result["completion"]
     assert result["formatted"] and result["renamed"] and result["definition"] == 1

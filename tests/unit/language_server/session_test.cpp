@@ -136,8 +136,9 @@ TEST_CASE("hover tells what is known of a name and of a statement") {
   const int nothing = client.ask_at("textDocument/hover", "feel.pal", "END CASE");
   client.run();
   const auto text = [&](int id) { return client.result(id)["contents"]["value"].get<std::string>(); };
-  CHECK(text(message).find("Carries: real, in N") != std::string::npos);
-  CHECK(text(message).find("`LS1` → `SM1`") != std::string::npos);
+  CHECK(text(message).find("- Content: real, in N") != std::string::npos);
+  CHECK(text(message).find("- Ways: LS1 → SM1, cell → SD1, SD1 → LS1") != std::string::npos);
+  CHECK(text(message).find("- Requests: SM1 → LS1, LS1 → SD1, SD1 → cell") != std::string::npos);
   CHECK(text(activity).find("TIME look OF SM1 : 1 TO 3 ms") != std::string::npos);
   CHECK(text(wait).find("`force` is sent by `LS1`") != std::string::npos);
   CHECK(text(wait).find("TXM( force to SM1 )") != std::string::npos);
@@ -205,6 +206,7 @@ TEST_CASE("a bound stands beside its requirement, and a failing one is a finding
   CHECK(client.result(hints)[0]["position"]["line"] == 9);
   CHECK(client.result(lenses).size() == 2);
   CHECK(client.result(list)[0]["environment"] == "cell-one");
+  CHECK(client.result(list)[0]["environmentUri"] == uri("cell.pal"));
   CHECK(client.result(list)[0]["requirements"][0]["state"] == "holds");
   REQUIRE(client.findings("feel.pal").size() == 2);  // where it stands, and at the statement to change
   CHECK(client.findings("feel.pal")[0]["code"] == "PAL0890");
@@ -217,10 +219,11 @@ TEST_CASE("pictures lead from their elements to the text") {
   const Json file{{"uri", uri("feel.pal")}};
   const int pan = client.ask("pal/picture", {{"textDocument", file}, {"kind", "pan"}, {"module", "LS1"}});
   const int atc = client.ask("pal/picture", {{"textDocument", file}, {"kind", "atc"}, {"dark", true}});
+  const int narrow = client.ask("pal/picture", {{"textDocument", file}, {"kind", "atc"}, {"narrow", true}});
   const int none = client.ask("pal/picture", {{"textDocument", file}, {"kind", "pan"}, {"module", "XX"}});
   const int wrong = client.ask("pal/picture", {{"textDocument", file}, {"kind", "map"}});
   client.run();
-  for (const int id : {pan, atc}) {
+  for (const int id : {pan, atc, narrow}) {
     const Json& picture = client.result(id);
     const std::string svg = picture["svg"];
     INFO(picture["reason"]);
@@ -237,6 +240,8 @@ TEST_CASE("pictures lead from their elements to the text") {
   CHECK(client.result(pan)["places"][0]["uri"] == uri("shared.pal"));
   CHECK(client.result(atc)["requirement"] == "soon");
   CHECK(client.result(atc)["state"] == "holds");
+  CHECK(client.result(atc)["svg"].get<std::string>().find(" width=\"940\"") != std::string::npos);
+  CHECK(client.result(narrow)["svg"].get<std::string>().find(" width=\"450\"") != std::string::npos);
   CHECK(client.result(none)["svg"] == "");
   CHECK(client.result(none)["reason"] != "");
   CHECK(client.answer(wrong).contains("error"));

@@ -1,16 +1,17 @@
-// The tutorial's first steps in a real VS Code, without a terminal: drive.mjs CODE_SERVER NODE VSIX PAL SOURCE_DIR PICTURES.
-// CODE_SERVER: the folder of the package code-server; NODE: the Node that it needs. Ends with 0 if every step did what it should.
+// The tutorial's first steps in a real VS Code, without a terminal, then a skill of the workcell:
+// drive.mjs CODE_SERVER NODE VSIX PAL WORKCELL SOURCE_DIR PICTURES. CODE_SERVER: the folder of the package code-server; NODE: the Node that
+// it needs. Ends with 0 if every step did what it should.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { chromium } from "playwright-core";
 
-const [codeServer, node, vsix, pal, source, pictures] = process.argv.slice(2).map((each) => resolve(each));
+const [codeServer, node, vsix, pal, workcell, source, pictures] = process.argv.slice(2).map((each) => resolve(each));
 const work = mkdtempSync(join(tmpdir(), "pal-editor-"));
-const folder = join(work, "dip"), user = join(work, "user"), extensions = join(work, "extensions"), bin = join(work, "bin");
+const folder = join(work, "dip"), skills = join(work, "skills"), user = join(work, "user"), extensions = join(work, "extensions"), bin = join(work, "bin");
 for (const each of [folder, join(user, "User"), extensions, bin, pictures]) mkdirSync(each, { recursive: true });
 
 /** A file of the tutorial, as it is typed there. */
@@ -22,16 +23,19 @@ function fromTutorial(name) {
 }
 writeFileSync(join(folder, "dip.pal"), fromTutorial("dip.pal"));
 writeFileSync(join(folder, "bench.pal"), fromTutorial("bench.pal"));
+cpSync(join(source, "skills_pal"), skills, { recursive: true, filter: (each) => !/\.(cpp|hpp|txt)$/.test(each) });
 symlinkSync(pal, join(bin, "pal"));
+symlinkSync(workcell, join(bin, "workcell"));
+const programs = { "pal.path": join(bin, "pal"), "pal.workcellPath": join(bin, "workcell") }; // the path is that of a login shell
 const settings = {
   "workbench.colorTheme": "Light Modern", "workbench.startupEditor": "none", "editor.minimap.enabled": false, "telemetry.telemetryLevel": "off",
   "security.workspace.trust.enabled": false, "chat.disableAIFeatures": true, "workbench.secondarySideBar.defaultVisibility": "hidden", "editor.fontSize": 13,
   "window.commandCenter": false, "workbench.layoutControl.enabled": false, "extensions.ignoreRecommendations": true, "update.mode": "none", "editor.fontFamily": "DejaVu Sans Mono",
-  "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "pal.path": join(bin, "pal"), // the path is that of a login shell
+  "editor.accessibilitySupport": "off", "pal.proofTimeSeconds": 20, "terminal.integrated.gpuAcceleration": "off", "terminal.integrated.fontSize": 12, "files.simpleDialog.enable": true, ...programs,
 };
 writeFileSync(join(user, "User/settings.json"), JSON.stringify(settings));
 mkdirSync(join(user, "Machine"));
-writeFileSync(join(user, "Machine/settings.json"), JSON.stringify({ "pal.path": join(bin, "pal") })); // the settings of the server's machine
+writeFileSync(join(user, "Machine/settings.json"), JSON.stringify(programs)); // the settings of the server's machine
 
 const environment = { ...process.env, PATH: `${bin}:/usr/bin:/bin`, HOME: work, VSCODE_PROXY_URI: "" };
 const entry = join(codeServer, "out/node/entry.js");
@@ -75,14 +79,24 @@ const command = async (words) => {
   await row.waitFor({ timeout: long });
   await row.click();
 };
+/** Of the tasks that the extension has for the text before the user: they stand below its name. */
+const runTask = async (name) => {
+  await command("Tasks: Run Task");
+  const rows = page.locator(".quick-input-list .monaco-list-row");
+  await rows.getByText("pal", { exact: true }).first().click();
+  await rows.getByText(name).first().click();
+};
 /** Lenses are drawn again when a proof ends, which may be between the press and the release of a button. */
 const lens = async (title, opened) => {
   for (let i = 0; i < 20; ++i) {
     await page.locator(".codelens-decoration a", { hasText: title }).first().click();
-    if (await page.locator(".tab").filter({ hasText: opened }).first().waitFor({ timeout: 5000 * patience }).then(() => true, () => false)) return;
+    if (await opened().waitFor({ timeout: 5000 * patience }).then(() => true, () => false)) return;
   }
   throw new Error(`the lens '${title}' opens nothing`);
 };
+const tab = (title) => page.locator(".tab").filter({ hasText: title }).first();
+/** What a program wrote to the terminal. */
+const terminal = (text) => page.locator(".terminal.xterm .xterm-rows > div").filter({ hasText: text }).first();
 /** The menu of cures at the cursor, once it has this one: what is tried or proved comes later. */
 const cures = async (title) => {
   const offered = page.locator(".action-widget").getByText(title).first();
@@ -143,7 +157,7 @@ try {
   });
 
   await step("the worst run is drawn beside the text", async () => {
-    await lens("chart", "ATC");
+    await lens("chart", () => tab("ATC"));
     await picture("ATC").locator("svg .place").first().waitFor();
     await page.waitForTimeout(500);
     await shot("editor-chart");
@@ -207,8 +221,8 @@ try {
 
   await step("what if", async () => {
     await page.locator(".tab").filter({ hasText: "dip.pal" }).first().click();
-    await lens("what if", "What if dip");
-    await page.locator(".view-lines").getByText("all together").first().waitFor();
+    await lens("what if", () => terminal("all together"));
+    await terminal("Terminal will be reused").waitFor();
     await shot("editor-what-if");
   });
 
@@ -221,6 +235,24 @@ try {
     await shot("editor-graph");
   });
 
+  await step("a picture is saved", async () => {
+    await picture("PAN").locator("#save").click();
+    const name = page.locator(".quick-input-widget input").first();
+    const saved = join(folder, "Dipper_of_dip.svg");
+    await page.waitForFunction((path) => document.querySelector(".quick-input-widget input")?.value === path, saved);
+    await name.press("Enter");
+    for (let i = 0; i < 50 && !existsSync(saved); ++i) await page.waitForTimeout(200);
+    assert.match(readFileSync(saved, "utf8"), /<svg[^]*WTM[^]*<\/svg>/);
+  });
+
+  await step("a task checks the file", async () => {
+    await tab("dip.pal").click();
+    await runTask("check dip.pal");
+    await terminal("1 ms to spare").waitFor();
+    await shot("editor-task");
+    await page.keyboard.press("Control+j");
+  });
+
   await step("a dark theme turns the pictures dark", async () => {
     await command("Preferences: Toggle between Light/Dark Themes");
     await page.locator(".monaco-workbench.vs-dark").waitFor();
@@ -229,6 +261,21 @@ try {
     await page.locator(".tab").filter({ hasText: "ATC: " }).first().click();
     await page.waitForTimeout(1000);
     await shot("editor-dark-chart");
+  });
+
+  await step("a skill runs in the workcell", async () => {
+    await page.goto(`http://127.0.0.1:${port}/?folder=${skills}`);
+    await page.locator(".explorer-viewlet").getByText("touch", { exact: true }).first().click();
+    await page.locator(".explorer-viewlet").getByText("touch.pal").first().dblclick();
+    await lens("run in the workcell", () => terminal("fresh-force: measured"));
+    await shot("editor-workcell");
+  });
+
+  await step("a task of a skill whose environment stands elsewhere", async () => {
+    await page.locator(".view-lines").first().click();
+    await runTask("check touch/touch.pal");
+    await terminal("touch in workcell").waitFor();
+    await shot("editor-task-touch");
   });
 
   assert.deepEqual(policy, [], "the page of a picture keeps to its policy");
