@@ -93,6 +93,10 @@ function(pal_warnings target)
     # g++ 12 sees overlaps in std::string (GCC bug 105329) and unset values in std::optional (80635) where there are none.
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized)
   endif()
+  if(PAL_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # With a sanitizer's calls in between, g++ sees accesses beyond vectors in the standard library where there are none.
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+  endif()
 endfunction()
 
 # pal_precompiled(TARGET [FOR_TESTS]): with PAL_PRECOMPILE its files are read with the standard library's headers as they

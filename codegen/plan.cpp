@@ -13,6 +13,7 @@
 #include "codegen/runners.hpp"
 #include "pal/pan/dump.hpp"
 #include "pal/pan/threads.hpp"
+#include "pal/pan/times.hpp"
 #include "pal/support/finding.hpp"
 
 namespace pal::codegen {
@@ -288,7 +289,8 @@ bool is_plain(const PlannedMessage& message) {
 
 std::optional<Plan> make_plan(const pan::Network& network, const pan::Environment& environment,
                               const SourceManager& sources, Diagnostics& diagnostics) {
-  return Planner(network, environment, sources, diagnostics).plan();
+  const pan::Environment whole = pan::with_times_of(network, environment);
+  return Planner(network, whole, sources, diagnostics).plan();
 }
 
 }  // namespace pal::codegen

@@ -65,7 +65,7 @@ kind
 // Of a logical sensor also the rest of its template (thesis, section 2.3.5).
 heading
   : DESCRIPTION STRING                                                                # moduleDescription
-  | ACTIVITY activityName access*                                                     # activity
+  | ACTIVITY activityName access* ( TIME interval )?                                  # activity
   | SENSOR DRIVER names                                                               # requiredDrivers
   | METHOD strings                                                                    # sensorMethods
   | RETURNS names                                                                     # returned

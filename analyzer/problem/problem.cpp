@@ -5,6 +5,7 @@
 #include "analyzer/problem/flow.hpp"
 #include "analyzer/problem/problem_builder.hpp"
 #include "pal/pan/threads.hpp"
+#include "pal/pan/times.hpp"
 #include "pal/support/finding.hpp"
 #include "pal/support/nearest.hpp"
 
@@ -338,7 +339,8 @@ void ProblemBuilder::limits() {
 
 std::optional<Problem> make_problem(const Network& network, const Environment& environment,
                                     Diagnostics& diagnostics, const SourceManager* sources) {
-  return ProblemBuilder(network, environment, diagnostics, sources).build();
+  const Environment whole = with_times_of(network, environment);
+  return ProblemBuilder(network, whole, diagnostics, sources).build();
 }
 
 bool fits_exploration(const Problem& problem) {

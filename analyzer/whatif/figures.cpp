@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "pal/pan/times.hpp"
+
 namespace pal::analyzer::whatif {
 namespace {
 
@@ -56,7 +58,8 @@ bool is_common_figure(const std::string& name) {
   return std::any_of(all.begin(), all.end(), [&](const Named& each) { return name == each.name; });
 }
 
-std::vector<Figure> figures(const pan::Network& network, const pan::Environment& environment) {
+std::vector<Figure> figures(const pan::Network& network, const pan::Environment& given) {
+  const pan::Environment environment = pan::with_times_of(network, given);
   std::vector<Figure> all;
   for (const pan::ActivityTime& time : environment.activities) {
     if (is_used(network, environment, time)) all.push_back({name_of(time), time.time});

@@ -11,6 +11,7 @@
 #include "analyzer/whatif/figures.hpp"
 #include "analyzer/whatif/requirement_checker.hpp"
 #include "analyzer/whatif/trial.hpp"
+#include "pal/pan/times.hpp"
 
 namespace pal::analyzer::whatif {
 namespace {
@@ -196,9 +197,10 @@ Remedies find_remedies(const pan::Network& network, const pan::Environment& envi
                        const NetworkOf& network_of, const Options& options, const RemedyOptions& how) {
   assert(programs == 0 || network_of);
   Diagnostics ignored;
-  const auto problem = make_problem(network, environment, ignored);
+  const pan::Environment whole = pan::with_times_of(network, environment);
+  const auto problem = make_problem(network, whole, ignored);
   if (!problem) return {};
-  return RemedySearch(network, environment, network_of, options, how).run(*problem, programs);
+  return RemedySearch(network, whole, network_of, options, how).run(*problem, programs);
 }
 
 }  // namespace pal::analyzer::whatif

@@ -7,6 +7,7 @@
 
 #include "analyzer/whatif/figure_search.hpp"
 #include "analyzer/zones/workers.hpp"
+#include "pal/pan/times.hpp"
 
 namespace pal::analyzer::whatif {
 namespace {
@@ -181,8 +182,9 @@ RulingNow ruling_now(RequirementChecker& checker, const Problem& problem, const 
 
 }  // namespace
 
-std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& environment,
-                          const Options& options, const SlackObserver& observer) {
+std::vector<Slack> slacks(const pan::Network& network, const pan::Environment& given, const Options& options,
+                          const SlackObserver& observer) {
+  const pan::Environment environment = pan::with_times_of(network, given);
   RequirementChecker checker(network, one_at_a_time(options));
   const auto problem = checker.problem(environment);
   if (!problem) return {};

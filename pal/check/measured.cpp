@@ -1,10 +1,12 @@
 #include "pal/check/measured.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
 
+#include "pal/pan/times.hpp"
 #include "pal/support/duration_text.hpp"
 #include "pal/support/finding.hpp"
 
@@ -27,6 +29,27 @@ Range apart(const pan::EventDevice& device) {
   Range range{device.period - device.jitter, device.period + device.jitter};
   if (device.sporadic) range.greatest.reset();
   return range;
+}
+
+/// With the times of all the skills. Nothing says whose was measured, so of several times the longest counts.
+pan::Environment with_times_of(const std::vector<pan::Network>& skills, const pan::Environment& environment) {
+  pan::Environment all = environment;
+  for (const pan::Network& skill : skills) {
+    const pan::Environment one = pan::with_times_of(skill, environment);
+    for (std::size_t i = environment.activities.size(); i < one.activities.size(); ++i) {
+      const pan::ActivityTime& time = one.activities[i];
+      const auto same =
+          std::find_if(all.activities.begin(), all.activities.end(), [&](const pan::ActivityTime& other) {
+            return other.activity == time.activity && other.module == time.module;
+          });
+      if (same == all.activities.end()) {
+        all.activities.push_back(time);
+      } else if (time.time.worst > same->time.worst) {
+        *same = time;
+      }
+    }
+  }
+  return all;
 }
 
 class Comparison {
@@ -121,14 +144,15 @@ class Comparison {
 
 }  // namespace
 
-void check_measured(const std::vector<pan::Environment>& declared,
+void check_measured(const std::vector<pan::Network>& skills, const std::vector<pan::Environment>& declared,
                     const std::vector<pan::Environment>& measured, Diagnostics& diagnostics) {
   for (const pan::Environment& each : measured) {
     const auto same =
         std::find_if(declared.begin(), declared.end(),
                      [&](const pan::Environment& environment) { return environment.name == each.name; });
     if (same != declared.end()) {
-      Comparison(*same, each, diagnostics).compare();
+      const pan::Environment whole = with_times_of(skills, *same);
+      Comparison(whole, each, diagnostics).compare();
     } else {
       diagnostics.report(Finding::measured_elsewhere, each.where, each.name);
     }

@@ -84,6 +84,7 @@ class Collector {
       const auto* perform = std::get_if<pan::Perform>(&node.content);
       if (perform == nullptr) continue;
       const auto& activity = network_.activities[perform->activity.index()];
+      if (activity.time) continue;
       add(Resource::Group::activity, Resource::Kind::time, activity.name, module.name, activity.where);
     }
   }

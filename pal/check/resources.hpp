@@ -29,8 +29,8 @@ struct Resource {
 };
 
 /// The configuration that the skill needs, by group, in the order of the text. Every module with a body needs
-/// a processor, every device that a module waits for a behaviour, and every activity in a body a time.
-/// Drivers, sensors, machines and the skill itself must be listed.
+/// a processor, every device that a module waits for a behaviour, and every activity in a body a time, unless
+/// it declares one. Drivers, sensors, machines and the skill itself must be listed.
 std::vector<Resource> needed_resources(const pan::Network& network);
 
 /// The configuration that an operation of all these skills needs (section 2.3.4): whatever one of them needs,

@@ -172,8 +172,11 @@ syntax::ModuleUnit to_unit(const pan::Network& network, pan::ModuleId module) {
   unit.name = named(it.name);
   for (const pan::Activity& activity : network.activities) {
     if (activity.module != module) continue;
-    unit.activities.push_back(
-        {named(activity.name), names(network, activity.reads), names(network, activity.writes), {}});
+    unit.activities.push_back({named(activity.name),
+                               names(network, activity.reads),
+                               names(network, activity.writes),
+                               {},
+                               activity.time});
   }
   unit.descriptions = it.descriptions;
   unit.sensor = {slot(it.drivers), it.methods, slot(it.returns), {}};

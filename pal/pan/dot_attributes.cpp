@@ -1,11 +1,13 @@
 #include "pal/pan/dot_attributes.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include "pal/pan/dump.hpp"
+#include "pal/support/duration_text.hpp"
 
 namespace pal::pan {
 
@@ -32,7 +34,7 @@ Activities performed(const Network& network, ModuleId module) {
   return result;
 }
 
-/// "think READS force WRITES motion; look", as the heading of a module has them.
+/// "think READS force WRITES motion TIME 1 ms; look", as the heading of a module has them.
 std::string headings(const Network& network, const Activities& activities) {
   std::string result;
   for (const std::size_t i : activities) {
@@ -43,6 +45,7 @@ std::string headings(const Network& network, const Activities& activities) {
       for (std::size_t k = 0; k < list->size(); ++k)
         result += (k == 0 ? word : ", ") + network.messages[(*list)[k].index()].name;
     }
+    if (activity.time) result += " TIME " + to_text(*activity.time);
   }
   return result;
 }
@@ -186,7 +189,10 @@ DotAttributes content_attributes(const Network& network, ModuleId module) {
   add_texts("pal_method", it.methods, result);
   add_names("pal_returns", it.returns, result);
   const Activities all = declared(network, module);
-  if (all != performed(network, module)) result.emplace_back("pal_activities", headings(network, all));
+  const bool timed = std::any_of(all.begin(), all.end(),
+                                 [&](std::size_t i) { return network.activities[i].time.has_value(); });
+  if (timed || all != performed(network, module))
+    result.emplace_back("pal_activities", headings(network, all));
   return result;
 }
 

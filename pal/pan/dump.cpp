@@ -238,6 +238,7 @@ void dump(const Network& network, std::ostream& out) {
     out << "activity " << activity.name << " of " << network.modules[activity.module.index()].name;
     dump_names(network, "reads", activity.reads, out);
     dump_names(network, "writes", activity.writes, out);
+    if (activity.time) out << " time " << to_text(*activity.time);
     out << '\n';
   }
   dump_channels(network, out);

@@ -10,6 +10,7 @@
 #include "pal/pan/ids.hpp"
 #include "pal/pan/requirement.hpp"
 #include "pal/support/source.hpp"
+#include "pal/support/time.hpp"
 
 namespace pal::pan {
 
@@ -68,13 +69,15 @@ struct Condition {
   SourceSpan where;
 };
 
-/// A computation with a name, of one module: gets the messages it reads, gives the messages it writes.
+/// A computation with a name, of one module: gets the messages it reads, gives the messages it writes. `time`
+/// is what it takes where an environment says nothing else (pal/pan/times.hpp).
 struct Activity {
   std::string name;
   ModuleId module;
   std::vector<MessageId> reads;
   std::vector<MessageId> writes;
   SourceSpan where;
+  std::optional<Interval> time{};
 };
 
 struct Module {

@@ -96,6 +96,7 @@ void Builder::add_heading(ModuleUnit& module, Parser::HeadingContext* context) {
     auto& list = access->READS() != nullptr ? activity.reads : activity.writes;
     for (auto& message : names(access->name())) list.push_back(std::move(message));
   }
+  if (c->TIME() != nullptr) activity.time = interval(c->interval());
   module.activities.push_back(std::move(activity));
 }
 

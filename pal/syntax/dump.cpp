@@ -3,6 +3,7 @@
 #include <sstream>
 #include <string>
 
+#include "pal/support/duration_text.hpp"
 #include "pal/syntax/print.hpp"
 
 namespace pal::syntax {
@@ -54,6 +55,7 @@ class Dumper {
       auto text = "ACTIVITY " + activity.name.text;
       for (const auto& name : activity.reads) text += " reads " + name.text;
       for (const auto& name : activity.writes) text += " writes " + name.text;
+      if (activity.time) text += " time " + to_text(*activity.time);
       line(2, text, activity.where);
     }
     if (module.has_body) statements(2, module.body);

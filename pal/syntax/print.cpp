@@ -68,7 +68,8 @@ class Printer {
     for (const auto& activity : module.activities) {
       line("ACTIVITY " + activity.name.text +
            (activity.reads.empty() ? "" : " READS " + list(activity.reads)) +
-           (activity.writes.empty() ? "" : " WRITES " + list(activity.writes)));
+           (activity.writes.empty() ? "" : " WRITES " + list(activity.writes)) +
+           (activity.time ? " TIME " + to_text(*activity.time) : ""));
     }
     if (!module.has_body) return;
     line("BEGIN");

@@ -44,12 +44,13 @@ struct DeviceUnit {
   SourceSpan where;
 };
 
-/// ACTIVITY name READS messages WRITES messages
+/// ACTIVITY name READS messages WRITES messages TIME interval
 struct ActivityHeading {
   Name name;
   std::vector<Name> reads;
   std::vector<Name> writes;
   SourceSpan where;
+  std::optional<Interval> time{};
 };
 
 /// A slot of a template that lists names: SENSOR DRIVER SD1, SD2; or NONE.

@@ -91,6 +91,7 @@ bool may_begin_line(const PlacedToken& before, const PlacedToken& here) {
   switch (type) {
     case Parser::READS:
     case Parser::WRITES:
+    case Parser::TIME:
     case Parser::DEFAULT:
     case Parser::RANGE:
     case Parser::METHOD:
@@ -174,7 +175,7 @@ std::size_t cell_of(Table table, std::size_t position, const PlacedToken& here, 
     case Table::completion:
       return is(Parser::STRING) ? 1 : 0;
     case Table::activity:
-      return is(Parser::READS) ? 1 : is(Parser::WRITES) ? 2 : 0;
+      return is(Parser::READS) ? 1 : is(Parser::WRITES) ? 2 : is(Parser::TIME) ? 3 : 0;
     case Table::slot:
       // The first word after the slot's name.
       return is_keyword(before) && (!keyword || is(Parser::NONE) || is(Parser::STRING)) ? 1 : 0;

@@ -40,7 +40,7 @@ bool Devices::attach() {
     const AtWork at_work(at_work_, static_cast<int>(d));
     try {
       links_[d].device().attach(links_[d]);
-      attached_ = d + 1;
+      attached_.store(d + 1, std::memory_order_release);
     } catch (...) {
       fail(static_cast<int>(d));
       return false;
@@ -95,7 +95,8 @@ void Devices::act(int device, const std::function<void()>& action) {
 }
 
 void Devices::close() {
-  for (std::size_t d = 0; d < attached_; ++d) {
+  const std::size_t attached = attached_.load(std::memory_order_acquire);
+  for (std::size_t d = 0; d < attached; ++d) {
     DeviceLink& each = links_[d];
     const AtWork at_work(at_work_, static_cast<int>(d));
     try {

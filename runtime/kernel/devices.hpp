@@ -53,7 +53,8 @@ class Devices {
   Promises& promises_;
   const Wiring& wiring_;
   std::deque<DeviceLink> links_;
-  std::size_t attached_ = 0;
+  std::atomic<std::size_t> attached_ =
+      0;  // close() may come from a thread that has no lock, when another hangs
   std::atomic<int> at_work_ = -1;
 };
 

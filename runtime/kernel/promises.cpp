@@ -8,10 +8,9 @@ namespace pal::runtime {
 
 namespace {
 BrokenPromise::Unit unit_of(const RequirementSpec& requirement) {
-  using Measure = RequirementSpec::Measure;
-  using Unit = BrokenPromise::Unit;
-  if (requirement.measure == Measure::loss) return Unit::messages;
-  return requirement.measure == Measure::load ? Unit::share : Unit::time;
+  using enum BrokenPromise::Unit;
+  if (requirement.measure == RequirementSpec::Measure::loss) return messages;
+  return requirement.measure == RequirementSpec::Measure::load ? share : time;
 }
 
 // The promises of a device.

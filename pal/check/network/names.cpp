@@ -218,7 +218,7 @@ void Names::enter_activities(pan::ModuleId module) {
       report_twice(diagnostics_, "activity", heading.name, *first->second);
       continue;
     }
-    pan::Activity activity{heading.name.text, module, {}, {}, heading.where};
+    pan::Activity activity{heading.name.text, module, {}, {}, heading.where, heading.time};
     for (const auto& read : heading.reads) {
       if (const auto id = message(read)) activity.reads.push_back(*id);
     }

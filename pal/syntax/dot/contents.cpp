@@ -122,6 +122,7 @@ class ContentsReader {
     if (heading.reads.empty() && heading.writes.empty()) return;
     ActivityHeading& first = result_.activities[found->second];
     if (first.reads.empty() && first.writes.empty()) {
+      heading.time = first.time;
       first = std::move(heading);
     } else if (!same_names(first.reads, heading.reads) || !same_names(first.writes, heading.writes)) {
       auto& finding =

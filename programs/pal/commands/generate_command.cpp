@@ -6,7 +6,7 @@
 #include "codegen/explain.hpp"
 #include "codegen/generate.hpp"
 #include "pal/check/resources.hpp"
-#include "pal/check/shared_messages.hpp"
+#include "pal/check/shared_uses.hpp"
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/proof.hpp"
@@ -67,8 +67,8 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
   if (one) {
     check::check_listed(session.specification.skills.front(), session.specification.environments.front(),
                         session.diagnostics);
-    check::check_shared_messages(session.specification.skills.front(),
-                                 session.specification.environments.front(), session.diagnostics);
+    check::check_shared_uses(session.specification.skills.front(), session.specification.environments.front(),
+                             session.diagnostics);
     const auto plan =
         codegen::make_plan(session.specification.skills.front(), session.specification.environments.front(),
                            session.sources, session.diagnostics);

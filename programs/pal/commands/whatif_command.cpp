@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "analyzer/runs/growing_loop.hpp"
+#include "pal/pan/times.hpp"
 #include "programs/pal/commands/commands.hpp"
 #include "programs/pal/reports/slack_display.hpp"
 #include "programs/pal/reports/whatif_answer.hpp"
@@ -18,13 +19,22 @@ namespace {
 
 using State = analyzer::VerdictState;
 
-/// Nothing, and what is wrong on `err`, if the changes cannot be made.
-std::optional<pan::Environment> changed(const pan::Environment& environment,
+/// Whether another of the skills brings the figure that the change is about.
+bool is_of_another(const std::vector<pan::Network>& skills, pan::Environment environment,
+                   const std::string& change) {
+  for (const pan::Network& each : skills) environment = pan::with_times_of(each, std::move(environment));
+  return analyzer::whatif::change(environment, change).empty();
+}
+
+/// The environment as the skill meets it, with the changes. Nothing, and what is wrong on `err`, if they
+/// cannot be made.
+std::optional<pan::Environment> changed(const pan::Network& skill, const pan::Environment& environment,
+                                        const std::vector<pan::Network>& skills,
                                         const std::vector<std::string>& changes, std::ostream& err) {
-  pan::Environment made = environment;
+  pan::Environment made = pan::with_times_of(skill, environment);
   for (const std::string& each : changes) {
     const std::string wrong = analyzer::whatif::change(made, each);
-    if (wrong.empty()) continue;
+    if (wrong.empty() || is_of_another(skills, made, each)) continue;
     err << "pal: " << wrong << "\n";
     return std::nullopt;
   }
@@ -44,7 +54,8 @@ class Question {
     answer.skill = problem->skill;
     answer.environment = problem->environment;
     for (const auto& requirement : problem->requirements) answer.requirements.push_back(requirement.name);
-    const auto other = changed(environment, options_.changes, console_.err);
+    const auto other =
+        changed(skill, environment, session_.specification.skills, options_.changes, console_.err);
     if (!other) return false;
     if (!options_.changes.empty() && !compare(skill, *other, std::move(*problem), answer)) return true;
     if (options_.place) place(skill, *other, answer);
@@ -133,7 +144,7 @@ void look_for_zeno_runs(const std::vector<std::string>& changes, Session& sessio
   for (const pan::Network& skill : session.specification.skills) {
     for (const pan::Environment& environment : session.specification.environments) {
       Diagnostics ignored;
-      const auto other = changed(environment, changes, known);
+      const auto other = changed(skill, environment, session.specification.skills, changes, known);
       const auto problem = other ? analyzer::make_problem(skill, *other, ignored) : std::nullopt;
       if (problem) look_for_zeno_run(*problem, session);
     }

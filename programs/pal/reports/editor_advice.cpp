@@ -7,6 +7,7 @@
 #include "analyzer/analysis.hpp"
 #include "analyzer/whatif/remedy.hpp"
 #include "analyzer/whatif/slack.hpp"
+#include "pal/pan/times.hpp"
 #include "pal/support/duration_text.hpp"
 #include "pal/syntax/text_tokens.hpp"
 #include "programs/pal/reports/editor_proofs.hpp"
@@ -185,9 +186,10 @@ void add_cures(const pan::Network& skill, const pan::Environment& environment, c
 
 }  // namespace
 
-language_server::Advice EditorProver::advise(const pan::Network& skill, const pan::Environment& environment,
+language_server::Advice EditorProver::advise(const pan::Network& skill, const pan::Environment& given,
                                              const SourceManager& sources, double seconds,
                                              const std::function<bool()>& stop) const {
+  const pan::Environment environment = pan::with_times_of(skill, given);
   language_server::Advice advice;
   advice.skill = skill.skill.name;
   Diagnostics diagnostics;

@@ -9,7 +9,7 @@
 #include "analyzer/analysis.hpp"
 #include "analyzer/chart/chart.hpp"
 #include "pal/check/resources.hpp"
-#include "pal/check/shared_messages.hpp"
+#include "pal/check/shared_uses.hpp"
 #include "pal/support/duration_text.hpp"
 #include "programs/pal/reports/proof_chart.hpp"
 #include "programs/pal/session/measure_text.hpp"
@@ -189,7 +189,7 @@ language_server::SkillProof EditorProver::prove(
   language_server::SkillProof made{skill.skill.name, environment.name, {}, {}, false, {}};
   Diagnostics diagnostics;
   check::check_listed(skill, environment, diagnostics);
-  check::check_shared_messages(skill, environment, diagnostics);
+  check::check_shared_uses(skill, environment, diagnostics);
   auto problem = analyzer::make_problem(skill, environment, diagnostics, &sources);
   made.findings = diagnostics.all();
   made.chart = [](std::size_t, bool) { return std::nullopt; };

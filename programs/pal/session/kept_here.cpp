@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pal/pan/times.hpp"
+
 namespace pal::program {
 namespace {
 
@@ -45,7 +47,8 @@ KeptHere::KeptHere(const pan::Network& skill, const pan::Environment& environmen
     : limits_(limits) {
   if (limits.cache == nullptr || limits.analysis == analyzer::AnalysisChoice::half_open) return;
   key_ = study::proof_key(study::sha256(study::canonical_text(skill)),
-                          study::sha256(study::canonical_text(environment)), key_options(limits));
+                          study::sha256(study::canonical_text(pan::with_times_of(skill, environment))),
+                          key_options(limits));
   if (limits.addends) texts_ = hash_of_texts(session.sources);
 }
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "pal/check/resources.hpp"
-#include "pal/check/shared_messages.hpp"
+#include "pal/check/shared_uses.hpp"
 #include "programs/pal/session/interruption.hpp"
 #include "programs/pal/session/kept_here.hpp"
 #include "programs/pal/session/memory.hpp"
@@ -102,7 +102,7 @@ class Attempt : public std::enable_shared_from_this<Attempt> {
 std::optional<analyzer::Problem> problem_of(const pan::Network& skill, const pan::Environment& environment,
                                             const SourceManager& sources, Diagnostics& diagnostics) {
   check::check_listed(skill, environment, diagnostics);
-  check::check_shared_messages(skill, environment, diagnostics);
+  check::check_shared_uses(skill, environment, diagnostics);
   return analyzer::make_problem(skill, environment, diagnostics, &sources);
 }
 

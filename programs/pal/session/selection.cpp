@@ -56,7 +56,8 @@ bool compare_measured(const std::vector<std::string>& paths, const Console& cons
   if (paths.empty()) return true;
   const check::Specification measured = check::check(
       check::read_sources(console.files, session.sources, paths, session.diagnostics), session.diagnostics);
-  check::check_measured(session.specification.environments, measured.environments, session.diagnostics);
+  check::check_measured(session.specification.skills, session.specification.environments,
+                        measured.environments, session.diagnostics);
   if (!measured.environments.empty() || session.diagnostics.has_errors()) return true;
   console.err << "pal: the files of --measured have no ENVIRONMENT; workcell run --measure writes one\n";
   return false;

@@ -4,6 +4,7 @@
 
 #include "analyzer/whatif/figures.hpp"
 #include "pal/check/network/environment.hpp"
+#include "pal/pan/times.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/nearest.hpp"
 #include "programs/pal/session/kept_here.hpp"
@@ -74,7 +75,10 @@ std::optional<std::string> StudyProofs::parameter_called(const std::string& name
 std::optional<study::Refusal> StudyProofs::trouble_of(const study::Figure& figure) const {
   for (const pan::Environment& environment : session_.specification.environments) {
     for (const study::Choice& choice : figure.choices) {
+      // A figure may be one that only some of the skills have.
       pan::Environment changed = environment;
+      for (const pan::Network& skill : session_.specification.skills)
+        changed = pan::with_times_of(skill, std::move(changed));
       for (const std::string& change : choice.changes) {
         const std::string wrong = analyzer::whatif::change(changed, change);
         if (wrong.empty()) continue;
@@ -123,7 +127,8 @@ std::vector<study::Pair> StudyProofs::pair_names() const {
 }
 
 pan::Environment StudyProofs::environment_at(std::uint64_t proof) const {
-  pan::Environment environment = *pairs_[proof % pairs_.size()].environment;
+  const Made& pair = pairs_[proof % pairs_.size()];
+  pan::Environment environment = pan::with_times_of(*pair.skill, *pair.environment);
   for (const std::string& change :
        study::changes_of(study_, study::choices_at(study_, proof / pairs_.size())))
     analyzer::whatif::change(environment, change);
@@ -136,8 +141,6 @@ std::string StudyProofs::key(std::uint64_t proof) {
   hashed_point_ = point;
   const std::size_t pair = proof % pairs_.size();
   std::string& hash = environment_hashes_[pair];
-  for (std::size_t other = 0; hash.empty() && other < pairs_.size(); ++other)
-    if (pairs_[other].environment == pairs_[pair].environment) hash = environment_hashes_[other];
   if (hash.empty()) hash = study::sha256(study::canonical_text(environment_at(proof)));
   return study::proof_key(pairs_[pair].skill_hash, hash, key_options(limits_));
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -23,6 +24,13 @@ constexpr std::size_t longest_name = 15;
   for (std::size_t i = 0; i < prefaulted; i += page) memory[i] = 0;
 }
 
+/// The allocator makes an arena for a thread that allocates for the first time, and that takes long where
+/// memory is locked. An observer may allocate while the skill runs.
+void touch_arena() {
+  void* volatile memory = std::malloc(1);
+  std::free(memory);
+}
+
 }  // namespace
 
 OsThread::OsThread(const std::string& name, std::function<void()> body) : body_(std::move(body)) {
@@ -37,6 +45,7 @@ OsThread::OsThread(const std::string& name, std::function<void()> body) : body_(
 
 void* OsThread::enter(void* self) {
   touch_stack();
+  touch_arena();
   static_cast<OsThread*>(self)->body_();
   return nullptr;
 }

@@ -3,6 +3,8 @@
 #include <deque>
 #include <unordered_map>
 
+#include "pal/pan/times.hpp"
+
 namespace pal::test {
 
 using namespace pan;
@@ -20,7 +22,11 @@ bool busier(const Ratio& a, const Ratio& b) {
 
 AllRuns::AllRuns(const Network& network, const Environment& environment, Wanted wanted, Duration unit,
                  int cap)
-    : network_(network), environment_(environment), wanted_(std::move(wanted)), unit_(unit), cap_(cap) {
+    : network_(network),
+      environment_(with_times_of(network, environment)),
+      wanted_(std::move(wanted)),
+      unit_(unit),
+      cap_(cap) {
   const auto process = [&](const Party& party) {
     const auto* module = std::get_if<ModuleId>(&party);
     if (module != nullptr && !network.modules[module->index()].body.empty()) return -1;

@@ -177,7 +177,7 @@ class AllRuns {
   void retell(const std::vector<Arrival>& arrivals, const Arrival& last);
 
   const pan::Network& network_;
-  const pan::Environment& environment_;
+  const pan::Environment environment_;
   Wanted wanted_;
   Duration unit_;
   int cap_;

@@ -1,6 +1,8 @@
 // Promises that are broken while a skill runs: of devices, of statements, of requirements; and what is done
 // then.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "runtime/watch/device_watch.hpp"
 #include "tests/run/support/allocation_count.hpp"
@@ -229,6 +231,44 @@ TEST_CASE("events of a device: neither closer than their period nor later, jitte
   const DeviceTimes phase{Behaviour::events, "tick", 28ms, 0ms, 5ms};
   CHECK(events(phase, {5ms, 33ms}) == std::vector{kept, kept});
   CHECK(events(phase, {4ms}) == std::vector{sooner});
+}
+
+// The events of a minute after the first wait, by a clock that is wrong by up to 50 ppm: always by the share
+// that `share` gives, -1 to 1, for the number of the event.
+template <class Share>
+std::vector<Time> drifting(Share share) {
+  const double period = 28e6, most = 50e-6;
+  std::vector<Time> result;
+  // The last instant for a first event, or the first one.
+  double at = share(0) > 0 ? period * (1 + most) : 0;
+  for (int number = 1; at < 60e9; ++number) {
+    result.emplace_back(static_cast<std::int64_t>(at));
+    at += period * (1 + most * share(number));
+  }
+  return result;
+}
+
+TEST_CASE("a clock that drifts is a shorter period with a jitter of twice the drift of the longest run") {
+  const DeviceTimes allowed{Behaviour::events, "tick", 27'998'600ns, 6ms};
+  const DeviceTimes sporadic{Behaviour::sporadic, "tick", 27'998'600ns};
+  const DeviceTimes exact{Behaviour::events, "tick", 28ms};
+  const auto broken = [](const DeviceTimes& times, const std::vector<Time>& instants) {
+    const auto seen = events(times, instants);
+    return std::count_if(seen.begin(), seen.end(), [](Seen::What what) { return what != Seen::What::kept; });
+  };
+  for (const auto& share : {+[](int) { return 1.0; }, +[](int) { return -1.0; },
+                            +[](int number) { return number < 1000 ? 1.0 : -1.0; },
+                            +[](int number) { return number < 1000 ? -1.0 : 1.0; },
+                            +[](int number) { return std::sin(number / 100.0); }}) {
+    const std::vector<Time> instants = drifting(share);
+    REQUIRE(instants.size() > 2100);
+    CHECK(broken(allowed, instants) == 0);
+    CHECK(broken(sporadic, instants) == 0);
+    CHECK(broken(exact, instants) > 0);
+  }
+  // No less will do for a clock that is slow for the whole minute.
+  const DeviceTimes less{Behaviour::events, "tick", 27'998'600ns, 5900us};
+  CHECK(broken(less, drifting([](int) { return 1.0; })) > 0);
 }
 
 TEST_CASE("a device that serves one request at a time has its time for each") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <thread>
 #include <utility>
 
 #include "pal/runtime/dispatcher.hpp"
@@ -172,7 +173,7 @@ TEST_CASE("a part that is null, and times that are nothing or without end, are r
 
 TEST_CASE("a world whose time goes back, or runs ahead, ends the skill") {
   struct Odd final : runtime::World {
-    explicit Odd(runtime::Time by) : by(by) {}
+    explicit Odd(runtime::Time how_far) : by(how_far) {}
     void advance_to(runtime::Time) override {}
     runtime::Time wait_until(runtime::Time when) override { return when > 0ms ? when + by : when; }
     runtime::Time by;
@@ -218,6 +219,10 @@ TEST_CASE("a run that is begun inside a device is refused, and the outer one goe
     reasons.push_back(another.run(outer.skill).reason);
     reasons.push_back(another.run(inner.skill).reason);
     reasons.push_back(third.run(inner.skill).reason);
+    // Nor from another thread, in real time.
+    std::thread([&] {
+      reasons.push_back(another.run(inner.skill, {}, {.real_time = runtime::RealTime{}}).reason);
+    }).join();
   };
   const auto outcome = dispatcher.run(outer.skill);
   CHECK_FALSE(outcome.fault);
@@ -225,7 +230,8 @@ TEST_CASE("a run that is begun inside a device is refused, and the outer one goe
   CHECK(reasons == std::vector<std::string>{"another skill is running; a dispatcher runs one at a time",
                                             "the skill is running already",
                                             "the world is in use by a skill that is running",
-                                            "device sensor is in use by a skill that is running"});
+                                            "device sensor is in use by a skill that is running",
+                                            "the world is in use by a skill that is running"});
   // Afterwards everything is free again.
   sensor.on_receive = nullptr;
   CHECK_FALSE(another.run(inner.skill).fault);

@@ -76,10 +76,13 @@ std::string replaced(const std::string& text, const std::string& line, const std
 }  // namespace
 
 std::string slow_down(const std::string& workcell, const Slower& slower) {
-  const std::string text =
-      replaced(workcell, "TIME " + slower.activity + " +OF " + slower.module + " *:[^\n]*",
-               "TIME " + slower.activity + " OF " + slower.module + " : " +
-                   std::to_string(slower.milliseconds) + " ms");
+  const std::string time = "TIME " + slower.activity + " OF " + slower.module + " : " +
+                           std::to_string(slower.milliseconds) + " ms";
+  const std::regex given("TIME " + slower.activity + " +OF " + slower.module + " *:[^\n]*");
+  // The time of a skill's own activity stands in the skill; one of the workcell counts instead.
+  const std::string text = std::regex_search(workcell, given)
+                               ? std::regex_replace(workcell, given, time)
+                               : replaced(workcell, "END ENVIRONMENT", time + "\nEND ENVIRONMENT");
   if (slower.processor.empty()) return text;
   const std::string place = "PLACE " + slower.module + " ON ";
   return replaced(text, place + "\\w+", place + slower.processor);

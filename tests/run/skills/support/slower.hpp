@@ -16,8 +16,8 @@ struct Slower {
                             // workcell.pal has it
 };
 
-/// The text of workcell.pal with the activity's TIME changed, and the module's PLACE. Throws
-/// std::runtime_error if it has none.
+/// The text of workcell.pal with another TIME for the activity, and another PLACE for the module. Throws
+/// std::runtime_error if it has no such place.
 std::string slow_down(const std::string& workcell, const Slower& slower);
 
 /// The skill in that workcell. Throws std::runtime_error if it has no such activity.
