@@ -170,10 +170,10 @@ class Finder {
     auto& finding = diagnostics_.report(Finding::message_used_by_two, other.where, message,
                                         (other.writes ? "written" : "read"), other.by.name, write.by.name,
                                         where, environment_.name);
-    finding.notes.push_back({write.where, "it is written here"});
-    finding.notes.push_back({write.by.place->where, write.by.name + " is placed here"});
+    finding.note(write.where, Remark::written_here);
+    finding.note(write.by.place->where, Remark::placed_here, write.by.name);
     if (other.by.place != write.by.place)
-      finding.notes.push_back({other.by.place->where, other.by.name + " is placed here"});
+      finding.note(other.by.place->where, Remark::placed_here, other.by.name);
   }
 
   const pan::Network& network_;
