@@ -43,7 +43,7 @@ void settle(const Provers& provers, const Problem& problem, const Options& optio
     const auto left = options.verdicts_only ? std::count_if(rest, analysis.verdicts.end(), is_open)
                                             : analysis.verdicts.end() - rest;
     const auto percent = options.verdicts_only ? budget::share_of_open_for_verdicts : budget::share_of_open;
-    decide({provers, problem, r, bounds, analysis},
+    decide(deciding_methods(options.verdicts_only), OpenCase{provers, problem, r, bounds, analysis},
            share_of(options, static_cast<double>(percent) / static_cast<double>(left)));
     tell(options, analysis);
   }

@@ -121,7 +121,7 @@ void tell(const Options& options, const Analysis& analysis) {
 }
 
 Options share_of(const Options& options, double percent) {
-  if (!options.deadline || !options.clock) return options;
+  if (!options.deadline || !options.clock || percent >= 100) return options;
   Options shared = options;
   const double now = options.clock();
   const double end = now + std::max(0.0, *options.deadline - now) * percent / 100;
@@ -186,13 +186,6 @@ void explore(const Provers& provers, const Problem& problem, const Options& opti
 std::span<const DecidingMethod> deciding_methods(bool verdicts_only) {
   if (verdicts_only) return methods_for_verdicts;
   return usual_methods;
-}
-
-void decide(const OpenCase& open, const Options& options) {
-  for (const DecidingMethod& method : deciding_methods(options.verdicts_only)) {
-    if (open.verdict().state != VerdictState::undecided || (options.stop && options.stop())) return;
-    method.run(open, share_of(options, method.percent));
-  }
 }
 
 void look_whether_exact(const Problem& problem, const Options& options, Analysis& analysis) {

@@ -29,7 +29,7 @@ void search(const Problem& problem, const Requirement& requirement, const Option
 void explore(const Provers& provers, const Problem& problem, const Options& options,
              const std::vector<std::size_t>& open, const std::vector<Verdict>& bounds, Analysis& known);
 
-/// A requirement that is open, and all that is known.
+/// A requirement of an analysis that is open, and all that is known.
 struct OpenCase {
   const Provers& provers;
   const Problem& problem;
@@ -39,23 +39,32 @@ struct OpenCase {
 
   const Requirement& requirement() const { return problem.requirements[index]; }
   Verdict& verdict() const { return analysis.verdicts[index]; }
+  bool is_open() const { return verdict().state == VerdictState::undecided; }
 };
 
-/// A way to decide a requirement.
-struct DecidingMethod {
+/// A way to decide a requirement: of an analysis, or of a what-if question.
+template <class Case>
+struct MethodFor {
   const char* name;
   bool proves;     // it may find that the requirement holds
   bool refutes;    // it may find that it fails
   double percent;  // of the time that is left
-  void (*run)(const OpenCase& open, const Options& options);
+  void (*run)(const Case& open, const Options& options);
 };
+using DecidingMethod = MethodFor<OpenCase>;
 
 /// In the order in which they are tried. `verdicts_only`: as Options has it.
 std::span<const DecidingMethod> deciding_methods(bool verdicts_only);
 
 /// Tries one method after the other till one decides. It ends between two of them once `options.stop` says
 /// so.
-void decide(const OpenCase& open, const Options& options);
+template <class Case>
+void decide(std::span<const MethodFor<Case>> methods, const Case& open, const Options& options) {
+  for (const MethodFor<Case>& method : methods) {
+    if (!open.is_open() || (options.stop && options.stop())) return;
+    method.run(open, share_of(options, method.percent));
+  }
+}
 
 /// Looks for runs that attain the bounds of what holds.
 void look_whether_exact(const Problem& problem, const Options& options, Analysis& analysis);

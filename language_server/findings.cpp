@@ -9,6 +9,7 @@
 #include "language_server/session.hpp"
 #include "pal/support/diagnostic_code.hpp"
 #include "pal/support/edit.hpp"
+#include "pal/support/finding.hpp"
 
 namespace pal::language_server {
 
@@ -43,6 +44,9 @@ Json diagnostic_at(const Diagnostic& finding, const Locate& locate, const std::s
               {"code", name(finding.code)},
               {"source", "pal"},
               {"message", message}};
+  Json arguments = Json::object();
+  for (const auto& [argument, text] : named_arguments(finding)) arguments[std::string(argument)] = text;
+  result["data"] = {{"finding", row(finding.finding).name}, {"arguments", std::move(arguments)}};
   if (!related.empty()) result["relatedInformation"] = std::move(related);
   if (is_unused(finding.code)) result["tags"] = {1};
   if (!documentation.empty()) {
@@ -177,7 +181,7 @@ std::vector<Diagnostic> Session::causes(const Known& known, const std::string& p
       if (each.state != "fails" || each.findings.empty() || !each.cause.valid()) continue;
       Diagnostic made = each.findings.front();
       made.severity = Severity::warning;
-      made.notes = {{made.where, "'" + each.name + "' is required here"}};
+      made.notes = {Note(made.where, Remark::required_here, each.name)};
       made.where = each.cause;
       made.message = "'" + each.name + "' fails here: " + each.cause_text;
       made.fix.clear();

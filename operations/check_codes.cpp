@@ -52,7 +52,7 @@ void check_endings(const Graph& graph, Place at, const Icon& icon, const Skills&
     const Icon& branch = graph.icon({at.operation, *behind});
     if (!is_forgotten(icon, branch, ending)) continue;
     diagnostics.report(Finding::code_goes_to_error, branch.where, branch.id, ending.text(), icon.id, meaning)
-        .notes.push_back({icon.error.where, "this way it goes"});
+        .note(icon.error.where, Remark::this_way);
   }
 }
 

@@ -32,7 +32,7 @@ class OperationShape {
       const auto first = graph_.find(index_, icon.id);
       if (*first == i) continue;
       diagnostics_.report(Finding::second_icon_of_name, icon.where, icon.id)
-          .notes.push_back({operation_.icons[*first].where, "the first is here"});
+          .note(operation_.icons[*first].where, Remark::first_here);
     }
   }
 

@@ -90,6 +90,7 @@ class FindingTexts {
               {"severity", name(finding.severity)},
               {"message", finding.message},
               {"hint", finding.hint},
+              {"hint_for", name(row(finding.finding).hint_for)},
               {"file", ""}};
     if (finding.where.valid()) {
       json["file"] = sources_.name(finding.where.file);

@@ -43,7 +43,7 @@ bool says_nothing(const Bound& bound, const Verdict& verdict) {
 
 void judge(const Bound& bound, const Requirement& requirement, bool half_open, Verdict& verdict) {
   if (!bound.known() || says_nothing(bound, verdict)) {
-    verdict.explanation = "The compositional analysis has no bound: " + bound.why + ".";
+    verdict.explanation = "The compositional analysis has no bound: " + bound.why.text + ".";
     return;
   }
   verdict.bound = Duration(bound.sum.value());
@@ -88,7 +88,7 @@ Table<StepId, bool> asked_for(const Problem& problem) {
 
 }  // namespace
 
-Analysis analyze(const Problem& skill, const Options& options, bool half_open) {
+Analysis analyze(const Problem& skill, const Options& options, bool half_open, const SetAside& set_aside) {
   const double begun = options.clock ? options.clock() : 0;
   const Problem problem = clone_shared_blocks(skill);
   Analysis analysis;
@@ -96,14 +96,14 @@ Analysis analyze(const Problem& skill, const Options& options, bool half_open) {
     analysis.verdicts.push_back(open_verdict(requirement));
     analysis.verdicts.back().method = Method::compositional;
   }
-  const Forest forest = forest_of(problem, options.stop);
-  std::string refusal = forest.refusal;
+  const Forest forest = forest_of(problem, options.stop, set_aside);
+  Why refusal = forest.refusal;
   if (refusal.empty()) {
     const ThreadBehaviours behaviours = thread_behaviours_of(problem, forest, options.stop);
     const Times times = times_of(problem, forest, behaviours, asked_for(problem), options.stop,
                                  half_open ? WindowEnds::half_open : WindowEnds::closed);
     if (times.interrupted) {
-      refusal = "it was interrupted";
+      refusal = why(Withheld::interrupted);
     } else {
       const Endurance endurance = endurance_of(problem, forest, behaviours, times);
       const Endurance::Threads& always = endurance.always;
@@ -121,7 +121,7 @@ Analysis analyze(const Problem& skill, const Options& options, bool half_open) {
     analysis.statistics.states = forest.nodes.size();
   }
   if (!refusal.empty()) {
-    const Sum whole(1'000'000'000, {Term::Kind::said, {}, {}, {}, refusal});
+    const Sum whole(1'000'000'000, {Term::Kind::said, {}, {}, {}, refusal.text});
     for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
       const bool load = problem.requirements[r].measure == Measure::load;
       judge({load ? whole : Sum::unbounded(), refusal}, problem.requirements[r], half_open,

@@ -140,14 +140,14 @@ Range ProblemBuilder::activity(const Activity& activity) {
   if (untimed_.insert(activity.name + " OF " + module).second) {
     auto& finding = diagnostics_.report(Finding::activity_without_time, environment_.where, environment_.name,
                                         activity.name, module);
-    finding.notes.push_back({activity.where, "the activity"});
+    finding.note(activity.where, Remark::the_activity);
     const auto is_of_another = [&](const ActivityTime& time) {
       return std::none_of(network_.activities.begin(), network_.activities.end(),
                           [&](const Activity& known) { return known.name == time.activity; });
     };
     for (const ActivityTime& time : environment_.activities) {
       if (is_of_another(time) && nearest(activity.name, {time.activity}))
-        finding.notes.push_back({time.where, "is " + activity.name + " meant here?"});
+        finding.note(time.where, Remark::meant_here, activity.name);
     }
   }
   return {};
@@ -181,7 +181,7 @@ void ProblemBuilder::place(Thread& thread, ThreadId runner) {
     };
     for (const Placement& other : environment_.placements) {
       if (is_other_module(other) && nearest(thread.name, {other.thread}))
-        finding.notes.push_back({other.where, "is " + thread.name + " meant here?"});
+        finding.note(other.where, Remark::meant_here, thread.name);
     }
     thread.processor = first_processor;
     return;

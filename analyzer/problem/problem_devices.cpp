@@ -48,7 +48,7 @@ void ProblemBuilder::device(const World& thing, DeviceId index) {
       };
       for (const DeviceTiming& each : environment_.devices) {
         if (is_of_another(each) && nearest(thing.name, {each.device}))
-          finding.notes.push_back({each.where, "is " + thing.name + " meant here?"});
+          finding.note(each.where, Remark::meant_here, thing.name);
       }
     }
     problem_.devices.push_back(std::move(made));

@@ -1,7 +1,6 @@
 #include "analyzer/verdict/moved.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <string>
 #include <utility>
@@ -40,42 +39,17 @@ class Lines {
     return true;
   }
 
-  /// Of each "line 57" in a sentence.
-  std::optional<std::string> in(const std::string& text) const {
-    constexpr std::string_view word = "line ";
-    std::string result;
-    std::size_t at = 0;
-    for (auto next = text.find(word); next != std::string::npos; next = text.find(word, at)) {
-      auto end = next + word.size();
-      int line = 0;
-      constexpr std::size_t most_digits = 8;
-      while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0 &&
-             end - next - word.size() < most_digits)
-        line = line * 10 + (text[end++] - '0');
-      result += text.substr(at, next + word.size() - at);
-      at = end;
-      if (line == 0) continue;
-      const auto found = by_line_.find(line);
-      if (found == by_line_.end() || found->second == 0) return std::nullopt;
-      result += std::to_string(found->second);
-    }
-    return result + text.substr(at);
-  }
-
  private:
   bool add(const std::string& file, int line, const std::string& now_file, int now) {
     if (file != now_file || (line == 0) != (now == 0)) return false;
     if (line == 0) return true;
     moved_ = moved_ || line != now;
     const auto [of_file, first] = by_file_.try_emplace({file, line}, now);
-    const auto [of_line, alone] = by_line_.try_emplace(line, now);
-    if (of_line->second != now) of_line->second = 0;  // one of two
-    return of_file->second == now;                    // two statements of one line are still in one line
+    return of_file->second == now;  // two statements of one line are still in one line
   }
 
   bool moved_ = false;
   std::map<std::pair<std::string, int>, int> by_file_;
-  std::map<int, int> by_line_;  // 0: it depends on the file
 };
 
 /// Reasons, or addends.
@@ -99,7 +73,8 @@ std::optional<Verdict> moved(const Verdict& verdict, const Problem& from, const 
   if (!lines.learn(from, to)) return std::nullopt;
   Verdict made = verdict;
   if (lines.none_moved()) return made;
-  const auto explanation = lines.in(made.explanation);
+  const auto explanation = made.explanation.with_lines(
+      [&lines](const std::string& file, int& line) { return lines.apply(file, line); });
   if (!explanation || !move_all(made.reasons, lines) || !move_all(made.addends, lines)) return std::nullopt;
   made.explanation = *explanation;
   if (made.witness && !move_run(*made.witness, lines)) return std::nullopt;

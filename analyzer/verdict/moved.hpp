@@ -9,8 +9,8 @@
 namespace pal::analyzer {
 
 /// The verdict on a requirement of `from`, with the lines of `to`. The two differ in nothing but lines and
-/// places, and perhaps in other requirements; the caller answers for that. Nothing: their statements differ,
-/// or a line that is told in words may be either of two. `where` stays as it is.
+/// places, and perhaps in other requirements; the caller answers for that. Nothing: their statements differ.
+/// `where` stays as it is.
 std::optional<Verdict> moved(const Verdict& verdict, const Problem& from, const Problem& to);
 
 }  // namespace pal::analyzer

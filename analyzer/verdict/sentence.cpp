@@ -1,5 +1,7 @@
 #include "analyzer/verdict/sentence.hpp"
 
+#include <utility>
+
 namespace pal::analyzer {
 namespace {
 
@@ -8,15 +10,16 @@ using trace::Kind;
 /// So many pieces of a long story are told from its beginning, and as many up to its end.
 constexpr std::ptrdiff_t told_at_each_end = 20;
 
-std::string place(const Reason& reason) {
-  return reason.line == 0 ? "" : " (line " + std::to_string(reason.line) + ")";
+Told place(const Reason& reason) {
+  return reason.line == 0 ? Told() : " (line " + Told::line(reason.file, reason.line) + ")";
 }
 
-std::string list(const std::vector<Reason>& reasons) {
-  std::string text;
+Told list(const std::vector<Reason>& reasons) {
+  Told text;
+  bool first = true;
   Nanoseconds sum = 0;
   for (const Reason& reason : abridged(reasons)) {
-    if (!text.empty()) text += "; + ";
+    if (!std::exchange(first, false)) text += "; + ";
     text += milliseconds(reason.to - reason.from) + ": " + (reason.actor.empty() ? "" : reason.actor + " ") +
             reason.what + place(reason);
     sum += reason.to - reason.from;
@@ -24,11 +27,12 @@ std::string list(const std::vector<Reason>& reasons) {
   return text + (reasons.size() > 1 ? "; = " + milliseconds(sum) : "");
 }
 
-/// "TXM( motion to MC1 ) (line 57)"
-std::string statement_at(const Problem& problem, const Measurement& measured) {
+/// "TXM( motion to MC1 ) at line 57"
+Told statement_at(const Problem& problem, const Measurement& measured) {
   const StatementId index = problem.steps[measured.step].statement;
   const Statement& statement = problem.statements[index];
-  return statement.text + (statement.line == 0 ? "" : " at line " + std::to_string(statement.line));
+  return statement.text +
+         (statement.line == 0 ? Told() : " at line " + Told::line(statement.file, statement.line));
 }
 
 }  // namespace
@@ -109,7 +113,7 @@ std::string growing_text(const Problem& problem, const Requirement& requirement,
   }
 }
 
-std::string measured_text(const Problem& problem, const Requirement& requirement, const Verdict& verdict) {
+Told measured_text(const Problem& problem, const Requirement& requirement, const Verdict& verdict) {
   const Measurement& measured = verdict.witness->measured;
   const std::string value = milliseconds(measured.value);
   switch (requirement.measure) {
@@ -167,7 +171,7 @@ std::string nothing_measured(const Requirement& requirement, bool passed) {
   return requirement.phase.limits() ? text + " " + requirement.phase.text : text;
 }
 
-std::string explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict) {
+Told explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict) {
   if (!verdict.witness) {
     if (!verdict.bound) return "no run was found that shows how long it can take";
     if (verdict.exact) return "it never is";
@@ -178,7 +182,7 @@ std::string explanation(const Problem& problem, const Requirement& requirement, 
   const Witness& witness = *verdict.witness;
   if (witness.failed) return failure_text(problem, requirement, witness);
   if (witness.grows) return growing_text(problem, requirement, witness.measured);
-  const std::string text = measured_text(problem, requirement, verdict);
+  const Told text = measured_text(problem, requirement, verdict);
   return verdict.reasons.empty() ? text : text + ". " + list(verdict.reasons);
 }
 

@@ -9,7 +9,7 @@
 namespace pal::analyzer {
 
 /// A verdict in words. `verdict.witness` and `verdict.reasons` must be set.
-std::string explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict);
+Told explanation(const Problem& problem, const Requirement& requirement, const Verdict& verdict);
 
 /// Why no run measures anything. `passed`: what is watched does happen.
 std::string nothing_measured(const Requirement& requirement, bool passed);

@@ -8,6 +8,7 @@
 
 #include "analyzer/problem/problem.hpp"
 #include "analyzer/runs/witness.hpp"
+#include "analyzer/verdict/told.hpp"
 #include "pal/support/source.hpp"
 #include "pal/support/time.hpp"
 
@@ -94,7 +95,7 @@ struct Verdict {
   /// Then there is no bound, the requirement fails, and `reasons` are those of the first turns.
   std::optional<LoopGrowth> loop_growth = {};
   /// For people: one paragraph.
-  std::string explanation;
+  Told explanation;
   /// Without gaps from the birth of what is measured to its use; the lengths add up to the witness's value.
   std::vector<Reason> reasons;
   /// They add up to the bound, to the nanosecond. Empty if there is no bound, or if it is a number (of

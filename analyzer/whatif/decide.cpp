@@ -156,62 +156,69 @@ const Requirement& requirement_of(const Problem& problem, RequirementId id) {
   return problem.requirements[id.index()];
 }
 
-/// The options with as many classes as are explored.
-Options limited(const Options& given, const Problem& problem, RequirementId id) {
-  Options options = given;
-  options.max_states = classes_for(problem, id, given.max_states);
-  return options;
-}
-
-}  // namespace
-
-std::size_t classes_for(const Problem& problem, RequirementId id, std::size_t allowed) {
-  const bool overloaded = is_overloaded(problem, requirement_of(problem, id));
+/// How many of the allowed classes are explored. It is fewer where there is more to do than there is time,
+/// because such an exploration mostly has no end.
+std::size_t classes_for(const AskedCase& open, std::size_t allowed) {
+  const bool overloaded = is_overloaded(open.problem, requirement_of(open.problem, open.requirement));
   return overloaded ? std::min(allowed, budget::overloaded_classes) : allowed;
 }
 
-Decision decide_quickly(const Problem& problem, RequirementId id, const Verdict& bound,
-                        const std::function<bool()>& stop) {
-  const Requirement& requirement = requirement_of(problem, id);
-  if (is_unread(problem, requirement)) return {Is::holds, {}, {}};
-  if (bound.state == Is::holds) return held_by(requirement, bound);
-  if (requirement.measure == Measure::loss)
-    return by_search(problem, requirement, budget::few_runs_for_loss, stop);
-  const Break simulated = simulated_break(problem, requirement, stop);
-  if (simulated == Break::none) return {};
-  Decision decision{Is::fails, {}, {}, simulated == Break::grown};
+/// By its compositional bound.
+void by_bound(const AskedCase& open, const Options&) {
+  const Requirement& requirement = requirement_of(open.problem, open.requirement);
+  if (is_unread(open.problem, requirement)) {
+    open.decision = {Is::holds, {}, {}};
+  } else if (open.bound.state == Is::holds) {
+    open.decision = held_by(requirement, open.bound);
+  }
+}
+
+/// By a few single runs with worst times: some milliseconds.
+void by_worst_runs(const AskedCase& open, const Options& options) {
+  const Problem& problem = open.problem;
+  const Requirement& requirement = requirement_of(problem, open.requirement);
+  if (requirement.measure == Measure::loss) {
+    open.decision = by_search(problem, requirement, budget::few_runs_for_loss, options.stop);
+    return;
+  }
+  const Break simulated = simulated_break(problem, requirement, options.stop);
+  if (simulated == Break::none) return;
+  open.decision = {Is::fails, {}, {}, simulated == Break::grown};
   // The run is kept. One that is overloaded is too long to be played again.
   if (simulated == Break::measured && one_run(requirement) && problem.overloaded.empty())
-    decision.witness =
-        decision_of(requirement, simulated_witness(problem, requirement, stop, budget::events_of_witness))
-            .witness;
-  return decision;
+    open.decision.witness = decision_of(requirement, simulated_witness(problem, requirement, options.stop,
+                                                                       budget::events_of_witness))
+                                .witness;
 }
 
-Decision decide_by_runs(const Problem& problem, RequirementId id, std::size_t classes,
-                        const std::function<bool()>& stop) {
-  const Requirement& requirement = requirement_of(problem, id);
-  if (!one_run(requirement)) return {};
-  Decision decision =
-      decision_of(requirement, simulated_witness(problem, requirement, stop, events_for(classes)));
-  if (decision.state == Is::fails) return decision;
-  return by_search(problem, requirement, budget::many_runs_for_what_if, stop);
+/// By exploring what has an influence (slice_bound.hpp).
+void by_slice(const AskedCase& open, const Options& options) {
+  const Requirement& requirement = requirement_of(open.problem, open.requirement);
+  if (!one_run(requirement) || !fits_exploration(open.problem)) return;
+  Options here = options;
+  here.max_states = classes_for(open, options.max_states);
+  const SliceBound found = slice_bound(open.problem, requirement, here, here.max_states);
+  if (found.bound && !requirement.allowed().broken_by(*found.bound)) open.decision = {Is::holds, {}, {}};
 }
 
-Decision decide_by_slice(const Problem& problem, RequirementId id, const Options& options) {
-  const Requirement& requirement = requirement_of(problem, id);
-  if (!one_run(requirement) || !fits_exploration(problem)) return {};
-  const Options here = limited(options, problem, id);
-  const SliceBound found = slice_bound(problem, requirement, here, here.max_states);
-  if (!found.bound) return {};
-  return requirement.allowed().broken_by(*found.bound) ? Decision{} : Decision{Is::holds, {}, {}};
+void by_long_run(const AskedCase& open, const Options& options) {
+  const Requirement& requirement = requirement_of(open.problem, open.requirement);
+  if (one_run(requirement))
+    open.decision = decision_of(requirement, simulated_witness(open.problem, requirement, options.stop,
+                                                               events_for(options.max_states)));
 }
 
-Decision decide_by_exploration(const Problem& problem, RequirementId id, const Options& given,
-                               Workers& workers) {
-  const Requirement& requirement = requirement_of(problem, id);
+void by_runs(const AskedCase& open, const Options& options) {
+  const Requirement& requirement = requirement_of(open.problem, open.requirement);
+  if (one_run(requirement))
+    open.decision = by_search(open.problem, requirement, budget::many_runs_for_what_if, options.stop);
+}
+
+/// By exploring all runs, in at most so many classes. Values are followed up to the limit only, and the
+/// exploration ends with the first run that is confirmed to exceed it.
+Decision explored(const Problem& problem, const Requirement& requirement, const Options& options,
+                  Workers& workers) {
   if (!fits_exploration(problem)) return {};
-  const Options options = limited(given, problem, id);
   if (requirement.measure == Measure::load) return load_decision(problem, requirement, options, workers);
   if (!has_cap(requirement)) return by_analysis(problem, requirement, options);
   const Watch watch = watch_of(problem, requirement);
@@ -231,6 +238,38 @@ Decision decide_by_exploration(const Problem& problem, RequirementId id, const O
   if (complete && clean) return {Is::holds, {}, {}};
   if (!complete) return {};
   return by_analysis(problem, requirement, options);  // what is over the limit may not be possible
+}
+
+/// If it was not explored as far as that before.
+void by_exploration(const AskedCase& open, const Options& given) {
+  Options options = given;
+  options.max_states = classes_for(open, given.max_states);
+  if (options.max_states <= open.explored) return;
+  open.explored = options.max_states;
+  open.decision =
+      explored(open.problem, requirement_of(open.problem, open.requirement), options, open.workers);
+}
+
+void by_brief_exploration(const AskedCase& open, const Options& given) {
+  Options options = given;
+  options.max_states = std::min(given.max_states, budget::few_classes);
+  by_exploration(open, options);
+}
+
+constexpr AskingMethod at_once[] = {{"bound", true, false, 100, by_bound},
+                                    {"runs with worst times", false, true, 100, by_worst_runs}};
+constexpr AskingMethod in_a_moment[] = {{"exploration in a moment", true, true, 100, by_brief_exploration}};
+constexpr AskingMethod by_parts[] = {{"slice", true, false, 100, by_slice},
+                                     {"long run", false, true, 100, by_long_run},
+                                     {"single runs", false, true, 100, by_runs}};
+constexpr AskingMethod at_last[] = {{"exploration", true, true, 100, by_exploration}};
+constexpr AskingRound rounds[] = {
+    {at_once, 0}, {in_a_moment, 1}, {by_parts, budget::few_classes + 1}, {at_last, budget::few_classes + 1}};
+
+}  // namespace
+
+std::span<const AskingRound> asking_rounds() {
+  return rounds;
 }
 
 bool refutes(const Problem& problem, RequirementId id, const Witness& witness,

@@ -1,9 +1,11 @@
-// Whether a requirement holds, and no more: cheaper than its bound. Four ways, the cheapest first.
+// Whether a requirement holds, and no more: cheaper than its bound.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <span>
 
+#include "analyzer/deciding.hpp"
 #include "analyzer/exact/exact.hpp"
 #include "analyzer/whatif/ids.hpp"
 #include "analyzer/zones/workers.hpp"
@@ -21,25 +23,27 @@ struct Decision {
   bool grows = false;  // it fails by what has only grown by the end of the run
 };
 
-/// By its compositional `bound`, and by a few single runs with worst times: some milliseconds.
-Decision decide_quickly(const Problem& problem, RequirementId requirement, const Verdict& bound,
-                        const std::function<bool()>& stop);
+/// A requirement of a question.
+struct AskedCase {
+  const Problem& problem;
+  RequirementId requirement;
+  const Verdict& bound;  // its compositional one
+  Workers& workers;
+  Decision& decision;     // what it has come to by now
+  std::size_t& explored;  // classes
 
-/// By some hundreds of single runs, which can only refute.
-Decision decide_by_runs(const Problem& problem, RequirementId requirement, std::size_t classes,
-                        const std::function<bool()>& stop);
+  bool is_open() const { return decision.state == Verdict::State::undecided; }
+};
+using AskingMethod = MethodFor<AskedCase>;
 
-/// By exploring what has an influence (slice_bound.hpp), which can only prove.
-Decision decide_by_slice(const Problem& problem, RequirementId requirement, const Options& options);
+/// Methods that are tried of one requirement after the other, before the next round of any.
+struct AskingRound {
+  std::span<const AskingMethod> methods;
+  std::size_t from;  // this number of allowed classes on
+};
 
-/// How many of the allowed classes are explored. It is fewer where there is more to do than there is time,
-/// because such an exploration mostly has no end.
-std::size_t classes_for(const Problem& problem, RequirementId requirement, std::size_t allowed);
-
-/// By exploring all runs, in at most `options.max_states` classes. Values are followed up to the limit only,
-/// and the exploration ends with the first run that is confirmed to exceed it.
-Decision decide_by_exploration(const Problem& problem, RequirementId requirement, const Options& options,
-                               Workers& workers);
+/// In the order in which they are tried. What decides quickly is asked of all requirements first.
+std::span<const AskingRound> asking_rounds();
 
 /// Whether a run that fires as `script` does, at times of its own, breaks the requirement; `script` may come
 /// from a problem with other figures. False says nothing, also where `stop` ended it.

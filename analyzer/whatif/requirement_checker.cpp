@@ -33,11 +33,6 @@ struct RequirementChecker::Progress {
                                     [](const Decision& each) { return each.state == Is::fails; });
     return found == decisions.end() ? std::nullopt : std::optional<std::size_t>(found - decisions.begin());
   }
-  bool open(std::size_t k) const { return decisions[k].state == Is::undecided; }
-  bool decided() const {
-    return failing() || std::all_of(decisions.begin(), decisions.end(),
-                                    [](const Decision& each) { return each.state == Is::holds; });
-  }
 };
 
 std::optional<Problem> RequirementChecker::problem(const pan::Environment& environment) const {
@@ -64,32 +59,6 @@ bool RequirementChecker::bounded(const Problem& problem, const RequirementIds& r
 
 bool RequirementChecker::has_zeno_run(const Problem& problem) {
   return find_zeno_run(problem, {options_.max_states, options_.stop, {}, &workers_}).found.has_value();
-}
-
-void RequirementChecker::explore(const Problem& problem, Progress& progress, const Options& options) {
-  for (std::size_t k = 0; k < progress.order.size() && !progress.failing(); ++k) {
-    if (options.stop && options.stop()) return;
-    const std::size_t classes = classes_for(problem, progress.order[k], options.max_states);
-    if (!progress.open(k) || classes <= progress.explored[k]) continue;
-    progress.decisions[k] = decide_by_exploration(problem, progress.order[k], options, workers_);
-    progress.explored[k] = classes;
-  }
-}
-
-void RequirementChecker::explore(const Problem& problem, Progress& progress, const Effort& effort) {
-  Options options = options_;
-  options.stop = effort.stop;
-  options.max_states = std::min(effort.classes, budget::few_classes);
-  explore(problem, progress, options);
-  if (effort.classes <= budget::few_classes) return;
-  options.max_states = effort.classes;
-  for (std::size_t k = 0; k < progress.order.size() && !progress.failing(); ++k) {
-    if (effort.over()) return;
-    if (progress.open(k)) progress.decisions[k] = decide_by_slice(problem, progress.order[k], options);
-    if (progress.open(k) && !effort.over())
-      progress.decisions[k] = decide_by_runs(problem, progress.order[k], effort.classes, effort.stop);
-  }
-  explore(problem, progress, options);
 }
 
 Ruling RequirementChecker::ruling_of(const Problem& problem, Progress progress, const Effort& effort) {
@@ -129,11 +98,17 @@ Ruling RequirementChecker::ask(const Problem& problem, const RequirementIds& req
   progress.decisions.resize(progress.order.size());
   progress.explored.resize(progress.order.size());
   const std::vector<Verdict> bounds = bounds_of(problem, progress.order, options_);
-  for (std::size_t k = 0; k < progress.order.size() && !progress.failing(); ++k) {
-    if (effort.over()) break;
-    progress.decisions[k] = decide_quickly(problem, progress.order[k], bounds[k], effort.stop);
+  Options options = options_;
+  options.stop = effort.stop;
+  options.max_states = effort.classes;
+  for (const AskingRound& round : asking_rounds()) {
+    if (effort.classes < round.from) break;
+    for (std::size_t k = 0; k < progress.order.size() && !progress.failing() && !effort.over(); ++k)
+      decide(round.methods,
+             AskedCase{problem, progress.order[k], bounds[k], workers_, progress.decisions[k],
+                       progress.explored[k]},
+             options);
   }
-  if (!progress.decided() && effort.classes > 0) explore(problem, progress, effort);
   return ruling_of(problem, std::move(progress), effort);
 }
 

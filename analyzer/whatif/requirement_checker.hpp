@@ -76,8 +76,6 @@ class RequirementChecker {
   /// A question on its way: what each requirement came to by now, in the order of asking.
   struct Progress;
 
-  void explore(const Problem& problem, Progress& progress, const Effort& effort);
-  void explore(const Problem& problem, Progress& progress, const Options& options);
   Ruling ruling_of(const Problem& problem, Progress progress, const Effort& effort);
 
   const pan::Network& network_;

@@ -92,7 +92,7 @@ class Comparison {
     diagnostics_
         .report(Finding::activity_measured_longer, declared->where, name, to_text(time.time.worst),
                 declared_.name, to_text(declared->time.worst), interval_text(wanted))
-        .notes.push_back({time.where, "it was measured here"});
+        .note(time.where, Remark::measured_here);
   }
 
   void cost(const char* name, const Interval& declared, const Interval& measured) const {
@@ -100,7 +100,7 @@ class Comparison {
     diagnostics_
         .report(Finding::cost_measured_longer, declared_.where, name, to_text(measured.worst), declared_.name,
                 to_text(declared.worst), interval_text({declared.best, measured.worst}))
-        .notes.push_back({measured_.where, "it was measured here"});
+        .note(measured_.where, Remark::measured_here);
   }
 
   void device(const pan::DeviceTiming& timing) const {
@@ -134,7 +134,7 @@ class Comparison {
         .report(Finding::measured_outside_promise, declared.where, declared.device, did,
                 to_text(late ? greatest : least), declared_.name,
                 late ? "at most " + to_text(*range.greatest) : "at least " + to_text(range.least))
-        .notes.push_back({measured.where, "it was measured here"});
+        .note(measured.where, Remark::measured_here);
   }
 
   const pan::Environment& declared_;

@@ -89,7 +89,7 @@ class SourceReader {
               std::find_if(path.begin(), path.end(), [&](const Step& s) { return s.tree == next; });
           for (auto at = first; at + 1 < path.end(); ++at) {
             const auto& through = std::get<syntax::Uses>(trees_[at->tree].units[at->unit - 1]);
-            finding.notes.push_back({through.where, "which is used by way of this"});
+            finding.note(through.where, Remark::used_by_way_of);
           }
         } else if (marks[next] == Mark::fresh) {
           marks[next] = Mark::open;

@@ -12,7 +12,7 @@ std::string quoted(const std::string& name) {
 void report_twice(Diagnostics& diagnostics, const std::string& what, const syntax::Name& second,
                   const syntax::Name& first) {
   auto& finding = diagnostics.report(Finding::declared_twice, second.where, what, second.text);
-  finding.notes.push_back({first.where, "it is also declared here"});
+  finding.note(first.where, Remark::also_declared);
 }
 
 bool may_guess(const Diagnostics& diagnostics, std::size_t known) {
@@ -29,7 +29,7 @@ void report_unknown(Diagnostics& diagnostics, const PartialDiagnostic& what, con
   if (!meant) return;
   finding.fix = {{name.where, *meant}};
   const auto place = declared ? declared(*meant) : std::nullopt;
-  if (place) finding.notes.push_back({*place, quoted(*meant) + " is declared here"});
+  if (place) finding.note(*place, Remark::name_declared, *meant);
 }
 
 }  // namespace pal::check

@@ -202,7 +202,7 @@ void check_listed(const pan::Network& network, const pan::Environment& environme
   auto& finding = diagnostics.report(Finding::resources_not_listed, environment.where, environment.name,
                                      network.skill.name);
   for (const auto& resource : missing) {
-    finding.notes.push_back({resource.where, group_text(resource.group) + ": " + quoted(resource.name)});
+    finding.note(resource.where, Remark::resource, group_text(resource.group), resource.name);
   }
 }
 

@@ -193,7 +193,7 @@ class Finder {
     auto& finding = diagnostics_.report(Finding::message_used_by_two, other.where, message,
                                         (other.writes ? "written" : "read"), other.by.name, write.by.name,
                                         where_both_run(write, other), environment_.name);
-    finding.notes.push_back({write.where, "it is written here"});
+    finding.note(write.where, Remark::written_here);
     add_places(write, other, finding);
   }
 
@@ -201,14 +201,14 @@ class Finder {
     auto& finding =
         diagnostics_.report(Finding::activity_used_by_two, other.where, other.by.name, activity(one).name,
                             one.by.name, where_both_run(one, other), environment_.name);
-    finding.notes.push_back({one.where, "it also runs here"});
+    finding.note(one.where, Remark::also_runs_here);
     add_places(one, other, finding);
   }
 
   static void add_places(const SharedUse& write, const SharedUse& other, Diagnostic& finding) {
-    finding.notes.push_back({write.by.place->where, write.by.name + " is placed here"});
+    finding.note(write.by.place->where, Remark::placed_here, write.by.name);
     if (other.by.place != write.by.place)
-      finding.notes.push_back({other.by.place->where, other.by.name + " is placed here"});
+      finding.note(other.by.place->where, Remark::placed_here, other.by.name);
   }
 
   const pan::Network& network_;

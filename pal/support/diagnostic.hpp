@@ -16,16 +16,26 @@ namespace pal {
 /// code that only carries findings need not.
 enum class Code : std::uint16_t;
 
-/// The rows of findings in finding.hpp, and what reports them. Include that to report findings.
+/// The rows of findings and of their notes in finding.hpp, and what reports them. Include that to report
+/// findings.
 enum class Finding : std::uint16_t;
+enum class Remark : std::uint16_t;
+template <class Row, std::size_t count>
+struct RowWith;
 template <std::size_t count>
-struct FindingWith;
+using FindingWith = RowWith<Finding, count>;
+template <std::size_t count>
+using RemarkWith = RowWith<Remark, count>;
 struct PartialDiagnostic;
 
 enum class Severity { note, warning, error };
 
-/// A second place that helps to understand the first.
+/// A second place that helps to understand the first. Its text is a row of the table of notes.
 struct Note {
+  template <class... Arguments>
+  Note(SourceSpan at, std::type_identity_t<RemarkWith<sizeof...(Arguments)>> remark,
+       const Arguments&... arguments);
+
   SourceSpan where;
   std::string text;
 };
@@ -52,6 +62,10 @@ struct Diagnostic {
   Finding finding = {};
   std::vector<std::string> arguments = {};
 
+  /// Adds a second place. There is an argument for each placeholder of the row.
+  template <class... Arguments>
+  Diagnostic& note(SourceSpan at, std::type_identity_t<RemarkWith<sizeof...(Arguments)>> remark,
+                   const Arguments&... arguments);
   /// Is told in this way from now on.
   Diagnostic& say(const PartialDiagnostic& what);
   /// Asks for the similar name `near`, if there is one, in place of the hint. `quote` stands around it.

@@ -1,27 +1,25 @@
 #include "pal/support/finding.hpp"
 
 namespace pal {
-namespace {
 
-std::string filled(std::string_view text, const PartialDiagnostic& what) {
-  const Placeholders known = placeholders(row(what.finding));
-  std::string result;
-  for (auto next = first_placeholder(text); !next.empty(); next = first_placeholder(text)) {
-    const auto before = static_cast<std::size_t>(next.data() - text.data());
-    result.append(text.substr(0, before)).append(what.arguments[known.index_of(next)]);
-    text.remove_prefix(before + next.size());
-  }
-  return result.append(text);
+std::string_view name(HintFor whom) {
+  return whom == HintFor::all ? "all" : "writers";
 }
 
-}  // namespace
-
 std::string text_of(const PartialDiagnostic& what) {
-  return filled(row(what.finding).text, what);
+  return filled(row(what.finding).text, placeholders(what.finding), what.arguments);
 }
 
 std::string hint_of(const PartialDiagnostic& what) {
-  return filled(row(what.finding).hint, what);
+  return filled(row(what.finding).hint, placeholders(what.finding), what.arguments);
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> named_arguments(const Diagnostic& finding) {
+  const Placeholders known = placeholders(finding.finding);
+  std::vector<std::pair<std::string_view, std::string_view>> result;
+  for (std::size_t i = 0; i < finding.arguments.size(); ++i)
+    result.emplace_back(known.names[i].substr(1, known.names[i].size() - 2), finding.arguments[i]);
+  return result;
 }
 
 }  // namespace pal

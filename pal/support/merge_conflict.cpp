@@ -27,7 +27,7 @@ bool report_merge_conflict(std::string_view text, FileId file, Diagnostics& diag
     if (finding == nullptr) {
       if (is_marker(line, '<')) finding = &diagnostics.report(Finding::merge_conflict, span(begin, end));
     } else if (finding->notes.size() < 2 && (is_marker(line, '=') || is_marker(line, '>'))) {
-      finding->notes.push_back({span(begin, end), "it goes on here"});
+      finding->note(span(begin, end), Remark::goes_on_here);
     }
     begin = std::min(text.find('\n', end), text.size() - 1) + 1;
   }

@@ -25,9 +25,9 @@ void render_text(const std::vector<Diagnostic>& findings, const SourceManager& s
                  const TextLimit& limit = {});
 
 /// A JSON array of one object each: {"code", "severity", "file", "line", "column", "end_line", "end_column",
-/// "message", "hint", "finding", "arguments": {placeholder: text}, "notes": [{"file", "line", "column",
-/// "end_line", "end_column", "message"}], "fix": [{"file", "line", "column", "end_line", "end_column",
-/// "text"}]}. What has no place has "" and 0.
+/// "message", "hint", "hint_for", "finding", "arguments": {placeholder: text}, "notes": [{"file", "line",
+/// "column", "end_line", "end_column", "message"}], "fix": [{"file", "line", "column", "end_line",
+/// "end_column", "text"}]}. What has no place has "" and 0.
 std::string render_json(const std::vector<Diagnostic>& findings, const SourceManager& sources);
 
 }  // namespace pal

@@ -48,11 +48,11 @@ Json to_json(const Diagnostic& finding, const SourceManager& sources) {
   add_end(object, finding.where, sources);
   object["message"] = finding.message;
   object["hint"] = finding.hint;
+  object["hint_for"] = name(row(finding.finding).hint_for);
   object["finding"] = row(finding.finding).name;
   object["arguments"] = Json::object();
-  const Placeholders names = placeholders(row(finding.finding));
-  for (std::size_t i = 0; i < finding.arguments.size(); ++i)
-    object["arguments"][names.names[i].substr(1, names.names[i].size() - 2)] = finding.arguments[i];
+  for (const auto& [argument, text] : named_arguments(finding))
+    object["arguments"][std::string(argument)] = text;
   object["notes"] = Json::array();
   for (const auto& note : finding.notes) object["notes"].push_back(to_json(note, sources));
   object["fix"] = Json::array();

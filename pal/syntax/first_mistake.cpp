@@ -123,7 +123,7 @@ bool FirstMistake::tell_missing_end(antlr4::Parser* parser, const antlr4::Token*
   for (const auto& end : ends) {
     if (context->getRuleIndex() != end.rule || !expected.contains(end.type)) continue;
     tell(parser, at, {Finding::missing_end, end.what, end.end, spelling(*at), end.end});
-    if (!foreign_) told_->notes.push_back({tokens_.span(context->start), "it begins here"});
+    if (!foreign_) told_->note(tokens_.span(context->start), Remark::begins_here);
     return true;
   }
   return false;

@@ -128,7 +128,7 @@ int systems(std::uint64_t count, std::uint64_t first, double exact_seconds) {
                 << " " << system.chains[c].stages.size() << " | " << milliseconds(bound) << " "
                 << milliseconds(baseline[c]) << " " << milliseconds(exactly) << " " << milliseconds(shown)
                 << (failed ? " loses events" : "")
-                << (bound ? "" : "  " + compositional.verdicts[c].explanation) << "\n";
+                << (bound ? "" : "  " + compositional.verdicts[c].explanation.text()) << "\n";
       if (!bound) {
         only_holistic += baseline[c] ? 1 : 0;
         continue;

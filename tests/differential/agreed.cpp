@@ -94,7 +94,7 @@ void expect_bounds_hold(const Problem& problem, const Analysis& exact) {
   for (std::size_t r = 0; r < problem.requirements.size(); ++r) {
     const Verdict& bound = compositional.verdicts[r];
     const Verdict& known = exact.verdicts[r];
-    INFO(bound.requirement << ": " << bound.explanation);
+    INFO(bound.requirement << ": " << bound.explanation.text());
     if (!bound.bound || known.state == Verdict::State::never) continue;
     REQUIRE(known.bound);
     CHECK((bound.at_least ? *bound.bound <= *known.bound : *bound.bound >= *known.bound));
@@ -139,7 +139,7 @@ Bounds agreed_bounds(const std::string& name) {
   for (const Wanted& wanted :
        wanted(skill->specification.skills.front(), skill->specification.environments.front())) {
     const Verdict& verdict = verdict_of(exact, wanted.name);
-    INFO(wanted.name << ": " << verdict.explanation);
+    INFO(wanted.name << ": " << verdict.explanation.text());
     CHECK(unexplained(verdict) == "");
     expect_all_runs_agree(*skill, wanted, verdict);
     for (const Requirement& requirement : problem.requirements) {

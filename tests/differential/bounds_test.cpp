@@ -32,7 +32,7 @@ Shown show(const std::string& text) {
   Shown shown;
   const Analysis analysis = compositional::analyze(*skill->problem);
   shown.bound = analysis.verdicts.front().bound;
-  shown.why = analysis.verdicts.front().explanation;
+  shown.why = analysis.verdicts.front().explanation.text();
   const Watch watch = watch_of(*skill->problem, skill->problem->requirements.front());
   const Machine machine(*skill->problem, watch);
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -251,7 +251,7 @@ TEST_CASE("the compositional analysis asks whether to end at each request") {
   // Six thousand requests in one module, beside blocks of twelve thousand statements, took twelve seconds
   // more than they were given.
   const auto skill = test::meaningful_skill(program("bounds/in_turns"));
-  CHECK(compositional::forest_of(*skill->problem, [] { return true; }).refusal == "it was interrupted");
+  CHECK(compositional::forest_of(*skill->problem, [] { return true; }).refusal.text == "it was interrupted");
 }
 
 TEST_CASE("the compositional analysis asks whether to end while it looks at ways that multiply") {
@@ -301,8 +301,8 @@ TEST_CASE(
   const Analysis analysis = compositional::analyze(*skill->problem);
   REQUIRE(analysis.verdicts.size() == 3);
   for (const Verdict& verdict : analysis.verdicts) {
-    INFO(verdict.requirement << ": " << verdict.explanation);
-    CHECK(verdict.explanation.find("nothing bounds when SD1") != std::string::npos);
+    INFO(verdict.requirement << ": " << verdict.explanation.text());
+    CHECK(verdict.explanation.text().find("nothing bounds when SD1") != std::string::npos);
     CHECK_FALSE(verdict.bound);
   }
 }
@@ -312,7 +312,7 @@ TEST_CASE("why there is no bound: the thread that may skip its statement is name
                                                      "    CASE\n      ( contact ): Do Nothing\n      ( NOT "
                                                      "contact ): SPC( contact )\n    END CASE\n  UNTIL"));
   const Analysis analysis = compositional::analyze(*skill->problem);
-  const std::string& why = analysis.verdicts.front().explanation;
+  const std::string why = analysis.verdicts.front().explanation.text();
   INFO(why);
   CHECK(why.find("SD1 need not come to it in every job") != std::string::npos);
 }
@@ -320,14 +320,14 @@ TEST_CASE("why there is no bound: the thread that may skip its statement is name
 TEST_CASE("no bound: a block that passes its statement in every job may leave its loop") {
   const auto skill = test::meaningful_skill(program("bounds/leaves"));
   const Analysis analysis = compositional::analyze(*skill->problem);
-  CHECK(analysis.verdicts.front().explanation.find("SM1.1 may leave its loop") != std::string::npos);
+  CHECK(analysis.verdicts.front().explanation.text().find("SM1.1 may leave its loop") != std::string::npos);
 }
 
 TEST_CASE("why there is no bound: the unbounded thread that keeps another waiting is named") {
   const auto skill = test::meaningful_skill(program("served/by_module"));
   const Analysis analysis = compositional::analyze(*skill->problem);
   const auto says = [](const Verdict& verdict) {
-    return verdict.explanation.find("when LS1 comes to it, since SM1 may still be waiting") !=
+    return verdict.explanation.text().find("when LS1 comes to it, since SM1 may still be waiting") !=
            std::string::npos;
   };
   CHECK(std::any_of(analysis.verdicts.begin(), analysis.verdicts.end(), says));
@@ -336,9 +336,9 @@ TEST_CASE("why there is no bound: the unbounded thread that keeps another waitin
 TEST_CASE("why there is no bound: the times of a job and of the next one are named") {
   const auto skill = test::meaningful_skill(program("served/outlasts_period"));
   const Analysis analysis = compositional::analyze(*skill->problem);
-  INFO(analysis.verdicts.front().explanation);
+  INFO(analysis.verdicts.front().explanation.text());
   CHECK(
-      analysis.verdicts.front().explanation.find(
+      analysis.verdicts.front().explanation.text().find(
           "SD1 may still be waiting within one job when the next is due: a job may last until 42 ms, and the "
           "next may be due at 28 ms") != std::string::npos);
 }
@@ -347,8 +347,8 @@ TEST_CASE("why there is no bound: the clients of a server that waits are named")
   const auto skill = test::meaningful_skill(program("served/two_clients"));
   const Analysis analysis = compositional::analyze(*skill->problem);
   for (const Verdict& verdict : analysis.verdicts) {
-    INFO(verdict.explanation);
-    CHECK(verdict.explanation.find("LS1 serves 2 clients, SM1 and SM2, and waits within its jobs") !=
+    INFO(verdict.explanation.text());
+    CHECK(verdict.explanation.text().find("LS1 serves 2 clients, SM1 and SM2, and waits within its jobs") !=
           std::string::npos);
   }
 }

@@ -23,7 +23,7 @@ std::int64_t bound(const std::string& text) {
   const auto skill = meaningful_skill(text);
   const analyzer::Analysis analysis = analyzer::analyze_exactly(*skill->problem);
   const analyzer::Verdict& verdict = analysis.verdicts.front();
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.exact);
   CHECK(unconfirmed(*skill->problem, analysis) == "");
   CHECK(unexplained(verdict) == "");

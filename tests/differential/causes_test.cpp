@@ -40,6 +40,6 @@ TEST_CASE("no run of a skill with tangled causes exceeds a bound of either analy
 TEST_CASE("a job that begins with blocks is not taken as one without time") {
   const auto skill =
       test::meaningful_skill(test::project_file("tests/differential/causes/begins_with_blocks.pal"));
-  CHECK(compositional::forest_of(*skill->problem, {}).refusal ==
+  CHECK(compositional::forest_of(*skill->problem, {}).refusal.text ==
         "nothing says how long a job of module SM1 takes at least");
 }

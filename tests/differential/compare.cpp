@@ -65,7 +65,7 @@ std::string claim(const Verdict& verdict) {
   std::ostringstream out;
   out << verdict.requirement << ": " << name(verdict.method) << " " << name(verdict.state);
   if (verdict.bound) out << " " << verdict.bound->count();
-  out << ", " << verdict.explanation << "\n";
+  out << ", " << verdict.explanation.text() << "\n";
   return out.str();
 }
 

@@ -31,7 +31,7 @@ Nanoseconds sum(const std::vector<Addend>& addends) {
 
 void explain(const Analysis& analysis, Tally& tally) {
   for (const Verdict& verdict : analysis.verdicts) {
-    INFO(verdict.requirement << ": " << verdict.explanation);
+    INFO(verdict.requirement << ": " << verdict.explanation.text());
     tally.witnesses += verdict.witness ? 1 : 0;
     CHECK(test::unexplained(verdict) == "");
     if (verdict.addends.empty()) continue;

@@ -49,7 +49,7 @@ TEST_CASE("a value that goes to and fro for long is followed all the way") {
 TEST_CASE("times near the limit do not overflow") {
   // The condition is set once, before a loop without end: its age has no bound.
   const Verdict verdict = first_verdict("hand/near_the_limit");
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK_FALSE(verdict.bound);
   CHECK(verdict.state != Verdict::State::holds);
 }
@@ -123,21 +123,21 @@ TEST_CASE("an event that is unanswered at the end of the skill does not count") 
   // The event of MC1 is unanswered for eight rounds of 70 ms, more than is followed exactly; then the skill
   // ends, in every run.
   const Verdict verdict = first_verdict("hand/unanswered_at_end");
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.state == Verdict::State::never);
 }
 
 TEST_CASE("a wait for an event that need not come grows for ever") {
   // After motion SM1 waits for a tick, then ends the skill without an answer. The tick may never come.
   const Verdict verdict = first_verdict("hand/need_not_come");
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.state == Verdict::State::fails);
 }
 
 TEST_CASE("a value beyond the cap grows for ever when the skill stands still") {
   // SM1 goes round eight times, and then waits for an answer that the device has lost.
   const Verdict verdict = first_verdict("hand/grown_beyond");
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.state == Verdict::State::fails);
 }
 

@@ -36,7 +36,7 @@ std::string claim(const Verdict& verdict) {
   out << name(verdict.method) << " " << name(verdict.state);
   if (verdict.bound) out << " " << verdict.bound->count();
   if (verdict.exact) out << " exact";
-  out << ", " << verdict.explanation << "\n";
+  out << ", " << verdict.explanation.text() << "\n";
   return out.str();
 }
 

@@ -90,7 +90,7 @@ void expect_sound(std::uint64_t seed, NoTimeTally& tally) {
     std::string story;
     for (const std::string& line : runs.story) story += line + "\n";
     INFO("seed " << seed << " with " << how << " " << wanted.name << ": " << name(found->state) << ", "
-                 << found->explanation << "\n"
+                 << found->explanation.text() << "\n"
                  << text << story);
     CHECK(wrong == "");
   }

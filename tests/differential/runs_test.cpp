@@ -94,8 +94,8 @@ void expect_sound(const std::string& text, std::uint64_t seed, RunTally& tally) 
     const std::string wrong = contradiction(runs, wanted, verdict, seed, counts);
     std::string story;
     for (const std::string& line : runs.story) story += line + "\n";
-    INFO("seed " << seed << " " << wanted.name << ": " << name(verdict.state) << ", " << verdict.explanation
-                 << "\n"
+    INFO("seed " << seed << " " << wanted.name << ": " << name(verdict.state) << ", "
+                 << verdict.explanation.text() << "\n"
                  << text << story);
     CHECK(wrong == "");
   }

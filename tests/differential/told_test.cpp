@@ -88,7 +88,7 @@ void expect_sound(const std::string& text, std::uint64_t seed, ToldTally& tally)
       const Requirement& requirement = problem.requirements[r];
       const run_checker::Ruling ruling = run_checker::check_run(problem, &requirement, made, teller.until());
       INFO("seed " << seed << " run " << run << " " << requirement.name << ": "
-                   << analysis.verdicts[r].explanation << "\n"
+                   << analysis.verdicts[r].explanation.text() << "\n"
                    << text << told(made));
       REQUIRE(ruling.broken == "");
       tally.values += ruling.measured.size();

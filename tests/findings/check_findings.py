@@ -3,7 +3,8 @@
 
     check_findings.py ROOT [--self-test]
 
-- Each row is reported somewhere, and stands below its code.
+- Each row is reported somewhere, and stands below its code. Each note is used.
+- A row whose hint shows JSON says that its hint is for those who write the file, and no other does.
 - No source beside pal/support writes the message or the code of a finding itself.
 - Each text is expected by a test: a golden, a unit test, or an example that `pal explain` shows. Those that are not
   are printed, and may be at most MOST_UNSEEN.
@@ -13,11 +14,13 @@ import re
 import sys
 from pathlib import Path
 
-MOST_UNSEEN = 5
-ROW = re.compile(r'^PAL_FINDING\((PAL\d{4}), (\w+), ("(?:[^"\\]|\\.)*"), ("(?:[^"\\]|\\.)*")\)$')
+MOST_UNSEEN = 0
+ROW = re.compile(r'^PAL_FINDING(_IN_FILE)?\((PAL\d{4}), (\w+), ("(?:[^"\\]|\\.)*"), ("(?:[^"\\]|\\.)*")\)$')
+NOTE = re.compile(r'^PAL_NOTE\((\w+), ("(?:[^"\\]|\\.)*")\)$')
 CODE = re.compile(r"^PAL_DIAGNOSTIC\((PAL\d{4}), (?:error|warning|note), \"[^\"]+\"\)$")
 OWN_TEXT = [(re.compile(r"\breport\(\s*Code::"), "reports a code; name a finding"),
             (re.compile(r"\b(?:finding|diagnostic|told)\w*(?:\.|->)(?:message|hint)\s*\+?=\s*[^=]*\""), "writes a text; the table has it"),
+            (re.compile(r"\bnotes(?:\.|->)(?:push|emplace)_back\([^;]*\""), "writes a text; the table of notes has it"),
             (re.compile(r"\bDiagnostic\{"), "makes a finding; report it")]
 
 
@@ -26,7 +29,7 @@ def unquoted(literal):
 
 
 def read_rows(tables):
-    """The rows as (code, name, text), and what is wrong with their order or form."""
+    """The rows as (code, name, text), notes without a code, and what is wrong with their order or form."""
     rows, wrong = [], []
     for table, text in tables:
         code = None
@@ -34,9 +37,14 @@ def read_rows(tables):
             if heading := CODE.match(line):
                 code = heading.group(1)
             elif row := ROW.match(line):
-                if row.group(1) != code:
-                    wrong.append(f"{table}:{number}: {row.group(2)} does not stand below {row.group(1)}")
-                rows.append((row.group(1), row.group(2), unquoted(row.group(3))))
+                in_file, of, name, message, hint = row.groups()
+                if of != code:
+                    wrong.append(f"{table}:{number}: {name} does not stand below {of}")
+                if bool(in_file) != ('{\\"' in hint):
+                    wrong.append(f"{table}:{number}: {name} says wrongly whom its hint is for")
+                rows.append((of, name, unquoted(message)))
+            elif note := NOTE.match(line):
+                rows.append((None, note.group(1), unquoted(note.group(2))))
             elif not line.startswith("//"):
                 wrong.append(f"{table}:{number}: is no row on one line")
     return rows, wrong
@@ -48,8 +56,9 @@ def own_texts(sources):
 
 
 def unused(rows, sources):
-    named = {name for _, text in sources for name in re.findall(r"\bFinding::(\w+)", text)}
-    return [f"{name} ({code}) is reported nowhere" for code, name, _ in rows if name not in named]
+    named = {found for _, text in sources for found in re.findall(r"\b(Finding|Remark)::(\w+)", text)}
+    return [f"{name} ({code or 'a note'}) is reported nowhere" for code, name, _ in rows
+            if ("Finding" if code else "Remark", name) not in named]
 
 
 def unseen(rows, expected):
@@ -58,14 +67,18 @@ def unseen(rows, expected):
     for code, name, text in rows:
         form = "[^\n]*?".join(re.escape(part) for part in re.split(r"\{[a-z_]+\}", text))
         if not re.search(form, expected):
-            result.append(f"{code} {name}: {text}")
+            result.append(f"{code or 'note'} {name}: {text}")
     return result
 
 
 def self_test():
-    table = 'PAL_DIAGNOSTIC(PAL0101, error, "t")\nPAL_FINDING(PAL0102, a, "no {x}", "")\nPAL_FINDING(PAL0101, b, "gone",\n'
+    table = ('PAL_DIAGNOSTIC(PAL0101, error, "t")\nPAL_FINDING(PAL0102, a, "no {x}", "")\nPAL_FINDING(PAL0101, b, "gone",\n'
+             'PAL_FINDING(PAL0101, c, "d", "write {\\"e\\"}")\nPAL_NOTE(here, "it is here")\n')
     rows, wrong = read_rows([("t.def", table)])
-    assert wrong == ["t.def:2: a does not stand below PAL0102", "t.def:3: is no row on one line"], wrong
+    assert wrong == ["t.def:2: a does not stand below PAL0102", "t.def:3: is no row on one line",
+                     "t.def:4: c says wrongly whom its hint is for"], wrong
+    assert rows.pop() == (None, "here", "it is here") and rows.pop()[1] == "c"
+    assert unused([(None, "here", "")], [("s.cpp", "Finding::here")]) == ["here (a note) is reported nowhere"]
     source = [("s.cpp", "report(Finding::b);\nreport(Code::PAL0101, where);\nfinding.message = \"x\" + y;\n")]
     assert unused(rows, source) == ["a (PAL0102) is reported nowhere"]
     assert [each.split(": ")[0] for each in own_texts(source)] == ["s.cpp:2", "s.cpp:3"]
@@ -94,7 +107,7 @@ def main():
         print("in no test:", each)
     for each in wrong:
         print(each)
-    print(f"{len(rows)} findings, {len(missing)} of which no test expects (at most {MOST_UNSEEN})")
+    print(f"{len(rows)} findings and notes, {len(missing)} of which no test expects (at most {MOST_UNSEEN})")
     return 1 if wrong or len(missing) > MOST_UNSEEN else 0
 
 

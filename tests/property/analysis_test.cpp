@@ -92,7 +92,7 @@ TEST_CASE("no simulated run exceeds what was proved") {
             simulation.until = 400 * millisecond;
             simulation.max_events = 4'000;
             simulation.record = false;
-            INFO(requirement.name << " run " << run << ": " << verdict.explanation);
+            INFO(requirement.name << " run " << run << ": " << verdict.explanation.text());
             expect_run(requirement, verdict, simulate(machine, simulation));
           }
         }
@@ -128,7 +128,7 @@ TEST_CASE("the bound is what trying every run gives") {
         const Machine machine(problem, watch);
         all.add(test::brute_force(machine, millisecond, cap, 15'000));
       }
-      INFO(requirement.name << ": " << name(verdict.state) << ", " << verdict.explanation);
+      INFO(requirement.name << ": " << name(verdict.state) << ", " << verdict.explanation.text());
       const Nanoseconds found = requirement.at_least ? all.least : all.greatest;
       if (verdict.bound && found >= 0) {
         CHECK((requirement.at_least ? found >= verdict.bound->count() : found <= verdict.bound->count()));

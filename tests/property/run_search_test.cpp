@@ -32,7 +32,7 @@ void expect_found(const Problem& problem, std::size_t r, const Verdict& exact, T
   ++tally.found;
   INFO(requirement.name << ": found " << found->measured.value << ", failed " << found->failed << "; "
                         << name(exact.state) << " " << (exact.bound ? exact.bound->count() : -1) << ", "
-                        << exact.explanation);
+                        << exact.explanation.text());
   REQUIRE(test::refusal(problem, requirement, *found, found->trace) == "");
   REQUIRE(exact.state != Verdict::State::never);
   if (found->failed) REQUIRE(exact.state != Verdict::State::holds);

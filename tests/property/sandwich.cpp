@@ -43,7 +43,7 @@ void compare_with_exact(const Problem& problem, const Analysis& compositional, s
     REQUIRE((above.state == Verdict::State::holds) == kept);
     INFO(above.requirement << ": compositional " << above.bound->count() << ", exact "
                            << (below.bound ? below.bound->count() : -1) << " " << name(below.state) << ", "
-                           << below.explanation);
+                           << below.explanation.text());
     // What fails for want of a bound has a run without a response, or one above the limit.
     if (below.state == Verdict::State::fails) {
       REQUIRE(above.state != Verdict::State::holds);

@@ -22,7 +22,7 @@ inline void expect_bounds(const std::string& text, const std::vector<std::pair<d
   const analyzer::Analysis exact = analyzer::analyze_exactly(*skill->problem);
   REQUIRE(compositional.verdicts.size() == expected.size());
   for (std::size_t r = 0; r < expected.size(); ++r) {
-    INFO(compositional.verdicts[r].requirement << ": " << compositional.verdicts[r].explanation);
+    INFO(compositional.verdicts[r].requirement << ": " << compositional.verdicts[r].explanation.text());
     CHECK(milliseconds(compositional.verdicts[r]) == expected[r].first);
     CHECK(milliseconds(exact.verdicts[r]) == expected[r].second);
   }

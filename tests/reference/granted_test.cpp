@@ -157,7 +157,7 @@ TEST_CASE("a round that may send to one slot three times finds it full") {
   // That MC1 may have to wait comes from there.
   const auto skill = pal::test::meaningful_skill(granted("sent_thrice"));
   const auto analysis = pal::analyzer::compositional::analyze(*skill->problem);
-  const std::string& why = analysis.verdicts.front().explanation;
+  const std::string why = analysis.verdicts.front().explanation.text();
   INFO(why);
   CHECK(why.find("since SM1 may find the slot full at TXM( motion to MC2 )") != std::string::npos);
 }

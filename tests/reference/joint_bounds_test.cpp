@@ -80,7 +80,7 @@ Bounds bounds_of(const std::string& text) {
   const auto skill = sound_skill(text);
   const Verdict bound = compositional::analyze(*skill->problem, {}).verdicts.at(0);
   const Verdict exact = analyze_exactly(*skill->problem, {}).verdicts.at(0);
-  INFO(bound.explanation);
+  INFO(bound.explanation.text());
   REQUIRE(bound.bound);
   REQUIRE(exact.exact);
   Bounds found{*bound.bound, *exact.bound, 0};

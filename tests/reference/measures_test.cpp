@@ -47,7 +47,7 @@ const Verdict& verdict_of(const Analysis& analysis, const std::string& requireme
 void expect_exact(const Analysis& analysis, const std::string& requirement, Duration bound,
                   VerdictState state) {
   const Verdict& found = verdict_of(analysis, requirement);
-  INFO(requirement << ": " << name(found.state) << ", " << found.explanation);
+  INFO(requirement << ": " << name(found.state) << ", " << found.explanation.text());
   REQUIRE(found.bound);
   CHECK(*found.bound == bound);
   CHECK(found.exact);

@@ -67,7 +67,7 @@ END ENVIRONMENT
 /// Of the requirement `index`: the bound is so much, and some run attains it; the referee agrees.
 void expect_exact(const Problem& problem, const Analysis& analysis, std::size_t index, Duration bound) {
   const Verdict& found = analysis.verdicts[index];
-  INFO(found.requirement << ": " << name(found.state) << ", " << found.explanation);
+  INFO(found.requirement << ": " << name(found.state) << ", " << found.explanation.text());
   CHECK(found.state == VerdictState::holds);
   REQUIRE(found.bound);
   CHECK(*found.bound == bound);

@@ -133,7 +133,7 @@ TEST_CASE("compositional bounds do not exceed the published values") {
     last = answer.file;
     const Verdict& verdict = of(analysis, answer.requirement);
     INFO(answer.file << " " << answer.requirement << ": " << (verdict.bound ? verdict.bound->count() : -1)
-                     << " " << verdict.explanation);
+                     << " " << verdict.explanation.text());
     if (answer.compositional == none) {
       CHECK(!verdict.bound);
       CHECK(verdict.state == Verdict::State::undecided);
@@ -161,7 +161,7 @@ TEST_CASE("runs attain the published values, and do not exceed published bounds"
     const Verdict& verdict = of(analysis, answer.requirement);
     const std::optional<Duration> shown = attained(verdict);
     INFO(answer.file << " " << answer.requirement << ": " << (verdict.bound ? verdict.bound->count() : -1)
-                     << ", shown " << (shown ? shown->count() : -1) << " " << verdict.explanation);
+                     << ", shown " << (shown ? shown->count() : -1) << " " << verdict.explanation.text());
     CHECK(verdict.state != Verdict::State::fails);
     if (shown) CHECK(shown->count() <= answer.published * 1000);
     CHECK((verdict.exact && verdict.bound) == (answer.exact != none));

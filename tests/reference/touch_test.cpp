@@ -22,7 +22,7 @@ Analysis analyze_touch(const std::string& file) {
 TEST_CASE("touch meets its requirements in the workcell, exactly") {
   const Analysis analysis = analyze_touch("touch.pal");
   for (const Verdict& verdict : analysis.verdicts) {
-    INFO(verdict.requirement << ": " << verdict.explanation);
+    INFO(verdict.requirement << ": " << verdict.explanation.text());
     CHECK(verdict.state == Verdict::State::holds);
     CHECK((verdict.exact || verdict.requirement == "headroom"));  // two blocks share P0: a bound
     REQUIRE(verdict.bound);
@@ -32,7 +32,7 @@ TEST_CASE("touch meets its requirements in the workcell, exactly") {
 TEST_CASE("touch in the order of figure 3.6 decides on a force that is too old") {
   const Analysis analysis = analyze_touch("touch_read_first.pal");
   for (const Verdict& verdict : analysis.verdicts) {
-    INFO(verdict.requirement << ": " << verdict.explanation);
+    INFO(verdict.requirement << ": " << verdict.explanation.text());
     const bool age = verdict.requirement == "fresh-force";
     CHECK((verdict.state == Verdict::State::fails) == age);
     CHECK((verdict.exact || verdict.requirement == "headroom"));  // two blocks share P0: a bound

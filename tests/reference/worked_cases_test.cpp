@@ -107,7 +107,7 @@ const char* const corrected = R"(
 
 void expect_attained(const Analysis& analysis, const std::string& requirement, Duration bound) {
   const Verdict& found = verdict(analysis, requirement);
-  INFO(requirement << ": " << found.explanation);
+  INFO(requirement << ": " << found.explanation.text());
   REQUIRE(found.bound);
   CHECK(*found.bound == bound);
   CHECK(found.exact);

@@ -4,10 +4,10 @@
 #include <functional>
 #include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "analyzer/compositional/causes/segment.hpp"
+#include "analyzer/compositional/causes/withheld.hpp"
 
 namespace pal::analyzer::compositional {
 
@@ -52,12 +52,17 @@ struct Forest {
   Segments segments;
   Table<SourceId, Source> sources;
   Table<NodeId, Node> nodes;  // a cause stands before its effects
-  /// Why there is no forest, as text for the user; empty if there is one.
-  std::string refusal;
+  /// Why there is no forest; empty if there is one.
+  Why refusal;
   /// By channel: withdrawn_requests().
   Table<ChannelId, bool> withdrawn;
 
+  SetAside set_aside;
+
   explicit Forest(const Problem& problem) : segments(problem) {}
+  /// Whether a bound is withheld for this reason.
+  bool withholds(Withheld withheld) const { return !set_aside.has(withheld); }
+  bool withholds(const Why& why) const { return why.withheld && withholds(*why.withheld); }
   const Segment& segment_of(const Node& node) const { return segments[node.segment]; }
   ThreadId thread_of(NodeId node) const { return segments[nodes[node].segment].beginning.thread; }
   /// The nearest node of `thread` among the causes of `node`, if there is one.
@@ -65,7 +70,7 @@ struct Forest {
 };
 
 /// Refused as interrupted once `stop` returns true.
-Forest forest_of(const Problem& problem, const std::function<bool()>& stop);
+Forest forest_of(const Problem& problem, const std::function<bool()>& stop, const SetAside& set_aside = {});
 
 /// Whether each of these sends ends its segment.
 bool end_segment(const Problem& problem, const std::vector<StepId>& sends);

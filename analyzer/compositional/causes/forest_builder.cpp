@@ -28,7 +28,7 @@ class ForestBuilder {
   }
 
   void plant() {
-    forest_.refusal = refusal_of(problem_, forest_.segments, stop_);
+    forest_.refusal = refusal_of(problem_, forest_.segments, stop_, forest_.set_aside);
     if (forest_.refusal.empty()) find_limited();
     if (!forest_.refusal.empty()) return;
     for (int attempt = 0; attempt < 60; ++attempt) {
@@ -45,7 +45,7 @@ class ForestBuilder {
       cuts_.insert(found_.begin(), found_.end());
       if (cuts_.size() == before) return;
     }
-    forest_.refusal = "the modules wait for one another in too many circles";
+    forest_.refusal = why(Withheld::too_many_circles);
   }
 
  private:
@@ -54,7 +54,7 @@ class ForestBuilder {
 
   /// Nothing more is looked at: it is refused, or it was stopped, and is refused for that.
   bool is_over() {
-    if (forest_.refusal.empty() && stop_ && stop_()) forest_.refusal = "it was interrupted";
+    if (forest_.refusal.empty() && stop_ && stop_()) forest_.refusal = why(Withheld::interrupted);
     return !forest_.refusal.empty();
   }
 
@@ -111,10 +111,8 @@ class ForestBuilder {
       source.segment = segment;
       source.thread = forest_.segments[segment].beginning.thread;
       source.period = least_job_distance(problem_, forest_.segments[segment].beginning);
-      if (source.period == 0) {
-        forest_.refusal = "nothing says how long a job of module " + problem_.threads[source.thread].name +
-                          " takes at least";
-      }
+      if (source.period == 0)
+        forest_.refusal = why(Withheld::no_least_time, problem_.threads[source.thread].name);
       forest_.sources.push_back(source);
     }
   }
@@ -264,8 +262,7 @@ class ForestBuilder {
     if (!may_follow(link, beginning)) return;
     const SegmentId segment = forest_.segments.find(beginning);
     if (forest_.segments[segment].spins) {
-      forest_.refusal = "module " + problem_.threads[beginning.thread].name +
-                        " has a loop that may repeat without waiting, any number of times";
+      forest_.refusal = why(Withheld::spins, problem_.threads[beginning.thread].name);
       return;
     }
     if (cuts_.contains(segment)) {
@@ -292,7 +289,7 @@ class ForestBuilder {
 
   void add(const Link& link, SegmentId segment) {
     if (forest_.nodes.size() >= most_nodes_) {
-      forest_.refusal = "the modules' messages have too many ways to go";
+      forest_.refusal = why(Withheld::too_many_ways);
       return;
     }
     Node made;
@@ -372,8 +369,9 @@ class ForestBuilder {
 
 }  // namespace
 
-Forest forest_of(const Problem& problem, const std::function<bool()>& stop) {
+Forest forest_of(const Problem& problem, const std::function<bool()>& stop, const SetAside& set_aside) {
   Forest forest(problem);
+  forest.set_aside = set_aside;
   ForestBuilder(problem, forest, stop).plant();
   return forest;
 }

@@ -221,36 +221,68 @@ std::set<StepId> takers_of_answer(const Problem& problem, StepId send) {
   return Asked(problem, send).takers();
 }
 
-std::string out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop) {
-  // Also for a request that no thread comes to send: its answer counts as one all the same.
+namespace {
+
+/// Of a request, whoever sends it. Also if no thread comes to send it: its answer counts as one all the same.
+Why why_of_request(const Problem& problem, ChannelId c, const SetAside& set_aside) {
+  const Channel& request = problem.channels[c];
+  const std::string who = receiver_name(problem, c);
+  if (request.receiver_device.valid()) {
+    if (!set_aside.has(Withheld::asked_although_it_comes) && !request.served)
+      return why(Withheld::asked_although_it_comes, who, request.message);
+    return {};
+  }
+  if (!set_aside.has(Withheld::not_answered_once) && !Answers(problem, request.answer).once())
+    return why(Withheld::not_answered_once, who, request.message);
+  return {};
+}
+
+/// Of a send of a request.
+Why why_of_send(const Problem& problem, StepId send, const std::string& who, const SetAside& set_aside) {
+  const ChannelId request = problem.steps[send].channels.front();
+  const Asked asked(problem, send);
+  const std::string& message = problem.channels[request].message;
+  const std::string of = receiver_name(problem, request);
+  if (!set_aside.has(Withheld::asked_again) && asked.again())
+    return why(Withheld::asked_again, who, message, of);
+  if (!set_aside.has(Withheld::answered_elsewhere) && asked.elsewhere())
+    return why(Withheld::answered_elsewhere, who, message, of);
+  return {};
+}
+
+/// Of all sends of a request.
+Why why_of_sends(const Problem& problem, ChannelId request, const std::string& who,
+                 const SetAside& set_aside) {
+  const std::string& message = problem.channels[request].message;
+  const std::string of = receiver_name(problem, request);
+  if (!set_aside.has(Withheld::asked_beside) && is_shared(problem, request))
+    return why(Withheld::asked_beside, message, of);
+  if (!set_aside.has(Withheld::asked_after_cancelled) && asked_after_cancelled(problem, request))
+    return why(Withheld::asked_after_cancelled, who, message, of);
+  return {};
+}
+
+}  // namespace
+
+Why out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop,
+                const SetAside& set_aside) {
   for (const ChannelId c : problem.channels.ids()) {
-    const Channel& request = problem.channels[c];
-    if (!request.answer.valid()) continue;
+    if (!problem.channels[c].answer.valid()) continue;
     if (stop && stop()) return {};
-    const std::string who = receiver_name(problem, c);
-    if (request.receiver_device.valid() && !request.served)
-      return who + " is asked for " + request.message + ", which comes by itself";
-    if (!request.receiver_device.valid() && !Answers(problem, request.answer).once())
-      return who + " may not answer each request for " + request.message + " once before it takes the next";
+    if (Why found = why_of_request(problem, c, set_aside); !found.empty()) return found;
   }
   std::set<ChannelId> seen;
   for (const StepId s : problem.steps.ids()) {
-    const StepId send = s;
     const Step& step = problem.steps[s];
-    if (!segments.owner(send).valid() || step.kind != Kind::send) continue;
+    const ThreadId owner = segments.owner(s);
+    if (!owner.valid() || step.kind != Step::Kind::send) continue;
     const ChannelId request = step.channels.front();
-    const Channel& channel = problem.channels[request];
-    if (!channel.answer.valid()) continue;
+    if (!problem.channels[request].answer.valid()) continue;
     if (stop && stop()) return {};
-    const std::string who = problem.threads[segments.owner(send)].name;
-    const std::string what = channel.message + " of " + receiver_name(problem, request);
-    const Asked asked(problem, send);
-    if (asked.again()) return who + " may ask for " + what + " again before it has the answer";
-    if (asked.elsewhere()) return who + " asks for " + what + ", and another thread may take the answer";
+    const std::string& who = problem.threads[owner].name;
+    if (Why found = why_of_send(problem, s, who, set_aside); !found.empty()) return found;
     if (!seen.insert(request).second) continue;
-    if (is_shared(problem, request)) return "blocks beside one another ask for " + what + " or wait for it";
-    if (asked_after_cancelled(problem, request))
-      return who + " may ask for " + what + " after a block that asked for it was cancelled";
+    if (Why found = why_of_sends(problem, request, who, set_aside); !found.empty()) return found;
   }
   return {};
 }

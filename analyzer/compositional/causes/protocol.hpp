@@ -3,19 +3,20 @@
 
 #include <functional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "analyzer/compositional/causes/segment.hpp"
+#include "analyzer/compositional/causes/withheld.hpp"
 
 namespace pal::analyzer::compositional {
 
-/// Why requests and answers do not alternate, as text for the user; empty if they do. They alternate on two
+/// Why requests and answers do not alternate; empty if they do. They alternate on two
 /// conditions. The client sends a request only after it has received the last answer, or has timed out. And
 /// the server answers each request once, before it receives the next. Then a received answer belongs to the
 /// last request, and no request or answer finds its slot full. After `stop` has returned true, what is left
 /// counts as alternating.
-std::string out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop);
+Why out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop,
+                const SetAside& set_aside = {});
 
 /// By channel of requests: whether a request may be withdrawn before it is received, because its client times
 /// out or is cancelled.

@@ -8,8 +8,6 @@
 namespace pal::analyzer::compositional {
 namespace {
 
-constexpr const char* interrupted = "it was interrupted";
-
 const std::string& name_of(const Problem& problem, ThreadId thread) {
   return problem.threads[thread].name;
 }
@@ -51,21 +49,25 @@ ChannelId taken_anywhere(const Problem& problem, const Segments& segments) {
   return ChannelId{};
 }
 
+/// The limit starts again when the message that the thread is about to take is withdrawn. Others may take it,
+/// too.
+bool limits_service(const Problem& problem, const Step& step) {
+  return step.kind == Step::Kind::wait && step.within &&
+         std::any_of(step.channels.begin(), step.channels.end(),
+                     [&problem](ChannelId channel) { return problem.channels[channel].answer.valid(); });
+}
+
 /// Why nothing can be said of a skill that has this step, or nothing.
-std::string refusal_of_step(const Problem& problem, StepId index, ThreadId thread) {
+Why refusal_of_step(const Problem& problem, StepId index, ThreadId thread, const SetAside& set_aside) {
   const Step& step = problem.steps[index];
   const std::string& who = name_of(problem, thread);
-  if (step.kind == Step::Kind::fork && starts_loops_again(problem, index, thread))
-    return who + " starts blocks again and again, some of which loop";
-  if (talks_or_sets(step) && is_nested(problem, thread))
-    return who + " waits, sends or sets in a block within a block";
-  // The limit starts again when the message that the thread is about to take is withdrawn. Others may take
-  // it, too.
-  const bool serves = std::any_of(step.channels.begin(), step.channels.end(), [&problem](ChannelId channel) {
-    return problem.channels[channel].answer.valid();
-  });
-  if (step.kind == Step::Kind::wait && step.within && serves)
-    return who + " waits with a limit for a request";
+  if (!set_aside.has(Withheld::loops_again) && step.kind == Step::Kind::fork &&
+      starts_loops_again(problem, index, thread))
+    return why(Withheld::loops_again, who);
+  if (!set_aside.has(Withheld::nested_block) && talks_or_sets(step) && is_nested(problem, thread))
+    return why(Withheld::nested_block, who);
+  if (!set_aside.has(Withheld::limited_service) && limits_service(problem, step))
+    return why(Withheld::limited_service, who);
   return {};
 }
 
@@ -77,23 +79,25 @@ bool may_fail(const Device& device) {
 
 }  // namespace
 
-std::string refusal_of(const Problem& problem, const Segments& segments, const std::function<bool()>& stop) {
+Why refusal_of(const Problem& problem, const Segments& segments, const std::function<bool()>& stop,
+               const SetAside& set_aside) {
   for (const Device& device : problem.devices) {
-    if (may_fail(device)) return device.name + " may not answer a request (OR NEVER)";
+    if (!set_aside.has(Withheld::may_not_answer) && may_fail(device))
+      return why(Withheld::may_not_answer, device.name);
   }
   bool over = false;
   const auto ends = [&stop, &over] { return over = over || (stop && stop()); };
   for (const StepId s : problem.steps.ids()) {
     const ThreadId thread = segments.owner(s);
     if (!thread.valid()) continue;
-    if (problem.steps[s].kind == Step::Kind::fork && ends()) return interrupted;
-    const std::string why = refusal_of_step(problem, s, thread);
-    if (!why.empty()) return why;
+    if (problem.steps[s].kind == Step::Kind::fork && ends()) return why(Withheld::interrupted);
+    if (Why found = refusal_of_step(problem, s, thread, set_aside); !found.empty()) return found;
   }
-  if (const ChannelId channel = taken_anywhere(problem, segments); channel.valid())
-    return problem.channels[channel].message + " is waited for in several places";
-  const std::string why = out_of_turn(problem, segments, ends);
-  return over ? interrupted : why;
+  const ChannelId channel = taken_anywhere(problem, segments);
+  if (!set_aside.has(Withheld::taken_anywhere) && channel.valid())
+    return why(Withheld::taken_anywhere, problem.channels[channel].message);
+  Why found = out_of_turn(problem, segments, ends, set_aside);
+  return over ? why(Withheld::interrupted) : found;
 }
 
 }  // namespace pal::analyzer::compositional

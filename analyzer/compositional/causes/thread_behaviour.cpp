@@ -57,6 +57,12 @@ class Observer {
     return !statement.valid() ? "a wait" : problem_.statements[statement].text;
   }
 
+  const std::string& name_of(ThreadId t) const { return problem_.threads[t].name; }
+
+  void leave_unbounded(ThreadId t, Why because) {
+    if (forest_.withholds(because)) thread(t).unbounded_reason = std::move(because);
+  }
+
   /// Released by something that the thread did not bring about itself.
   bool unasked(NodeId index) const {
     const Beginning& begins = beginning(index);
@@ -70,10 +76,8 @@ class Observer {
     for (NodeId n : of.nodes) {
       if (!unasked(n)) continue;
       const StepId wait = beginning(n).step;
-      if (of.idle_wait.valid() && of.idle_wait != wait) {
-        of.unbounded_reason = problem_.threads[t].name + " waits at " + text(of.idle_wait) + " and at " +
-                              text(wait) + " for what comes by itself";
-      }
+      if (of.idle_wait.valid() && of.idle_wait != wait)
+        leave_unbounded(t, why(Withheld::two_idle_waits, name_of(t), text(of.idle_wait), text(wait)));
       of.idle_wait = wait;
     }
   }
@@ -114,17 +118,17 @@ class Observer {
       return;
     }
     const Beginning& begins = beginning(n);
-    const std::string waits = problem_.threads[begins.thread].name + " waits at " + text(begins.step);
     // It may come twice for what the job has sent; then the next job takes what this one has brought
     // about.
     const ChannelId channel = step_at(begins.step).channels[static_cast<std::size_t>(begins.arm)];
     const bool again = forest_.sources[node(n).source].period < never;
     if (again && !problem_.channels[channel].answers.valid())
-      thread(begins.thread).unbounded_reason = waits + " within its jobs for what answers no request";
+      leave_unbounded(begins.thread, why(Withheld::waits_unasked, name_of(begins.thread), text(begins.step)));
     const auto known = arrivals_.find({made_.job_start[n], begins.step});
     if (known != arrivals_.end()) previous = known->second;
     if (previous.empty())
-      thread(begins.thread).unbounded_reason = waits + " for something that another job triggers";
+      leave_unbounded(begins.thread,
+                      why(Withheld::waits_for_other_job, name_of(begins.thread), text(begins.step)));
     waited_for_.insert({made_.job_start[n], begins.step});
   }
 
@@ -144,9 +148,7 @@ class Observer {
     }
     for (const auto& [channel, from] : origins) {
       if (is_taken(t, channel, from)) continue;
-      const Thread& of = problem_.threads[t];
-      thread(t).unbounded_reason = of.name + " may leave " + problem_.channels[channel].message +
-                                   ", which it triggers, to a later job";
+      leave_unbounded(t, why(Withheld::left_to_later_job, name_of(t), problem_.channels[channel].message));
     }
   }
 
@@ -186,10 +188,9 @@ class Observer {
       of.may_be_cancelled = of.may_be_cancelled || is_cancelled(block);
     }
     if (!of.idle_wait.valid()) return;
-    const std::string& name = problem_.threads[t].name;
     // What is for it waits while it is not there.
     if (recurrent(problem_, {Beginning::Kind::entry, t, {}, -1}))
-      of.unbounded_reason = name + " is started again and again";
+      leave_unbounded(t, why(Withheld::started_again, name_of(t)));
     for (NodeId n : of.nodes) {
       const NodeId job_start = made_.job_start[n];
       const Segment& segment = forest_.segment_of(node(n));
@@ -198,27 +199,23 @@ class Observer {
         if (wait.step == of.idle_wait) continue;
         const bool limited = step_at(wait.step).within.has_value();
         if (again) of.waits_within = true;
-        if (!limited && !waited_for_.contains({job_start, wait.step})) {
-          of.unbounded_reason =
-              name + " waits at " + text(wait.step) + " for something that its job does not trigger";
-        }
+        if (!limited && !waited_for_.contains({job_start, wait.step}))
+          leave_unbounded(t, why(Withheld::waits_untriggered, name_of(t), text(wait.step)));
       }
       if (again && segment.ends) of.leaves = true;
       for (const Segment::Arrival& fork : segment.forks) {
         if (!again) continue;
         of.waits_within = true;
-        if (!ends_within(fork.step)) of.unbounded_reason = why_of_blocks(t, fork.step);
+        if (!ends_within(fork.step)) leave_unbounded(t, why_of_blocks(t, fork.step));
       }
     }
   }
 
   /// Why nothing is known of when blocks begin that do not end within the job that starts them.
-  std::string why_of_blocks(ThreadId t, StepId fork) {
-    const std::string& name = problem_.threads[t].name;
+  Why why_of_blocks(ThreadId t, StepId fork) {
     if (recurrent(problem_, {Beginning::Kind::joined, t, fork, -1}))
-      return name + " starts blocks again and again";
-    return name + " starts blocks once, after " + text(thread(t).idle_wait) +
-           ", and nothing says which of the messages that come by themselves it takes there";
+      return why(Withheld::blocks_again, name_of(t));
+    return why(Withheld::blocks_once, name_of(t), text(thread(t).idle_wait));
   }
 
   /// ThreadBehaviours::early: no way leads from a wait at which a job begins to where the node begins, and

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <map>
-#include <string>
 #include <vector>
 
 #include "analyzer/compositional/causes/forest.hpp"
@@ -23,7 +22,7 @@ struct ThreadBehaviour {
   bool may_be_cancelled = false;
   bool asked_by_one = false;  // all jobs serve one client, which sends its next request after the answer
   /// Why its times are unbounded; empty if they are bounded.
-  std::string unbounded_reason;
+  Why unbounded_reason;
 };
 
 struct StartEnding {

@@ -29,10 +29,9 @@ class Ageing {
     for (const StepId s : problem_.steps.ids()) {
       if (!requirement_.at[s] || !owner(s).valid()) continue;
       oldest = greater(oldest, at_statement(s));
-      if (!oldest.bounded())
-        return {oldest, why_.empty() ? "nothing bounds how long ago the value was read or set" : why_};
+      if (!oldest.bounded()) return {oldest, why_.empty() ? why(Withheld::read_unknown) : why_};
     }
-    return {oldest, ""};
+    return {oldest};
   }
 
  private:
@@ -127,7 +126,7 @@ class Ageing {
   const Requirement& requirement_;
   Table<StepId, std::vector<StepId>> before_;
   std::set<ThreadId> latching_;
-  std::string why_;
+  Why why_;
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "analyzer/compositional/measures/data_freshness.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "analyzer/compositional/measures/reasons.hpp"
 #include "analyzer/compositional/measures/staleness.hpp"
 #include "analyzer/machine/watch.hpp"
 
@@ -213,12 +215,23 @@ Known DataFreshness::set_by_blocks(const Node& joined) const {
   return latest;
 }
 
+bool DataFreshness::overtakes(ThreadId thread) const {
+  return view_.withholds(Withheld::jobs_overtake) && !in_order(view_, thread);
+}
+
+Why DataFreshness::with_reason(Why what, ThreadId thread) const {
+  const bool known = recurring_source(view_, thread).valid() && regular_[thread];
+  if (known && overtakes(thread))
+    return since(std::move(what), why(Withheld::jobs_overtake, problem_.threads[thread].name));
+  return with_unbounded_reason(std::move(what), view_, thread);
+}
+
 /// From the previous job; the first job begins with what is younger than the skill.
 DataFreshness::State DataFreshness::before_idle(NodeId node) const {
   const ThreadId thread = view_.forest.thread_of(node);
   const SourceId source = recurring_source(view_, thread);
   if (!source.valid() || !regular_[thread]) return {};
-  if (!in_order(view_, thread)) return {};
+  if (overtakes(thread)) return {};
   const ThreadBehaviour& of = view_.behaviours.threads[thread];
   State state{unbounded, unbounded};
   for (NodeId other : of.nodes) {

@@ -33,6 +33,9 @@ class DataFreshness {
   /// Greatest age of the sample at the effect of a step, counted from a common cause of that effect and of
   /// the request for the sample.
   Sum age_since_cause(StepEffect effect) const;
+  /// `what`, followed by the reason why nothing is known of the thread's earlier jobs, or by that of the
+  /// unbounded thread behind it, if there is one.
+  Why with_reason(Why what, ThreadId thread) const;
 
  private:
   struct State {
@@ -48,6 +51,8 @@ class DataFreshness {
   bool visit(NodeId node);
   State begin(NodeId node) const;
   State before_idle(NodeId node) const;
+  /// Whether jobs of the thread may come in another order than their causes.
+  bool overtakes(ThreadId thread) const;
   Known set_by_blocks(const Node& joined) const;
   Known told(NodeId node) const;
   Known told_by(NodeId sender, const std::vector<StepId>& sends, DeviceId device) const;

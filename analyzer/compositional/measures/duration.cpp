@@ -21,11 +21,12 @@ Bound duration_bound(const View& view, const Requirement& requirement) {
       if (!completes && !fails) continue;
       any = true;
       const bool at_start = source.kind == Source::Kind::start;
-      longest = greater(longest, at_start ? latest(view, n, passed.step) : Sum::unbounded());
+      const bool known = at_start || !view.withholds(Withheld::completed_in_some_job);
+      longest = greater(longest, known ? latest(view, n, passed.step) : Sum::unbounded());
     }
   }
-  if (!any) return {Sum::unbounded(), "nothing completes the skill with this code"};
-  return {longest, "nothing bounds in which job the skill is completed"};
+  if (!any) return no_bound(why(Withheld::never_completed));
+  return {longest, why(Withheld::completed_in_some_job)};
 }
 
 }  // namespace pal::analyzer::compositional

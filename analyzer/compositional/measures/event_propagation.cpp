@@ -13,7 +13,7 @@ using Release = Node::Release;
 
 }  // namespace
 
-std::string EventPropagation::unbounded_reason_of(NodeId n) const {
+const Why& EventPropagation::unbounded_reason_of(NodeId n) const {
   return view_.times.unbounded_reason[view_.forest.thread_of(n)];
 }
 
@@ -22,10 +22,11 @@ bool EventPropagation::certain(NodeId n) {
   // A device is closed until a thread waits for its event.
   const bool opens = node(view_.behaviours.job_start[n]).release == Release::root;
   if (view_.lasts(thread) && (view_.begun[thread] || opens)) return true;
-  if (why_.empty()) {
-    why_ = view_.times.unbounded_reason[thread];
-    if (why_.empty()) why_ = problem_.threads[thread].name + " may leave its job, or wait in it for ever";
-  }
+  const Why& unbounded = view_.times.unbounded_reason[thread];
+  if (unbounded.empty() && !view_.withholds(Withheld::may_leave_job)) return true;
+  if (why_.empty())
+    why_ = unbounded.empty() ? compositional::why(Withheld::may_leave_job, problem_.threads[thread].name)
+                             : unbounded;
   return false;
 }
 
@@ -89,14 +90,16 @@ Sum EventPropagation::value_of_step(NodeId n, StepId at) {
 bool EventPropagation::is_put(StepId send) {
   const ChannelId request = problem_.channels[step_at(send).channels.front()].answers;
   if (!request.valid() || !view_.forest.withdrawn[request]) return true;
-  if (why_.empty()) why_ = "an answer may be discarded, since its request has been withdrawn";
+  if (!view_.withholds(Withheld::answer_discarded)) return true;
+  if (why_.empty()) why_ = compositional::why(Withheld::answer_discarded);
   return false;
 }
 
 Sum EventPropagation::sent_value(NodeId n, StepId send) {
   const ChannelId channel = step_at(send).channels.front();
-  if (problem_.channels[channel].answer.valid() && may_give_up(problem_, channel)) {
-    if (why_.empty()) why_ = "a request may be withdrawn before it is taken";
+  if (view_.withholds(Withheld::request_withdrawn) && problem_.channels[channel].answer.valid() &&
+      may_give_up(problem_, channel)) {
+    if (why_.empty()) why_ = compositional::why(Withheld::request_withdrawn);
     return Sum::unbounded();
   }
   NodeId taker{};

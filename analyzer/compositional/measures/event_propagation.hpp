@@ -27,7 +27,7 @@ class EventPropagation {
   /// Whether the thread of the node makes progress in every run, as long as the skill lasts.
   bool certain(NodeId n);
   /// Why a value is unbounded; empty if no reason was found.
-  const std::string& why() const { return why_; }
+  const Why& why() const { return why_; }
 
  private:
   /// No path leads from here to an answer, nor to anything else.
@@ -43,7 +43,7 @@ class EventPropagation {
   Sum finished(NodeId n) const {
     return since_ == Since::event ? finish_since_event(view_, n) : finish(view_, n);
   }
-  std::string unbounded_reason_of(NodeId n) const;
+  const Why& unbounded_reason_of(NodeId n) const;
   /// Whether the message is put and not withdrawn before it is received. Otherwise it has no response, and
   /// does not propagate its event.
   bool is_put(StepId send);
@@ -61,7 +61,7 @@ class EventPropagation {
   Since since_;
   std::map<NodeId, Sum> nodes_;
   std::map<std::pair<NodeId, StepId>, Sum> steps_;
-  std::string why_;
+  Why why_;
 };
 
 }  // namespace pal::analyzer::compositional

@@ -1,5 +1,6 @@
 // Greatest and least interval between effects of statements.
 #include <algorithm>
+#include <utility>
 
 #include "analyzer/compositional/causes/job_distance.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
@@ -10,24 +11,24 @@ namespace {
 /// From an effect to the next, in the one thread that comes to it.
 Bound greatest_interval(const View& view, const Table<StepId, bool>& at) {
   const std::set<ThreadId> threads = owners(view, at);
-  if (threads.size() != 1)
-    return {Sum::unbounded(), threads.empty() ? "no thread comes to it" : "several threads come to it"};
+  if (Why found = why_not_one(view, threads); !found.empty()) return no_bound(std::move(found));
   const ThreadId thread = *threads.begin();
   const ThreadId t = thread;
   StatementOccurrences occurrences(view, thread, at);
   const ThreadBehaviour& of = view.behaviours.threads[t];
   const bool has_jobs = of.idle_wait.valid() || starts_in_jobs(view, thread);
   const bool stops = has_jobs && !view.reliable[t] && !goes_on(view, thread);
-  const Bound none{Sum::unbounded(), why_not_again(view, thread, occurrences, !stops)};
+  const Bound none = no_bound(why_not_again(view, thread, occurrences, !stops));
   // What has had an effect has begun.
-  if (has_jobs ? stops : !view.lively[t]) return none;
+  if (view.forest.withholds(none.why) && (has_jobs ? stops : !view.lively[t])) return none;
   Sum end;
   for (NodeId n : of.nodes) {
     if (in_recurring_job(view, n)) end = greater(end, finish(view, n));
   }
   const auto follow = [&](StepEffect effect, const Sum& distance) {
     const Way way = occurrences.after(effect);
-    if (way.lost || (way.ends_job && !occurrences.in_every_job())) return Sum::unbounded();
+    const bool skips = way.ends_job && !occurrences.in_every_job();
+    if (way.lost || (skips && view.forest.withholds(none.why))) return Sum::unbounded();
     Sum next = way.latest;
     if (way.ends_job) next = greater(next, distance + occurrences.latest());
     // What a cancelled block has begun it finishes.
@@ -69,9 +70,9 @@ Sum by_the_way(const View& view, const Table<StepId, bool>& at, ThreadId thread)
 
 Bound least_interval(const View& view, const Requirement& requirement) {
   const Sum least = least_distance(view, requirement.at);
-  if (!least.bounded()) return {Sum::unbounded(), "it comes once at most"};
-  if (least.value() == 0) return {Sum::unbounded(), "nothing separates two occurrences"};
-  return {least, ""};
+  if (!least.bounded()) return no_bound(why(Withheld::comes_once));
+  if (least.value() == 0) return no_bound(why(Withheld::nothing_separates));
+  return {least};
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ Table<NodeId, bool> replaced_by_longer(const View& view) {
 
 Bound load_bound(const View& view, const Requirement& requirement) {
   constexpr Nanoseconds second = 1'000'000'000;
-  const std::string whole_time = "the rates that are known add up to the whole time";
-  const Sum whole(second, {Term::Kind::said, {}, {}, {}, whole_time});
+  const Why whole_time = why(Withheld::rates_reach_all);
+  const Sum whole(second, {Term::Kind::said, {}, {}, {}, whole_time.text});
   Table<ProcessorId, Sum> busy(view.problem.processors.size());
   const Table<NodeId, bool> replaced = replaced_by_longer(view);
   for (const NodeId n : view.forest.nodes.ids()) {
@@ -47,7 +47,7 @@ Bound load_bound(const View& view, const Requirement& requirement) {
   }
   Sum most;
   for (ProcessorId processor : requirement.processors) most = greater(most, busy[processor]);
-  return {most, most.value() == second ? whole_time : ""};
+  return {most, most.value() == second ? whole_time : Why{}};
 }
 
 namespace {
@@ -70,7 +70,7 @@ Bound busy_bound(const View& view, const Requirement& requirement) {
   Sum longest;
   for (ProcessorId processor : requirement.processors)
     longest = greater(longest, busy_without_pause(view, processor));
-  return {longest, "a processor may have work without end"};
+  return {longest, why(Withheld::work_without_end)};
 }
 
 }  // namespace pal::analyzer::compositional

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <utility>
 
 #include "analyzer/compositional/causes/exclusive.hpp"
 #include "analyzer/compositional/measures/sum.hpp"
@@ -13,7 +13,7 @@ namespace pal::analyzer::compositional {
 /// No run exceeds it. If it is unbounded, `why` gives the reason.
 struct Bound {
   Sum sum = Sum::unbounded();
-  std::string why;
+  Why why = {};
 
   bool known() const { return sum.bounded(); }
 };
@@ -34,11 +34,16 @@ struct View {
   bool steady = false;
 
   const BusyWindows& windows() const { return times.interference->windows(); }
+  bool withholds(Withheld withheld) const { return forest.withholds(withheld); }
   bool lasts(ThreadId thread) const {
     const ThreadId t = thread;
     return !behaviours.threads[t].may_be_cancelled && reliable[t];
   }
 };
+
+inline Bound no_bound(Why why) {
+  return {Sum::unbounded(), std::move(why)};
+}
 
 /// The effect of a step in a node at the latest, and at the earliest; the node's end.
 Sum latest(const View& view, NodeId node, StepId step);

@@ -1,5 +1,6 @@
 // Samples and reactions: how old what a thread knows can be where it is used, and until something newer is.
 #include <algorithm>
+#include <utility>
 
 #include "analyzer/compositional/measures/data_freshness.hpp"
 #include "analyzer/compositional/measures/reasons.hpp"
@@ -22,34 +23,33 @@ bool of_start(const View& view, NodeId node) {
 Bound known_age_bound(const View& view, const Requirement& requirement) {
   const DataFreshness freshness(view, requirement);
   Sum oldest;
-  std::string why;
+  Why unknown;
   for (const StepId s : view.problem.steps.ids()) {
     if (!requirement.at[s] || !view.forest.segments.owner(s).valid()) continue;
     for (NodeId n : nodes_with(view, s)) {
       const StepEffect effect{n, s};
       const Sum age = since_known(freshness, effect, latest(view, n, effect.step));
       oldest = greater(oldest, less(age, freshness.age_since_cause(effect)));
-      if (!oldest.bounded() && why.empty())
-        why = with_unbounded_reason("nothing bounds how old the sample is that is known there", view,
-                                    view.forest.thread_of(n));
+      if (!oldest.bounded() && unknown.empty())
+        unknown = freshness.with_reason(why(Withheld::sample_unknown), view.forest.thread_of(n));
     }
   }
-  return {oldest, why};
+  return {oldest, unknown};
 }
 
 /// From what one effect reflects to the next effect, in the one thread that comes to it.
 Bound reaction_bound(const View& view, const Requirement& requirement) {
   const std::set<ThreadId> threads = owners(view, requirement.at);
-  if (threads.size() != 1)
-    return {Sum::unbounded(), threads.empty() ? "no thread comes to it" : "several threads come to it"};
+  if (Why found = why_not_one(view, threads); !found.empty()) return no_bound(std::move(found));
   const ThreadId thread = *threads.begin();
   const ThreadId t = thread;
   const std::string& name = view.problem.threads[t].name;
   StatementOccurrences occurrences(view, thread, requirement.at);
-  if (occurrences.in_jobs().empty())
-    return {Sum::unbounded(), "nothing bounds when " + name + " comes to it"};
-  if (!goes_on(view, thread) || !occurrences.in_every_job())
-    return {Sum::unbounded(), why_not_again(view, thread, occurrences, goes_on(view, thread))};
+  if (occurrences.in_jobs().empty()) return no_bound(why(Withheld::not_known_when, name, "it"));
+  if (!goes_on(view, thread) || !occurrences.in_every_job()) {
+    Why found = why_not_again(view, thread, occurrences, goes_on(view, thread));
+    if (view.forest.withholds(found)) return no_bound(std::move(found));
+  }
   const auto before = [&](const Way& way, const Sum& job) {
     return way.lost ? Sum::unbounded() : greater(way.latest, job);
   };
@@ -73,8 +73,7 @@ Bound reaction_bound(const View& view, const Requirement& requirement) {
     if (view.behaviours.threads[t].may_be_cancelled)
       longest = greater(longest, since_known(freshness, effect, end));
   }
-  return {longest,
-          with_unbounded_reason("nothing bounds how old what " + name + " knows can be", view, thread)};
+  return {longest, freshness.with_reason(why(Withheld::knowledge_unknown, name), thread)};
 }
 
 }  // namespace pal::analyzer::compositional

@@ -1,5 +1,6 @@
 // How long an event, or a message, waits for its answer.
 #include <algorithm>
+#include <utility>
 
 #include "analyzer/compositional/causes/analysis_context.hpp"
 #include "analyzer/compositional/measures/event_propagation.hpp"
@@ -7,10 +8,6 @@
 
 namespace pal::analyzer::compositional {
 namespace {
-
-Bound unknown(std::string why) {
-  return {Sum::unbounded(), std::move(why)};
-}
 
 /// The source of a device's events; -1: no thread waits for them.
 SourceId source_of(const View& view, DeviceId device) {
@@ -37,31 +34,31 @@ bool in_order(const View& view, const Requirement& requirement, SourceId source)
   return answering.size() == 1;
 }
 
-/// Why events of a source may find their slot full.
-std::string overrun(const View& view, SourceId source) {
+/// Why events of a source may find their slot full; empty: they do not.
+Why overrun(const View& view, SourceId source) {
+  if (view.times.no_overrun[source]) return {};
   const Source& of = view.forest.sources[source];
   for (NodeId root : of.roots) {
-    const std::string& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(root)];
+    const Why& unbounded_reason = view.times.unbounded_reason[view.forest.thread_of(root)];
     if (!unbounded_reason.empty()) return unbounded_reason;
   }
-  return "nothing shows that an event of " + view.problem.devices[of.device].name +
-         " is taken before the next one comes";
+  if (!view.withholds(Withheld::event_overrun)) return {};
+  return why(Withheld::event_overrun, view.problem.devices[of.device].name);
 }
 
 Bound to_event(const View& view, const Requirement& requirement, SourceId source) {
   const Source& of = view.forest.sources[source];
-  if (of.roots.empty())
-    return unknown("no thread waits for events of " + view.problem.devices[of.device].name);
+  if (of.roots.empty()) return no_bound(why(Withheld::no_event_taken, view.problem.devices[of.device].name));
   const NodeId root = of.roots.front();
-  if (!view.times.no_overrun[source]) return unknown(overrun(view, source));
+  if (Why lost = overrun(view, source); !lost.empty()) return no_bound(std::move(lost));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
   const Sum answer = propagation.node_value(root);
   if (!answer.bounded())
-    return unknown(propagation.why().empty() ? "an event may stay without a response" : propagation.why());
+    return no_bound(propagation.why().empty() ? why(Withheld::event_unanswered) : propagation.why());
   const Nanoseconds distance = of.period - of.jitter;
-  if ((answer.value() >= distance || view.steady) && !in_order(view, requirement, source))
-    return unknown("an event may be answered after the next one has come, by another way");
-  return {greater(Sum(), answer), ""};
+  const bool overtakes = (answer.value() >= distance || view.steady) && !in_order(view, requirement, source);
+  if (overtakes && view.withholds(Withheld::event_overtaken)) return no_bound(why(Withheld::event_overtaken));
+  return {greater(Sum(), answer)};
 }
 
 /// Whether the statements are all the sends of the answer to one request, and each request follows the take
@@ -92,17 +89,18 @@ Bound to_message(const View& view, const Requirement& requirement) {
     for (NodeId n : nodes_with(view, send)) {
       const SourceId source = view.forest.nodes[n].source;
       const bool event = view.forest.sources[source].kind == Source::Kind::event;
-      if (event && !view.times.no_overrun[source]) return unknown(overrun(view, source));
+      if (Why lost = event ? overrun(view, source) : Why{}; !lost.empty()) return no_bound(std::move(lost));
       const Sum answered = propagation.sent_value(n, send);
       if (!answered.bounded())
-        return unknown(propagation.why().empty() ? "a message may stay without a response"
-                                                 : propagation.why());
+        return no_bound(propagation.why().empty() ? why(Withheld::message_unanswered) : propagation.why());
       longest = greater(longest, answered - earliest(view, n, send));
     }
   }
-  if (!answered_in_turn(view, requirement) && longest.value() >= least_distance(view, sends).value())
-    return unknown("a message may be answered after the next one has been sent");
-  return {longest, ""};
+  const bool overtakes =
+      !answered_in_turn(view, requirement) && longest.value() >= least_distance(view, sends).value();
+  if (overtakes && view.withholds(Withheld::message_overtaken))
+    return no_bound(why(Withheld::message_overtaken));
+  return {longest};
 }
 
 }  // namespace
@@ -123,10 +121,7 @@ Table<StepId, bool> sends_of_events(const Problem& problem, const Requirement& r
 Bound response_bound(const View& view, const Requirement& requirement) {
   if (!requirement.device.valid()) return to_message(view, requirement);
   const SourceId source = source_of(view, requirement.device);
-  return !source.valid() ? unknown(
-                               "a response to what a device answers has none, only one to an event, or to a "
-                               "message of a module")
-                         : to_event(view, requirement, source);
+  return source.valid() ? to_event(view, requirement, source) : no_bound(why(Withheld::response_to_answer));
 }
 
 bool always_comes(const View& view, SourceId source, const Table<StepId, bool>& at) {
@@ -138,12 +133,13 @@ bool always_comes(const View& view, SourceId source, const Table<StepId, bool>& 
 
 Bound event_loss_bound(const View& view, const Requirement& requirement) {
   const SourceId source = source_of(view, requirement.device);
-  if (!source.valid()) return unknown("no thread waits for its events");
+  const Why unawaited = why(Withheld::no_event_taken, view.problem.devices[requirement.device].name);
+  if (!source.valid()) return no_bound(unawaited);
   const Source& of = view.forest.sources[source];
-  if (of.roots.empty()) return unknown("no thread waits for its events");
-  if (!view.times.no_overrun[source]) return unknown(overrun(view, source));
+  if (of.roots.empty()) return no_bound(unawaited);
+  if (Why lost = overrun(view, source); !lost.empty()) return no_bound(std::move(lost));
   EventPropagation propagation(view, requirement.at, EventPropagation::Since::event);
-  return propagation.certain(of.roots.front()) ? Bound{Sum(), ""} : unknown(propagation.why());
+  return propagation.certain(of.roots.front()) ? Bound{Sum()} : no_bound(propagation.why());
 }
 
 }  // namespace pal::analyzer::compositional

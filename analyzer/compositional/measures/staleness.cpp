@@ -1,6 +1,7 @@
 #include "analyzer/compositional/measures/staleness.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "analyzer/compositional/measures/reasons.hpp"
 #include "analyzer/problem/flow.hpp"
@@ -28,8 +29,9 @@ class Staleness {
   }
 
   Bound run() const {
-    if (setters_.empty()) return {Sum::unbounded(), "no statement sets the condition"};
-    if (setters_.size() == 1) return distance_of_sets(*setters_.begin());
+    if (setters_.empty()) return no_bound(why(Withheld::never_set));
+    if (setters_.size() == 1 || !view_.withholds(Withheld::several_setters))
+      return distance_of_sets(*setters_.begin());
     return several_setters();
   }
 
@@ -43,7 +45,7 @@ class Staleness {
 
   /// A module may set a condition before its CONCURRENT, and then in a block.
   Bound several_setters() const {
-    const Bound none{Sum::unbounded(), "several threads set the condition"};
+    const Bound none = no_bound(why(Withheld::several_setters));
     ThreadId block{};
     for (ThreadId setter : setters_) {
       if (!problem_.threads[setter].parent.valid()) continue;
@@ -60,19 +62,19 @@ class Staleness {
     const std::string& name = problem_.threads[setter].name;
     const StatementOccurrences occurrences(view_, setter, at_);
     const bool lasts = outlasts(view_, setter, reader_);
-    if (!lasts || !occurrences.in_every_job() || occurrences.in_jobs().empty())
-      return {Sum::unbounded(), why_not_again(view_, setter, occurrences, lasts, "a set of the condition")};
+    if (!lasts || !occurrences.in_every_job() || occurrences.in_jobs().empty()) {
+      Why found = why_not_again(view_, setter, occurrences, lasts, "a set of the condition");
+      if (view_.forest.withholds(found)) return no_bound(std::move(found));
+    }
     Sum soonest = Sum::unbounded();
     for (const StepEffect& effect : occurrences.in_jobs())
       soonest = less(soonest, earliest(view_, effect.node, effect.step));
     const Sum& set_again = replaced(view_, occurrences, setter, reader_);
     const Sum next = occurrences.next_or_end(set_again);
     if (!next.bounded())
-      return {Sum::unbounded(),
-              with_unbounded_reason("nothing says how long " + name + " may wait between two jobs", view_,
-                                    setter)};
+      return no_bound(with_unbounded_reason(why(Withheld::pause_unknown, name), view_, setter));
     return {greater(next - soonest, until_first(setter, occurrences.first_or_end(set_again))),
-            "nothing bounds when " + name + " sets first"};
+            why(Withheld::first_set_unknown, name)};
   }
 
   /// Until the first set in a job a value is as old as the skill, or as what was set before the jobs.

@@ -22,7 +22,7 @@ Nanoseconds Releases::arrival(NodeId node, StepId step) const {
   return latest_arrival(*this, nodes_, node, step);
 }
 
-Due Releases::latest(NodeId n, const Table<ThreadId, std::string>& unbounded_reason,
+Due Releases::latest(NodeId n, const Table<ThreadId, Why>& unbounded_reason,
                      const Table<ThreadId, bool>& blocked) const {
   const Node& of = node(n);
   const ThreadId thread = forest.thread_of(n);
@@ -85,7 +85,7 @@ Due Releases::of_message(NodeId n) const {
 }
 
 /// When all blocks that a node's cause has started have ended or stopped.
-Nanoseconds Releases::blocks_over(const Node& joined, const Table<ThreadId, std::string>& unbounded_reason,
+Nanoseconds Releases::blocks_over(const Node& joined, const Table<ThreadId, Why>& unbounded_reason,
                                   const Table<ThreadId, bool>& blocked) const {
   Nanoseconds latest = 0;
   Nanoseconds stopping = 0;

@@ -20,13 +20,13 @@ class Releases : private AnalysisContext {
       : AnalysisContext(context), nodes_(since_event), nominal_(nominal), interference_(interference) {}
 
   /// `unbounded_reason` and `blocked` as in Times.
-  Due latest(NodeId node, const Table<ThreadId, std::string>& unbounded_reason,
+  Due latest(NodeId node, const Table<ThreadId, Why>& unbounded_reason,
              const Table<ThreadId, bool>& blocked) const;
 
  private:
   Due of_event(NodeId node) const;
   Due of_message(NodeId node) const;
-  Nanoseconds blocks_over(const Node& joined, const Table<ThreadId, std::string>& unbounded_reason,
+  Nanoseconds blocks_over(const Node& joined, const Table<ThreadId, Why>& unbounded_reason,
                           const Table<ThreadId, bool>& blocked) const;
   Nanoseconds held_back(ThreadId thread) const;
   Nanoseconds arrival(NodeId node, StepId step) const;

@@ -51,7 +51,7 @@ Nanoseconds next_due(const AnalysisContext& context, const Table<NodeId, NodeTim
 }
 
 /// Why a thread that begins jobs in several ways has no bound.
-std::string why_in_several_ways(const AnalysisContext& context, ThreadId thread) {
+Why why_in_several_ways(const AnalysisContext& context, ThreadId thread) {
   std::vector<std::string> clients;
   for (NodeId n : context.behaviour_of(thread).job_starts) {
     const Beginning& begins = context.segment(n).beginning;
@@ -60,11 +60,12 @@ std::string why_in_several_ways(const AnalysisContext& context, ThreadId thread)
     const std::string& name = sender_name(context.problem, channel);
     if (std::find(clients.begin(), clients.end(), name) == clients.end()) clients.push_back(name);
   }
-  if (clients.size() < 2) return "begins jobs for several reasons, and waits within them";
+  const std::string& server = context.thread_at(thread).name;
+  if (clients.size() < 2) return why(Withheld::several_ways, server);
   std::string names = clients.front();
   for (std::size_t i = 1; i < clients.size(); ++i)
     names += (i + 1 == clients.size() ? " and " : ", ") + clients[i];
-  return "serves " + std::to_string(clients.size()) + " clients, " + names + ", and waits within its jobs";
+  return why(Withheld::several_clients, server, clients.size(), names);
 }
 
 bool sent_by(const Node& taker, StepId send) {
@@ -182,11 +183,9 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
     if (is_free(times.nodes, c)) continue;
     for (const StepEffect& put : puts_[c]) {
       const StatementId statement = context_.step_at(put.step).statement;
-      found.push_back(
-          {context_.forest.thread_of(put.node), true,
-           "may find the slot full at " +
-               (!statement.valid() ? std::string("a send") : context_.problem.statements[statement].text),
-           takers_of(put)});
+      const std::string send = statement.valid() ? context_.problem.statements[statement].text : "a send";
+      found.push_back({context_.forest.thread_of(put.node), true,
+                       why(Withheld::slot_full, context_.thread_of(put.node).name, send), takers_of(put)});
     }
   }
   for (const ThreadId t : context_.problem.threads.ids()) {
@@ -197,13 +196,16 @@ std::vector<Slots::UnboundedThread> Slots::unbounded_threads(const Times& times)
     } else if (!is_done_before_next(context_, times.nodes, t)) {
       const Nanoseconds last = done(context_, times.nodes, t);
       const Nanoseconds next = next_due(context_, times.nodes, t);
-      const std::string how_long = last >= never
-                                       ? ""
-                                       : ": a job may last until " + to_text(Duration(last)) +
-                                             ", and the next may be due at " + to_text(Duration(next));
-      found.push_back({t, false, "may still be waiting within one job when the next is due" + how_long, {}});
+      const std::string& name = context_.thread_at(t).name;
+      found.push_back({t,
+                       false,
+                       last >= never ? why(Withheld::job_without_end, name)
+                                     : why(Withheld::job_too_long, name, to_text(Duration(last)),
+                                           to_text(Duration(next))),
+                       {}});
     }
   }
+  std::erase_if(found, [this](const UnboundedThread& each) { return !context_.forest.withholds(each.why); });
   return found;
 }
 

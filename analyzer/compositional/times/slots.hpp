@@ -30,7 +30,7 @@ class Slots {
   struct UnboundedThread {
     ThreadId thread{};
     bool blocked = false;  // it may be blocked in a send
-    std::string why;
+    Why why;
     std::vector<ThreadId> takers;  // the receivers that may not empty its slot
   };
   /// The threads that are unbounded by these times.

@@ -208,16 +208,14 @@ class Solver : private AnalysisContext {
   /// Whether something is found that the times do not count with yet.
   bool finds_unbounded_threads(const Slots& slots) {
     bool found = false;
-    const auto unbounded_reason = [this](ThreadId thread) -> std::string& {
-      return times_.unbounded_reason[thread];
-    };
+    const auto unbounded_reason = [this](ThreadId thread) -> Why& { return times_.unbounded_reason[thread]; };
     std::vector<Slots::UnboundedThread> fresh;
     for (Slots::UnboundedThread& each : slots.unbounded_threads(times_)) {
       const ThreadId thread = each.thread;
       found = found || unbounded_reason(each.thread).empty() || (each.blocked && !times_.blocked[thread]);
       if (each.blocked) times_.blocked[thread] = true;
       if (!unbounded_reason(each.thread).empty()) continue;
-      unbounded_reason(each.thread) = thread_at(each.thread).name + " " + each.why;
+      unbounded_reason(each.thread) = each.why;
       fresh.push_back(std::move(each));
     }
     for (const Slots::UnboundedThread& each : fresh) {
@@ -230,13 +228,13 @@ class Solver : private AnalysisContext {
 
   /// Adds the original reason to each reason that follows from another.
   void name_roots() {
-    const Table<ThreadId, std::string> own = times_.unbounded_reason;
+    const Table<ThreadId, Why> own = times_.unbounded_reason;
     for (const ThreadId t : own.ids()) {
       std::set<ThreadId> seen{t};
       ThreadId at = t;
       for (ThreadId next = since_[t]; next.valid() && seen.insert(next).second; next = since_[next])
         at = next;
-      if (at != t) times_.unbounded_reason[t] += ", since " + own[at];
+      if (at != t) times_.unbounded_reason[t] = since(own[t], own[at]);
     }
   }
 

@@ -50,7 +50,7 @@ struct Times {
   /// brings about they are those of `nodes`.
   Table<NodeId, NodeTimes> since_event;
   /// By thread: why its times are unbounded; empty if they are bounded.
-  Table<ThreadId, std::string> unbounded_reason;
+  Table<ThreadId, Why> unbounded_reason;
   Table<ThreadId, bool> blocked;  // by thread: it may be blocked in a send
   /// By source: each event is received before the next can come.
   Table<SourceId, bool> no_overrun;

@@ -124,7 +124,7 @@ class BodyBuilder {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (channels[i] != channel) continue;
       auto& finding = diagnostics_.report(Finding::taken_by_earlier_branch, arm.where);
-      finding.notes.push_back({arms[i]->where, "it is taken here"});
+      finding.note(arms[i]->where, Remark::taken_here);
       return;
     }
   }

@@ -47,7 +47,7 @@ class TemplateBuilder {
       const auto [first, fresh] = seen.emplace(name.text, &name);
       if (!fresh) {
         auto& finding = diagnostics_.report(Finding::listed_twice, name.where, name.text);
-        finding.notes.push_back({first->second->where, "it is also listed here"});
+        finding.note(first->second->where, Remark::also_listed);
         continue;
       }
       enter(name, kind);
@@ -61,7 +61,7 @@ class TemplateBuilder {
     if (module.kind != kind) {
       auto& finding = diagnostics_.report(Finding::listed_in_another_slot, name.where, name.text,
                                           kind_text(module.kind), kind_text(kind));
-      finding.notes.push_back({module.where, "it is declared here"});
+      finding.note(module.where, Remark::declared_here);
     }
     return id;
   }
@@ -73,7 +73,7 @@ class TemplateBuilder {
       if (!fresh) {
         auto& finding =
             diagnostics_.report(Finding::contingency_declared_twice, written.where, written.number);
-        finding.notes.push_back({first->second, "it is also declared here"});
+        finding.note(first->second, Remark::also_declared);
       }
       pan::Contingency contingency{written.number, written.description, {}, written.where};
       if (!written.method) {
@@ -109,7 +109,7 @@ class TemplateBuilder {
       const auto [first, fresh] = seen.emplace(written.code, written.where);
       if (!fresh) {
         auto& finding = diagnostics_.report(Finding::completion_declared_twice, written.where, written.code);
-        finding.notes.push_back({first->second, "it is also declared here"});
+        finding.note(first->second, Remark::also_declared);
         continue;
       }
       has_error = has_error || written.kind == pan::Completion::Kind::error;

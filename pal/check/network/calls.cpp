@@ -58,7 +58,7 @@ void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) 
       const auto& module = network.modules[called.index()];
       if (names.unit_of(called) != nullptr && !names.unit_of(called)->has_body) {
         auto& finding = diagnostics.report(Finding::executes_without_body, name.where, name.text);
-        finding.notes.push_back({module.where, "it is declared here"});
+        finding.note(module.where, Remark::declared_here);
       } else if (executed_within(caller, called, network)) {
         caller == called
             ? diagnostics.report(Finding::executes_itself, name.where, name.text)
@@ -68,8 +68,7 @@ void enter_calls(Names& names, pan::Network& network, Diagnostics& diagnostics) 
       } else if (module.executed_by != caller) {
         auto& finding = diagnostics.report(Finding::executed_from_two, name.where, name.text, unit->name.text,
                                            network.modules[module.executed_by.index()].name);
-        finding.notes.push_back(
-            {network.modules[module.executed_by.index()].where, "it is executed here too"});
+        finding.note(network.modules[module.executed_by.index()].where, Remark::also_executed);
       }
     });
   }

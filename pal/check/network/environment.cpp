@@ -52,7 +52,7 @@ class Once {
     const auto [first, fresh] = seen_.emplace(key, where);
     if (fresh) return;
     auto& finding = diagnostics_.report(Finding::item_given_twice, where, what_ + shown);
-    finding.notes.push_back({first->second, "it is also given here"});
+    finding.note(first->second, Remark::also_given);
   }
 
  private:

@@ -96,7 +96,7 @@ std::optional<pan::ModuleId> Names::module(const syntax::Name& name, bool listed
   }
   if (const auto* device = scope_.devices.find(name.text)) {
     auto& finding = diagnostics_.report(Finding::device_not_module, name.where, name.text);
-    finding.notes.push_back({device->name.where, "it is declared here"});
+    finding.note(device->name.where, Remark::declared_here);
     return std::nullopt;
   }
   unknown({Finding::unknown_module, name.text}, name, scope_.modules.names());
@@ -116,7 +116,7 @@ void Names::check_kind(const syntax::PartyName& name, pan::ModuleId module) {
   auto& finding = diagnostics_.report(Finding::module_of_another_kind, name.where, name.name.text,
                                       kind_text(found.kind), kind_text(*name.kind));
   finding.fix = {{name.where, kind_text(found.kind) + " " + name.name.text}};
-  finding.notes.push_back({found.where, "it is declared here"});
+  finding.note(found.where, Remark::declared_here);
 }
 
 void Names::check_listed(const syntax::Name& name, pan::ModuleId module) {
@@ -124,7 +124,7 @@ void Names::check_listed(const syntax::Name& name, pan::ModuleId module) {
   const auto kind = network_.modules[module.index()].kind;
   auto& finding = diagnostics_.report(Finding::module_not_listed, name.where, network_.skill.name,
                                       kind_text(kind), name.text, slot_for(kind, name.text));
-  finding.notes.push_back({network_.skill.where, "the template is here"});
+  finding.note(network_.skill.where, Remark::template_here);
   listed_.insert(module);  // once is enough
 }
 
@@ -190,7 +190,7 @@ std::optional<pan::ConditionId> Names::condition(const syntax::Name& name) {
       return std::nullopt;
     }
     auto& finding = diagnostics_.report(Finding::message_not_condition, name.where, name.text);
-    finding.notes.push_back({message->name.where, "it is declared here"});
+    finding.note(message->name.where, Remark::declared_here);
     return std::nullopt;
   }
   const auto [entry, added] = conditions_.emplace(name.text, pan::ConditionId(network_.conditions.size()));

@@ -66,7 +66,7 @@ void report_two_messages(const syntax::MessageUnit& second, const syntax::Messag
   }
   if (differences.empty()) return report_twice(diagnostics, "message", second.name, first.name);
   diagnostics.report(Finding::message_declared_twice, second.name.where, second.name.text, differences)
-      .notes.push_back({first.name.where, "it is also declared here"});
+      .note(first.name.where, Remark::also_declared);
 }
 
 }  // namespace

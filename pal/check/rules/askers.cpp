@@ -28,7 +28,7 @@ void check_asking_blocks(const pan::Network& network, pan::ModuleId module, cons
       auto& finding = diagnostics.report(Finding::requested_in_two_blocks, where,
                                          network.messages[answer.message.index()].name,
                                          party_name(network, channel.receiver));
-      finding.notes.push_back({entry->second, "it is also requested here"});
+      finding.note(entry->second, Remark::also_requested);
     }
   }
 }

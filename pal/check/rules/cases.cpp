@@ -19,8 +19,8 @@ void report_no_arm(const pan::Node& node, const std::vector<conditions::RunStep>
   for (auto i = first; i < run.size(); ++i) {
     const auto& step = run[i];
     const auto& where = network.modules[step.module.index()].body[step.node].where;
-    const char* lead = i == first ? (first == 0 ? "first, " : "in the end, ") : "then ";
-    finding.notes.push_back({where, lead + step.thread + " " + step.what});
+    finding.note(where, i == first ? beginning_of_run(first == 0) : RemarkWith<2>(Remark::next_of_run),
+                 step.thread, step.what);
   }
 }
 
@@ -30,7 +30,7 @@ void report_dead_arms(const pan::Graph& graph, const pan::Node& node, const std:
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) continue;
     auto& finding = diagnostics.report(Finding::arm_never_taken, node.where, guard_text(network, guards[i]));
-    if (node.out[i] != node.mate) finding.notes.push_back({graph[node.out[i]].where, "it begins with this"});
+    if (node.out[i] != node.mate) finding.note(graph[node.out[i]].where, Remark::begins_with_this);
   }
 }
 
@@ -38,7 +38,7 @@ void report_endless(const pan::Node& until, const pan::Graph& graph, const pan::
                     Diagnostics& diagnostics) {
   const auto& guard = *std::get<pan::Until>(until.content).guard;
   auto& finding = diagnostics.report(Finding::loop_never_ends, until.where, guard_text(network, guard));
-  finding.notes.push_back({graph[until.mate].where, "the loop begins here"});
+  finding.note(graph[until.mate].where, Remark::loop_begins);
 }
 
 }  // namespace

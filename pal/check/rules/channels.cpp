@@ -53,7 +53,7 @@ std::string wait_text(const pan::Network& network, const pan::Channel& channel) 
 void note_module(const pan::Network& network, const pan::Party& party, Diagnostic& finding) {
   if (const auto* module = std::get_if<pan::ModuleId>(&party)) {
     const auto& found = network.modules[module->index()];
-    finding.notes.push_back({found.where, quoted(found.name) + " is declared here"});
+    finding.note(found.where, Remark::name_declared, found.name);
   }
 }
 
@@ -70,7 +70,7 @@ void check_idle_modules(const pan::Network& network, Diagnostics& diagnostics) {
     if (module.kind == pan::ModuleKind::contingency_module) continue;  // has a finding of its own
     auto& finding = diagnostics.report(Finding::module_without_messages, network.skill.where,
                                        network.skill.name, kind_text(module.kind), module.name);
-    finding.notes.push_back({module.where, "it is declared here"});
+    finding.note(module.where, Remark::declared_here);
   }
 }
 

@@ -18,8 +18,8 @@ void add_run(const deadlock::Story& story, std::size_t most, Diagnostic& finding
   const auto first = story.run.size() > most ? story.run.size() - most : 0;
   for (auto i = first; i < story.run.size(); ++i) {
     const auto& line = story.run[i];
-    const char* lead = i == first ? (first == 0 ? "first, " : "in the end, ") : "then ";
-    finding.notes.push_back({line.where, lead + line.thread + " " + line.text});
+    finding.note(line.where, i == first ? beginning_of_run(first == 0) : RemarkWith<2>(Remark::next_of_run),
+                 line.thread, line.text);
   }
 }
 
@@ -37,7 +37,7 @@ void report_dead_end(const deadlock::Story& story, const pan::Network& network, 
                                      story.hint);
   add_run(story, most_notes, finding);
   for (const auto& line : story.stuck) {
-    if (!line.culprit) finding.notes.push_back({line.where, "and for ever " + line.thread + " " + line.text});
+    if (!line.culprit) finding.note(line.where, Remark::and_for_ever, line.thread, line.text);
   }
 }
 

@@ -51,21 +51,21 @@ class FlowCheck {
       auto& finding = diagnostics_.report(
           either<Finding::same_completion_again, Finding::second_completion>(same), node.where);
       if (same) finding.fix = {{node.where, ""}};
-      finding.notes.push_back({cause->where, "it ends here"});
+      finding.note(cause->where, Remark::ends_here);
       return;
     }
     auto& finding = diagnostics_.report(Finding::never_reached, node.where);
     if (cause == nullptr || !cause->where.valid()) return;
     if (ended) {
-      finding.notes.push_back({cause->where, "the skill ends here"});
+      finding.note(cause->where, Remark::skill_ends);
     } else if (std::holds_alternative<pan::Until>(cause->content)) {
-      finding.notes.push_back({cause->where, "this loop never ends"});
+      finding.note(cause->where, Remark::loop_endless);
     } else if (std::holds_alternative<pan::Execute>(cause->content)) {
-      finding.notes.push_back({cause->where, "this module never ends"});
+      finding.note(cause->where, Remark::module_endless);
     } else if (std::holds_alternative<pan::Join>(cause->content)) {
-      finding.notes.push_back({nodes_[cause->mate.index()].where, "no block of this CONCURRENT can end"});
+      finding.note(nodes_[cause->mate.index()].where, Remark::no_block_ends);
     } else if (std::holds_alternative<pan::Merge>(cause->content)) {
-      finding.notes.push_back({nodes_[cause->mate.index()].where, "no branch of this ends"});
+      finding.note(nodes_[cause->mate.index()].where, Remark::no_branch_ends);
     }
   }
 
@@ -100,9 +100,9 @@ class FlowCheck {
     for (auto at = path.rbegin(); at != path.rend(); ++at) {
       const auto& node = nodes_[at->index()];
       if (!pan::is_statement(node.content)) continue;
-      finding.notes.push_back({node.where, "by way of " + statement_text(network_, module_, *at)});
+      finding.note(node.where, Remark::by_way_of, statement_text(network_, module_, *at));
     }
-    finding.notes.push_back({nodes_[until.index()].where, "and back from here"});
+    finding.note(nodes_[until.index()].where, Remark::back_from_here);
   }
 
   const pan::Network& network_;

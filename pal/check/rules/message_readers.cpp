@@ -169,7 +169,7 @@ void check_activity(const pan::Network& network, const pan::Flow& flow, const pa
       if (perform == nullptr || perform->activity != id || !without[i]) continue;
       auto& finding = diagnostics.report(Finding::may_read_too_early, module.body.nodes[i].where,
                                          activity.name, name, module.name);
-      finding.notes.push_back({activity.where, "it reads it by this"});
+      finding.note(activity.where, Remark::reads_by_this);
       break;
     }
   }
@@ -184,7 +184,7 @@ void check_condition(const pan::Network& network, const pan::Flow& flow, const p
     if (Sources(network, flow, condition.writer, message).any()) continue;
     auto& finding = diagnostics.report(Finding::computed_from_what_never_comes, condition.where,
                                        condition.name, network.messages[message.index()].name, writer.name);
-    finding.notes.push_back({writer.where, "this module sets it"});
+    finding.note(writer.where, Remark::module_sets_it);
   }
 }
 

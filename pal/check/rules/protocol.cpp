@@ -33,7 +33,7 @@ void check_start(const pan::Network& network, Diagnostics& diagnostics) {
         diagnostics.report(Finding::coordinator_starts_once, node.where);
       } else if (pan::ModuleId(m) != network.main) {
         auto& finding = diagnostics.report(Finding::two_wait_for_coordinator, node.where, network.skill.name);
-        finding.notes.push_back({network.modules[network.main.index()].where, "this is the other"});
+        finding.note(network.modules[network.main.index()].where, Remark::the_other);
       }
     }
   }
@@ -53,7 +53,7 @@ void check_codes(const pan::Network& network, Diagnostics& diagnostics) {
                                      [&](const pan::Completion& c) { return c.code == complete->code; });
       if (known) continue;
       auto& finding = diagnostics.report(Finding::completion_not_in_template, node.where, complete->code);
-      finding.notes.push_back({network.skill.where, "the template is here"});
+      finding.note(network.skill.where, Remark::template_here);
     }
   }
   bool has_error = false;  // the first one is sent for every fault
@@ -84,7 +84,7 @@ void check_end(const pan::Network& network, const pan::Flow& flow, Diagnostics& 
     if (std::holds_alternative<pan::Merge>(node.content)) {
       joins.insert(id);
     } else {
-      finding.notes.push_back({node.where, "after this, for one"});
+      finding.note(node.where, Remark::after_this);
       return;
     }
   }
@@ -111,7 +111,7 @@ void check_completes(const pan::Network& network, const pan::Flow& flow, Diagnos
   auto& finding =
       diagnostics.report(Finding::skill_never_completes, network.modules[network.main.index()].where,
                          network.skill.name, network.modules[network.main.index()].name);
-  if (endless != nullptr) finding.notes.push_back({endless->where, "this loop never ends"});
+  if (endless != nullptr) finding.note(endless->where, Remark::loop_endless);
 }
 
 void check_contingencies(const pan::Network& network, Diagnostics& diagnostics) {

@@ -52,7 +52,7 @@ void compare(const syntax::NameSlot& slot, const Uses& uses, FindingWith<2> neve
     const bool named = std::any_of(slot.names.begin(), slot.names.end(),
                                    [&name = used](const auto& n) { return n.text == name; });
     if (named) continue;
-    diagnostics.report(also, slot.where, sensor, used).notes.push_back({where, "the talk is here"});
+    diagnostics.report(also, slot.where, sensor, used).note(where, Remark::talk_here);
   }
 }
 

@@ -27,7 +27,7 @@ void check_modules(const pan::Network& network, Diagnostics& diagnostics) {
       auto& finding =
           diagnostics.report(Finding::set_by_two, node.where, network.conditions[set->condition.index()].name,
                              network.modules[entry->second.first.index()].name, network.modules[i].name);
-      finding.notes.push_back({entry->second.second, "it is also set here"});
+      finding.note(entry->second.second, Remark::also_set);
     }
   }
 }
@@ -45,7 +45,7 @@ void check_writing_blocks(const pan::Network& network, pan::ModuleId module, con
       if (fresh) continue;
       auto& finding =
           diagnostics.report(Finding::set_in_two_blocks, where, network.conditions[condition.index()].name);
-      finding.notes.push_back({entry->second, "it is also set here"});
+      finding.note(entry->second, Remark::also_set);
     }
   }
 }

@@ -199,7 +199,7 @@ class ReadCheck {
     if (places.empty()) return;
     const auto& name = network_.conditions[condition_.index()].name;
     auto& finding = diagnostics_.report(what, places.front(), name);
-    for (std::size_t i = 1; i < places.size(); ++i) finding.notes.push_back({places[i], "and here"});
+    for (std::size_t i = 1; i < places.size(); ++i) finding.note(places[i], Remark::and_here);
   }
 
   const pan::Network& network_;

@@ -127,7 +127,7 @@ class ContentsReader {
     } else if (!same_names(first.reads, heading.reads) || !same_names(first.writes, heading.writes)) {
       auto& finding =
           diagnostics_.report(Finding::activity_differs_between_nodes, heading.where, heading.name.text);
-      finding.notes.push_back({first.where, "than here"});
+      finding.note(first.where, Remark::than_here);
       throw Reported{};
     }
   }

@@ -119,8 +119,8 @@ class StructureReader {
     if (!end) return body;
     if (kind(*end) != together || (all && *all != *end)) {
       auto& finding = diagnostics_.report(Finding::ways_do_not_meet, where(split), together);
-      finding.notes.push_back({where(*end), "one of them comes here"});
-      if (all && *all != *end) finding.notes.push_back({where(*all), "another one here"});
+      finding.note(where(*end), Remark::one_comes_here);
+      if (all && *all != *end) finding.note(where(*all), Remark::another_here);
       throw Reported{};
     }
     all = end;

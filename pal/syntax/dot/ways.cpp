@@ -29,7 +29,7 @@ std::size_t DotWays::single(std::size_t from, const Edges& edges) const {
   }
   if (edges.size() > 1) {
     auto& finding = diagnostics_.report(Finding::second_edge, edges[1]->where);
-    finding.notes.push_back({edges[0]->where, "the first one is here"});
+    finding.note(edges[0]->where, Remark::first_one_here);
     throw Reported{};
   }
   return edges.front()->to;
@@ -65,7 +65,7 @@ bool DotWays::closes(std::size_t repeat, std::size_t until) const {
 std::optional<std::size_t> DotWays::behind_loop(std::size_t repeat, std::size_t until, bool forever) const {
   if (!closes(repeat, until)) {
     auto& finding = diagnostics_.report(Finding::no_way_back_to_repeat, graph_.nodes[until].where);
-    finding.notes.push_back({graph_.nodes[repeat].where, "the loop begins here"});
+    finding.note(graph_.nodes[repeat].where, Remark::loop_begins);
     throw Reported{};
   }
   Edges on = out_[until];

@@ -71,7 +71,7 @@ language_server::ProvedRequirement requirement_of(const Proof& proof, std::size_
   made.bound = bound_text(verdict);
   made.limit = whole_text(verdict.allowed().figure);
   made.measure = measure_text(proof.problem, index);
-  made.explanation = verdict.explanation;
+  made.explanation = verdict.explanation.text();
   made.exact = verdict.exact;
   made.has_run = has_worst_run(verdict);
   add_shares(proof, index, made);

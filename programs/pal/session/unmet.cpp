@@ -156,7 +156,7 @@ void report_never(const Proof& proof, std::size_t index, Diagnostics& diagnostic
   const analyzer::Verdict& verdict = proof.analysis.verdicts[index];
   Diagnostic& finding = diagnostics.report(
       either<Finding::load_says_nothing, Finding::says_nothing>(verdict.measure == Measure::load),
-      verdict.where, verdict.requirement, verdict.explanation, proof.problem.environment);
+      verdict.where, verdict.requirement, verdict.explanation.text(), proof.problem.environment);
   finding.requirement = verdict.requirement;
 }
 
@@ -182,8 +182,8 @@ std::string indent(int depth) {
 
 Note note_of(const analyzer::Reason& reason, const analyzer::Problem& problem, int depth) {
   const std::string who = reason.actor.empty() ? "" : reason.actor + " ";
-  return {place_of(problem, reason),
-          indent(depth) + to_text(Duration(time_of(reason))) + ": " + who + reason.what};
+  return {place_of(problem, reason), Remark::part_of_run, indent(depth), to_text(Duration(time_of(reason))),
+          who + reason.what};
 }
 
 /// All of them, in the order in which they happened, each with what is inside it.
@@ -217,9 +217,7 @@ bool add_longest(std::vector<analyzer::Reason> reasons, const analyzer::Problem&
     }
   }
   if (most == reasons.size()) return more;
-  finding.notes.push_back({{},
-                           indent(depth) + to_text(Duration(together)) + ": " +
-                               std::to_string(reasons.size() - most) + " shorter parts"});
+  finding.note({}, Remark::shorter_parts, indent(depth), to_text(Duration(together)), reasons.size() - most);
   return true;
 }
 
@@ -235,26 +233,23 @@ void report(const Proof& proof, std::size_t index, bool whole_story, Diagnostics
   finding.requirement = verdict.requirement;
   if (verdict.loop_growth) {
     const analyzer::LoopId loop = verdict.loop_growth->loop;
-    finding.notes.push_back(
-        {loop.valid() ? proof.problem.loops[loop].where : verdict.where, verdict.explanation});
+    finding.note(loop.valid() ? proof.problem.loops[loop].where : verdict.where, Remark::explained,
+                 verdict.explanation.text());
     if (!verdict.reasons.empty())
-      finding.notes.push_back(
-          {{},
-           "in the first turns it is " +
-               text(figure_of(verdict.measure, Duration(verdict.loop_growth->first_turns.measured.value))) +
-               ":"});
+      finding.note(
+          {}, Remark::in_first_turns,
+          text(figure_of(verdict.measure, Duration(verdict.loop_growth->first_turns.measured.value))));
   }
   if (!fails || (verdict.reasons.empty() && !verdict.loop_growth))
-    finding.notes.push_back({verdict.where, verdict.explanation});
+    finding.note(verdict.where, Remark::explained, verdict.explanation.text());
   const auto shown = attained(verdict);
   if (!fails && shown && !verdict.reasons.empty())
-    finding.notes.push_back(
-        {verdict.where, "the worst run that was found has " + text(figure_of(verdict.measure, *shown))});
+    finding.note(verdict.where, Remark::worst_run_found, text(figure_of(verdict.measure, *shown)));
   if (verdict.reasons.empty()) return;
   if (whole_story) {
     add_story(verdict.reasons, proof.problem, 0, finding);
   } else if (add_longest(verdict.reasons, proof.problem, 0, finding)) {
-    finding.notes.push_back({{}, "--explain shows all parts in the order in which they happen"});
+    finding.note({}, Remark::explain_shows_all);
   }
 }
 
@@ -269,7 +264,7 @@ void report_zeno_run(const analyzer::Problem& problem, const analyzer::ZenoRun& 
       Finding::time_stands_still, statements.empty() ? SourceSpan{} : where(statements.front()),
       problem.environment);
   for (std::size_t i = 1; i < statements.size(); ++i)
-    finding.notes.push_back({where(statements[i]), "this is in the loop, too"});
+    finding.note(where(statements[i]), Remark::also_in_loop);
 }
 
 std::optional<PartialDiagnostic> taken_as_lost(const Proof& proof, std::size_t index) {

@@ -70,8 +70,8 @@ TEST_CASE("a run found by the search withdraws all verdicts of the proof that it
       CHECK_FALSE(verdict.bound);
       CHECK_FALSE(verdict.exact);
       CHECK(verdict.addends.empty());
-      CHECK(verdict.explanation.find("contradicts what the compositional analysis proved of 'answer'") !=
-            std::string::npos);
+      CHECK(verdict.explanation.text().find(
+                "contradicts what the compositional analysis proved of 'answer'") != std::string::npos);
     }
     CHECK(attained(analysis.verdicts[0]) == Duration(2 * ms));
   }
@@ -98,7 +98,7 @@ TEST_CASE("a run found by the exploration withdraws all verdicts of the proof th
   CHECK(analysis.verdicts[0].bound == Duration(4 * ms));
   CHECK(analysis.verdicts[1].state == VerdictState::undecided);
   CHECK_FALSE(analysis.verdicts[1].bound);
-  CHECK(analysis.verdicts[1].explanation.find("proved of 'answer'") != std::string::npos);
+  CHECK(analysis.verdicts[1].explanation.text().find("proved of 'answer'") != std::string::npos);
 }
 
 TEST_CASE("a value that no statement reads is never measured, by any analysis") {
@@ -133,7 +133,7 @@ END
        {AnalysisChoice::exact, AnalysisChoice::compositional, AnalysisChoice::automatic}) {
     const Analysis analysis = analyze(*skill->problem, choice);
     CHECK(analysis.verdicts[0].state == VerdictState::never);
-    CHECK(analysis.verdicts[0].explanation == "no run gets there with a value that it has read");
+    CHECK(analysis.verdicts[0].explanation.text() == "no run gets there with a value that it has read");
     CHECK_FALSE(analysis.verdicts[0].bound);
     CHECK(analysis.verdicts[1].state != VerdictState::never);
   }

@@ -69,7 +69,7 @@ TEST_CASE("a decision ends between two of its steps once it is told to") {
     const std::vector<Verdict> bounds = analysis.verdicts;
     Options options;
     options.stop = [told] { return told; };
-    decide({provers, *skill->problem, 0, bounds, analysis}, options);
+    decide(deciding_methods(false), OpenCase{provers, *skill->problem, 0, bounds, analysis}, options);
     CHECK(analysis.verdicts.front().state == (told ? VerdictState::undecided : VerdictState::fails));
   }
 }

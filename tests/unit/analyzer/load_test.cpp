@@ -22,7 +22,7 @@ TEST_CASE("the load of a periodic worker is its work in its period") {
   CHECK(verdict.exact);
   REQUIRE(verdict.bound);
   CHECK(verdict.bound->count() == 416'666'667);  // 5 ms in 12 ms, rounded up
-  CHECK(verdict.explanation.find("P1") != std::string::npos);
+  CHECK(verdict.explanation.text().find("P1") != std::string::npos);
   REQUIRE(verdict.witness);
 }
 
@@ -86,7 +86,7 @@ END
   const Verdict verdict = analyze_exactly(*skill->problem).verdicts.front();
   CHECK(verdict.state == Verdict::State::never);
   CHECK_FALSE(verdict.bound);
-  CHECK(verdict.explanation == "every run ends, and a load is that of the long run");
+  CHECK(verdict.explanation.text() == "every run ends, and a load is that of the long run");
 }
 
 TEST_CASE("a skill that may wait for ever has a load of 0") {
@@ -129,7 +129,8 @@ TEST_CASE("a load is attained by one turn of its run, even if shares of the time
   options.max_states = 5'000;
   const Verdict verdict = analyze_exactly(*skill->problem, options).verdicts.front();
   CHECK(verdict.exact);
-  CHECK(verdict.explanation.find("busy for at most 4.999982 ms in every 12.000001 ms") != std::string::npos);
+  CHECK(verdict.explanation.text().find("busy for at most 4.999982 ms in every 12.000001 ms") !=
+        std::string::npos);
   CHECK(attained(verdict) == verdict.bound);
 }
 
@@ -168,7 +169,7 @@ END
   Options options;
   options.max_states = 5'000;
   const Verdict verdict = analyze_exactly(*skill->problem, options).verdicts.front();
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.state == Verdict::State::fails);
   CHECK_FALSE(verdict.exact);
   REQUIRE(verdict.bound);
@@ -200,7 +201,7 @@ TEST_CASE("a limited wait counts in the load for the part of its limit that pass
   const Verdict verdict =
       by_shares("WTM( tick from MC1 ) WITHIN 10000001 ns\n  work\nELSE\n  Do Nothing\nEND WTM",
                 "DEVICE MC1 EVENT tick EVERY 2000003 ns\n");
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.exact);
   CHECK(verdict.bound == Duration(500'000'750));  // 1,000,003 in 2,000,003, rounded up
 }
@@ -208,7 +209,7 @@ TEST_CASE("a limited wait counts in the load for the part of its limit that pass
 TEST_CASE("an answer counts in the load with the least time that it may take") {
   const Verdict verdict = by_shares("TXM( request value to LS1 )\nWTM( value from LS1 )\nwork",
                                     "DEVICE LS1 ON REQUEST 999997 TO 9999991 ns\n");
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.exact);
   CHECK(verdict.bound == Duration(500'001'500));  // 1,000,003 in 2,000,000
 }
@@ -256,7 +257,7 @@ END ENVIRONMENT
   Options options;
   options.max_states = 2'000;
   const Verdict verdict = analyze_exactly(*skill->problem, options).verdicts.front();
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.state != Verdict::State::fails);
   REQUIRE(attained(verdict));
   CHECK(*attained(verdict) < Duration(600'000'000));

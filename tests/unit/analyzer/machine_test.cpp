@@ -191,7 +191,7 @@ END
                   "PROCESSOR P0\nDEVICE MC1 EVENT tick SPORADIC 10 s\nDEVICE MC2 EVENT stop SPORADIC 1 s\n"
                   "TIME work : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Verdict found = only(*skill->problem);
-  INFO(found.explanation);
+  INFO(found.explanation.text());
   CHECK(found.state == Verdict::State::fails);
   REQUIRE(found.witness);
   CHECK(found.witness->measured.value > 50'000'000);
@@ -221,10 +221,10 @@ END
       "PROCESSOR P0\nTIME work : 1 ms\nPLACE SM1 ON P0 PRIORITY 1\n"));
   const Analysis analysis = analyze_exactly(*skill->problem);
   for (const Verdict& each : analysis.verdicts) {
-    INFO(each.requirement << ": " << each.explanation);
+    INFO(each.requirement << ": " << each.explanation.text());
     CHECK(each.state == Verdict::State::never);
     CHECK_FALSE(each.witness);
   }
-  CHECK(analysis.verdicts[0].explanation == "no run ever gets there");
-  CHECK(analysis.verdicts[1].explanation == "no run gets there twice");
+  CHECK(analysis.verdicts[0].explanation.text() == "no run ever gets there");
+  CHECK(analysis.verdicts[1].explanation.text() == "no run gets there twice");
 }

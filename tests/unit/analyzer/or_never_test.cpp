@@ -79,7 +79,7 @@ TEST_CASE("the compositional analysis names the device that keeps it from a boun
   const auto skill = test::sound_skill(weighing(limited, " OR NEVER"));
   const Verdict verdict = compositional::analyze(*skill->problem, {}).verdicts.front();
   CHECK_FALSE(verdict.bound);
-  CHECK(verdict.explanation.find("Scale may not answer a request (OR NEVER)") != std::string::npos);
+  CHECK(verdict.explanation.text().find("Scale may not answer a request (OR NEVER)") != std::string::npos);
 }
 
 TEST_CASE("the simulation makes runs in which the device answers and runs in which it does not") {

@@ -45,7 +45,7 @@ TEST_CASE("a bound that a run exceeds is withdrawn") {
   CHECK(verdict.state == VerdictState::undecided);
   CHECK_FALSE(verdict.bound);
   CHECK(verdict.addends.empty());
-  CHECK(verdict.explanation.find("compositional analysis") != std::string::npos);
+  CHECK(verdict.explanation.text().find("compositional analysis") != std::string::npos);
 }
 
 TEST_CASE("a requirement fails if the run that refutes its bound breaks it") {

@@ -125,7 +125,7 @@ END ENVIRONMENT
 )");
   REQUIRE(skill->problem);
   const Verdict verdict = analyze(*skill->problem, AnalysisChoice::compositional).verdicts.front();
-  INFO(verdict.explanation);
+  INFO(verdict.explanation.text());
   CHECK(verdict.state == Verdict::State::fails);
   CHECK(verdict.bound == Duration(2'000'000'000));
 }

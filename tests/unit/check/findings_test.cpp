@@ -1,4 +1,4 @@
-// Findings of texts and drawings: each is told by its text, of a file that has it.
+// Findings of texts and drawings: each is told by its text, of a file that has it. So are notes.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -25,7 +25,10 @@ void expect_findings(const std::string& file, const std::vector<Given>& list) {
     const auto checked = test::check_files(files, {file});
     CAPTURE(given.text.substr(0, 300), given.message);
     std::string found;
-    for (const Diagnostic& each : checked.diagnostics.all()) found += each.message + "\n";
+    for (const Diagnostic& each : checked.diagnostics.all()) {
+      found += each.message + "\n";
+      for (const Note& note : each.notes) found += note.text + "\n";
+    }
     CAPTURE(found);
     CHECK(found.find(std::string(given.message) + "\n") != std::string::npos);
   }
@@ -53,6 +56,7 @@ TEST_CASE("what is not DOT is told") {
           {"digraph " + std::string(300, '{') + std::string(300, '}'), "subgraphs are nested too deeply"},
           {"digraph { {" + nodes + "} -> {" + nodes + "} }", "the graph has more than 200000 edges"},
           {"digraph { " + many + "}", "the graph has more than 100000 nodes"},
+          {module("n [pal_kind=nothing]; s -> n; n -> e; n -> s"), "the first one is here"},
       });
 }
 
@@ -67,6 +71,10 @@ TEST_CASE("nodes that are no statements are told") {
                "n [pal_kind=perform pal_activity=think pal_reads=a]; m [pal_kind=perform pal_activity=think "
                "pal_reads=b]; s -> n -> m -> e"),
            "activity 'think' reads or writes other messages here"},
+          {module(
+               "n [pal_kind=perform pal_activity=think pal_reads=a]; m [pal_kind=perform pal_activity=think "
+               "pal_reads=b]; s -> n -> m -> e"),
+           "than here"},
           {module("n [pal_kind=sing]; s -> n -> e"), "there is no kind 'sing' of node"},
           {module("n [pal_kind=nothing pal_code=1]; s -> n -> e"),
            "a node of kind 'nothing' has no pal_code"},
@@ -173,5 +181,54 @@ END
                     "a frame is collected in no time"},
                    {sensor, "'LS1' also talks with 'SD1'"},
                    {sensor, "'LS1' never returns 'wrench'"},
-                   {sensor, "two modules of skill 's' wait for the coordinator"}});
+                   {sensor, "two modules of skill 's' wait for the coordinator"},
+                   {sensor, "this is the other"}});
+}
+
+TEST_CASE("why a statement is never reached is told") {
+  const auto skill = [](const std::string& body, const std::string& more = "") {
+    return "CONDITION c\nSKILL s\n  SKILL METHOD SM1\n  CONTINGENCY 1 \"no\" METHOD CM1\n"
+           "  COMPLETION 0 NORMAL\n  COMPLETION 1 ERROR\nEND SKILL\nSkill Module: SM1\n  ACTIVITY a\nBEGIN\n"
+           "  WTM( Coordinator )\n  SPC( c )\n" +
+           body + "  TXM( Completion Protocol 0 )\nEND\nContingency Module: CM1\n  ACTIVITY b\nBEGIN\n" +
+           more + "END\n";
+  };
+  const std::string loop = "REPEAT\n a\n UNTIL( forever )\n";
+  expect_findings("a.pal",
+                  {{skill(loop), "this loop never ends"},
+                   {skill("Execute CM1\n", "REPEAT\n b\n UNTIL( forever )\n"), "this module never ends"},
+                   {skill("CONCURRENT BEGIN " + loop + "END BEGIN " + loop + "END END CONCURRENT\n"),
+                    "no block of this CONCURRENT can end"},
+                   {skill("CASE\n ( c = TRUE ):\n" + loop + "( c = FALSE ):\n" + loop + "END CASE\n"),
+                    "no branch of this ends"}});
+}
+
+TEST_CASE("a text of too many words and signs is read to a limit") {
+  std::string signs;
+  signs.reserve(4'000'100);
+  while (signs.size() < 4'000'020) signs += "a ";
+  expect_findings("a.pal", {{signs,
+                             "the file cannot be read from here on: it has more than 2000000 words and "
+                             "signs"}});
+}
+
+TEST_CASE("a search for deadlocks that cannot be finished says why") {
+  const std::string text =
+      "MESSAGE m : SIGNAL\nSKILL s\n  LOGICAL SENSOR LS1\n  SKILL METHOD SM1\n  COMPLETION 0 NORMAL\n"
+      "  COMPLETION 1 ERROR\nEND SKILL\nLogical Sensor: LS1\nBEGIN\n  REPEAT\n    WTM( request m from SM1 )\n"
+      "    WTM( request m from SM1 )\n    TXM( m to SM1 )\n  UNTIL( forever )\nEND\nSkill Module: "
+      "SM1\nBEGIN\n"
+      "  WTM( Coordinator )\n  REPEAT\n    TXM( request m from LS1 )\n    TXM( request m from LS1 )\n"
+      "    WTM( m from LS1 )\n  UNTIL( forever )\nEND\n";
+  expect_findings("a.pal", {{text,
+                             "skill 's' can have more than 12 requests for one message open at once, or "
+                             "withdrawn and yet to be answered: a deadlock could not be excluded"}});
+  MemoryFileSystem files;
+  files.add("a.pal", text);
+  test::Checked checked;
+  const auto trees = check::read_sources(files, checked.sources, {"a.pal"}, checked.diagnostics);
+  check::check(trees, checked.diagnostics, [] { return true; });
+  REQUIRE_FALSE(checked.diagnostics.all().empty());
+  CHECK(checked.diagnostics.all().back().message ==
+        "skill 's' was not searched for deadlocks to the end: the time ran out");
 }

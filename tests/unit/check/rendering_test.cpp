@@ -28,7 +28,7 @@ TEST_CASE("the JSON form has every part of a finding") {
   const auto file = sources.add("a.pal", "one\ntwo\n");
   Diagnostics diagnostics;
   auto& finding = diagnostics.report(Finding::unknown_message, {file, 4, 7}, "two");
-  finding.notes.push_back({{file, 0, 3}, "see"});
+  finding.note({file, 0, 3}, Remark::declared_here);
   const auto json = nlohmann::json::parse(render_json(diagnostics.sorted(), sources));
   REQUIRE(json.size() == 1);
   CHECK(json[0]["code"] == "PAL0202");
@@ -39,6 +39,7 @@ TEST_CASE("the JSON form has every part of a finding") {
   CHECK(json[0]["end_column"] == 4);
   CHECK(json[0]["message"] == "there is no message 'two'");
   CHECK(json[0]["hint"] == "declare it: MESSAGE two : with its type, such as REAL N");
+  CHECK(json[0]["hint_for"] == "all");
   CHECK(json[0]["finding"] == "unknown_message");
   CHECK(json[0]["arguments"] == nlohmann::json{{"message", "two"}});
   CHECK(json[0]["notes"][0]["line"] == 1);
@@ -113,7 +114,7 @@ TEST_CASE("findings beyond the limit of their severity are counted and not kept"
   CHECK(many.diagnostics.all().size() == 2 * most);
   // The check that reports one that is not kept may still add to it.
   many.diagnostics.report(Finding::unexpected, {many.file, 1, 2}, "late")
-      .notes.push_back({{many.file, 0, 1}, "note"});
+      .note({many.file, 0, 1}, Remark::declared_here);
   CHECK(many.diagnostics.all().back().finding == Finding::graph_names_no_module);
   CHECK(many.text(100).ends_with("\u2026 and " + std::to_string(2 * most + 11 - 100) +
                                  " more; --max-errors 0 shows more; only the first 10000 errors and as many "

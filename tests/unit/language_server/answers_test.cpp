@@ -265,6 +265,20 @@ TEST_CASE("an edit of other words leaves proofs as they are, with the lines of t
   CHECK(charted(later, true).first != charted(skill, false).first);
 }
 
+TEST_CASE("a requirement that fails is told once more at the statement to change") {
+  Client client(long_proofs);
+  client.open("feel.pal", replaced(skill, "AT MOST 20 ms", "AT MOST 4 ms"));
+  client.ask("pal/requirements", {{"textDocument", {{"uri", uri("feel.pal")}}}});
+  client.run(program::EditorProver());
+  const Json findings = client.findings("feel.pal");
+  const bool told = std::any_of(findings.begin(), findings.end(), [](const Json& each) {
+    const Json related = each.value("relatedInformation", Json::array());
+    return !related.empty() && related[0]["message"] == "'soon' is required here";
+  });
+  INFO(findings.dump(1));
+  CHECK(told);
+}
+
 TEST_CASE("the signature of a message") {
   Client client;
   client.open("feel.pal", skill);

@@ -45,6 +45,7 @@ TEST_CASE("a finding has its page and a cure that makes it go away") {
   REQUIRE(findings.size() == 1);
   CHECK(findings[0]["code"] == "PAL0202");
   CHECK(findings[0]["codeDescription"]["href"] == "file:///docs/reference/diagnostics.md#pal0202");
+  CHECK(findings[0]["data"] == Json{{"finding", "unknown_message"}, {"arguments", {{"message", "forse"}}}});
   CHECK(findings[0]["relatedInformation"][0]["location"]["uri"] == uri("shared.pal"));
   const Json& offered = client.result(actions);
   REQUIRE(offered.size() == 1);

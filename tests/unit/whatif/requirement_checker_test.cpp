@@ -1,8 +1,11 @@
 #include "analyzer/whatif/requirement_checker.hpp"
 
 #include <catch2/catch.hpp>
+#include <string>
+#include <variant>
 
 #include "analyzer/whatif/figures.hpp"
+#include "pal/support/file_system.hpp"
 #include "tests/support/skill.hpp"
 #include "tests/unit/whatif/two_chains.hpp"
 
@@ -21,6 +24,26 @@ TEST_CASE("without exploration requirements are decided by bounds and single run
   const Ruling ruling = other.ask(*fails->problem, requirements_of(*fails->problem), {0, {}});
   CHECK(ruling.state == Is::fails);
   CHECK(ruling.requirement == RequirementId(0));
+}
+
+TEST_CASE("timing.md has the methods of a what-if question as the code has them") {
+  std::string table = "| round | method | may find | from |\n| --- | --- | --- | --- |\n";
+  int number = 0;
+  for (const AskingRound& round : asking_rounds()) {
+    ++number;
+    std::string from = std::to_string(round.from);
+    if (from.size() > 3) from.insert(from.size() - 3, ",");
+    for (const AskingMethod& each : round.methods) {
+      const std::string finds = each.proves && each.refutes ? "holds, fails"
+                                : each.proves               ? "holds"
+                                                            : "fails";
+      table +=
+          "| " + std::to_string(number) + " | " + each.name + " | " + finds + " | " + from + " classes |\n";
+    }
+  }
+  const auto page = DiskFileSystem().read(PAL_SOURCE_DIR "/docs/internals/timing.md");
+  INFO("docs/internals/timing.md lacks this table:\n" << table);
+  CHECK(std::get<std::string>(page).find("\n\n" + table + "\n") != std::string::npos);
 }
 
 TEST_CASE("a run that refuted something refutes it again with other figures") {

@@ -30,9 +30,6 @@ export function FindingsList({ operation, icon }: { operation: string; icon: str
   );
 }
 
-/** A hint that shows JSON is for those who write files. */
-const forFiles = (hint: string) => hint.includes('{"');
-
 function Item({ finding, showIcon }: { finding: Finding; showIcon: boolean }) {
   return (
     <li className="finding" data-severity={finding.severity}>
@@ -40,7 +37,7 @@ function Item({ finding, showIcon }: { finding: Finding; showIcon: boolean }) {
       <div>
         <p>{finding.message}</p>
         {finding.notes.map((each, i) => <p key={i} className="hint">{each.text}</p>)}
-        {finding.hint !== "" && !forFiles(finding.hint) && <p className="finding-hint">{finding.hint}</p>}
+        {finding.hint !== "" && finding.hint_for === "all" && <p className="finding-hint">{finding.hint}</p>}
         <div className="chips">
           {finding.edits.length > 0 && <Button className="button small primary" onPress={() => mend(finding)}><Symbol name="tick" size={14} />{t("findings.mend")}</Button>}
           {showIcon && finding.icon && <Button className="button small" onPress={() => jump(finding)}><Symbol name="target" size={14} />{finding.icon}</Button>}

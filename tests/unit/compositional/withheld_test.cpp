@@ -1,0 +1,129 @@
+// Shapes of which no bound is given: the document has all of them, and each has a skill whose bound would be
+// wrong.
+#include "analyzer/compositional/causes/withheld.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+#include <variant>
+
+#include "analyzer/compositional/compositional.hpp"
+#include "pal/support/file_system.hpp"
+#include "tests/support/any_skill.hpp"
+#include "tests/support/project_file.hpp"
+
+using namespace pal;
+using namespace pal::analyzer;
+using namespace pal::analyzer::compositional;
+
+namespace {
+
+using Kind = WithheldRow::Kind;
+
+/// Shapes of which no such skill is known by now. They are kept, since nothing shows that they are not
+/// needed.
+constexpr Withheld without_skill[] = {Withheld::may_not_answer,
+                                      Withheld::loops_again,
+                                      Withheld::nested_block,
+                                      Withheld::limited_service,
+                                      Withheld::asked_although_it_comes,
+                                      Withheld::asked_again,
+                                      Withheld::answered_elsewhere,
+                                      Withheld::asked_beside,
+                                      Withheld::asked_after_cancelled,
+                                      Withheld::two_idle_waits,
+                                      Withheld::waits_unasked,
+                                      Withheld::waits_for_other_job,
+                                      Withheld::left_to_later_job,
+                                      Withheld::started_again,
+                                      Withheld::waits_untriggered,
+                                      Withheld::blocks_again,
+                                      Withheld::blocks_once,
+                                      Withheld::slot_full,
+                                      Withheld::several_ways,
+                                      Withheld::several_clients,
+                                      Withheld::job_without_end,
+                                      Withheld::answer_discarded,
+                                      Withheld::request_withdrawn,
+                                      Withheld::event_overtaken,
+                                      Withheld::message_overtaken,
+                                      Withheld::answer_given_up,
+                                      Withheld::asker_cancelled,
+                                      Withheld::several_threads,
+                                      Withheld::may_skip,
+                                      Withheld::may_leave_loop,
+                                      Withheld::may_stop,
+                                      Withheld::completed_in_some_job,
+                                      Withheld::several_setters,
+                                      Withheld::jobs_overtake};
+
+std::string table_of(bool shapes) {
+  std::string table =
+      "| the verdict says | why there is no bound | what to try instead |\n| --- | --- | --- |\n";
+  for (const WithheldRow& row : withheld_rows) {
+    if ((row.kind == Kind::shape) != shapes) continue;
+    table += "| " + std::string(row.reason) + " | " + std::string(row.why) + " | " +
+             std::string(row.advice.empty() ? "–" : row.advice) + " |\n";
+  }
+  return table;
+}
+
+/// Whether a text has the literal parts of a row's reason, one after the other.
+bool tells(const std::string& text, std::string_view reason) {
+  std::size_t at = 0;
+  const auto goes_on = [&](std::string_view part) {
+    at = text.find(part, at);
+    const bool found = at != std::string::npos;
+    at += part.size();
+    return found;
+  };
+  for (auto next = first_placeholder(reason); !next.empty(); next = first_placeholder(reason)) {
+    const auto before = static_cast<std::size_t>(next.data() - reason.data());
+    if (!goes_on(reason.substr(0, before))) return false;
+    reason.remove_prefix(before + next.size());
+  }
+  return goes_on(reason);
+}
+
+/// Whether a run goes beyond what is bounded: it has a greater value, or a lesser one, or none at all.
+bool beyond(const Verdict& bound, const Witness& witness) {
+  const Nanoseconds value = witness.measured.value;
+  return witness.failed || (bound.at_least ? value < bound.bound->count() : value > bound.bound->count());
+}
+
+}  // namespace
+
+TEST_CASE("compositional.md has what is withheld as the code has it") {
+  const auto page = DiskFileSystem().read(PAL_SOURCE_DIR "/docs/internals/compositional.md");
+  for (const bool shapes : {true, false}) {
+    const std::string table = table_of(shapes);
+    INFO("docs/internals/compositional.md lacks this table:\n" << table);
+    CHECK(std::get<std::string>(page).find("\n\n" + table + "\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("without a row of the table a bound comes out that some run exceeds") {
+  for (std::size_t i = 0; i < withheld_rows.size(); ++i) {
+    const Withheld withheld{static_cast<std::uint8_t>(i)};
+    const bool kept =
+        std::find(std::begin(without_skill), std::end(without_skill), withheld) != std::end(without_skill);
+    if (row(withheld).kind != Kind::shape || kept) continue;
+    CAPTURE(row(withheld).name);
+    const auto skill = test::meaningful_skill(
+        test::project_file("tests/unit/compositional/withheld/" + std::string(row(withheld).name) + ".pal"));
+    REQUIRE(skill->problem->requirements.size() == 1);
+    const Verdict none = compositional::analyze(*skill->problem).verdicts.front();
+    CAPTURE(none.explanation.text());
+    REQUIRE_FALSE(none.bound);
+    CHECK(tells(none.explanation.text(), row(withheld).reason));
+    const Verdict wrong = compositional::analyze(*skill->problem, {}, false, {withheld}).verdicts.front();
+    CAPTURE(wrong.explanation.text());
+    REQUIRE(wrong.bound);
+    Options options;
+    options.max_states = 5'000;
+    const Verdict exact = analyze_exactly(*skill->problem, options).verdicts.front();
+    CAPTURE(wrong.bound->count(), exact.explanation.text());
+    REQUIRE(exact.witness);
+    CHECK(beyond(wrong, *exact.witness));
+  }
+}
