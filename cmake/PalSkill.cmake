@@ -54,14 +54,20 @@ function(pal_add_skill name)
     set(plugin_file "${directory}/${prefix}_plugin.cpp")
   endif()
 
+  set(pal_program $<TARGET_FILE:pal::pal>)
+  set(pal_target pal::pal)
+  if(PAL_GENERATOR)
+    set(pal_program "${PAL_GENERATOR}")
+    set(pal_target "${PAL_GENERATOR}")
+  endif()
   add_custom_command(
     OUTPUT ${generated} ${plugin_file}
-    COMMAND ${CMAKE_COMMAND} -DPAL=$<TARGET_FILE:pal::pal> -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
+    COMMAND ${CMAKE_COMMAND} -DPAL=${pal_program} -DFILE=${pal_name} -DENVIRONMENT=${environment_name}
             -DSKILL=${ARG_SKILL} -DALLOW_FAILING=${ARG_ALLOW_FAILING} -DWITHOUT_TIMES=${ARG_WITHOUT_TIMES} -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
-    COMMAND pal::pal generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines} ${plugin}
+    COMMAND ${pal_program} generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines} ${plugin}
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
             --depfile-folder "${CMAKE_SOURCE_DIR}"
-    DEPENDS pal::pal "${pal_file}" "${environment_file}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
+    DEPENDS ${pal_target} "${pal_file}" "${environment_file}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     DEPFILE "${directory}/${prefix}.d"
     WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
     COMMENT "Checking skill ${ARG_SKILL} and generating its C++"

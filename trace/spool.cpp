@@ -1,6 +1,7 @@
 #include "pal/trace/spool.hpp"
 
 #include <stdlib.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -9,14 +10,31 @@
 
 namespace pal::trace {
 
-SpoolFile::SpoolFile() {
+namespace {
+
+int temporary_file() {
   std::string name = (std::filesystem::temp_directory_path() / "pal-run-XXXXXX").string();
   const int file = ::mkstemp(name.data());
   if (file < 0) throw std::runtime_error("no temporary file can be made: " + name);
   ::unlink(name.c_str());
+  return file;
+}
+
+int file_in_memory() {
+  const int file = ::memfd_create("pal-run", MFD_CLOEXEC);
+  if (file < 0) throw std::runtime_error("no file can be made in memory");
+  return file;
+}
+
+}  // namespace
+
+SpoolFile::SpoolFile(SpoolPlace place) {
+  const int file = place == SpoolPlace::memory ? file_in_memory() : temporary_file();
   file_.reset(::fdopen(file, "w+b"));
   if (!file_) throw std::runtime_error("no temporary file can be opened");
-  std::setvbuf(file_.get(), nullptr, _IOFBF, 1U << 16U);
+  // Without room of its own the C library takes 4096 bytes, whatever size is asked for.
+  room_.resize(1U << 16U);
+  std::setvbuf(file_.get(), room_.data(), _IOFBF, room_.size());
 }
 
 bool SpoolFile::append(const void* bytes, std::size_t count) noexcept {

@@ -16,7 +16,7 @@ constexpr std::size_t bytes_at_a_time = 1U << 16U;
 
 }  // namespace
 
-MessageLog::MessageLog() : file_(std::make_shared<trace::SpoolFile>()) {}
+MessageLog::MessageLog(trace::SpoolPlace place) : file_(std::make_shared<trace::SpoolFile>(place)) {}
 
 void MessageLog::passed(runtime::Time when, const runtime::Device& device, std::size_t port,
                         std::span<const double> fields) {

@@ -19,11 +19,11 @@ struct LoggedMessage {
   std::vector<double> fields;
 };
 
-/// Records the messages of a run, on the disk as they come. Give it to the run as its observer.
+/// Records the messages of a run, on the disk as they come, or in memory. Give it to the run as its observer.
 class MessageLog final : public runtime::MessageObserver {
  public:
   /// Throws std::runtime_error if there can be no temporary file.
-  MessageLog();
+  explicit MessageLog(trace::SpoolPlace place = trace::SpoolPlace::disk);
   void passed(runtime::Time when, const runtime::Device& device, std::size_t port,
               std::span<const double> fields) override;
 

@@ -1,4 +1,4 @@
-// The samples of a run, on the disk as they come.
+// The samples of a run, on the disk as they come, or in memory.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,7 @@ SampleSource samples_of(const std::vector<Sample>& log);
 
 class SampleSpool {
  public:
+  explicit SampleSpool(trace::SpoolPlace place = trace::SpoolPlace::disk) : rows_(place) {}
   void append(const Sample& sample) noexcept;
   std::size_t size() const { return rows_.size(); }
   bool failed() const { return rows_.failed(); }

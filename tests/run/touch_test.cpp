@@ -1,5 +1,6 @@
 // Approach to touch, both orders, generated and run against a wall like a spring.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <sstream>
 
 #include "pal/runtime/dispatcher.hpp"
@@ -198,4 +199,27 @@ TEST_CASE("a device that stops answering ends the skill with its error completio
   CHECK(cell.alter.closed);
   CHECK(cell.alter.asked - cell.alter.answered <= 1);  // the robot was answered all the while
   CHECK(cell.tool.target() == 0);
+}
+
+TEST_CASE("a sensor that gives no number ends the skill where it is taken, and the robot stands") {
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    Cell cell;
+    ScriptedDevice broken("force-torque", cell.sensor.ports());
+    broken.on_receive = [bad](runtime::DeviceHost& host, std::size_t, std::span<const double>) {
+      host.at(host.now() + 6ms, [&host, bad] {
+        const double fields[] = {0, 0, bad, 0, 0, 0};
+        host.deliver(1, fields);
+      });
+    };
+    const auto skill = test::make_skill("touch");
+    runtime::Device* devices[] = {&broken, &cell.alter};
+    NoWorld world;
+    const auto outcome = runtime::Dispatcher(devices, world).run(*skill, {}, {.horizon = 2s});
+    CHECK(outcome.fault);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.reason, Catch::Contains("a message's REAL field is not a finite number"));
+    CHECK_THAT(outcome.reason, Catch::Contains("WTM( wrench from SD1 )") || Catch::Contains("force-torque"));
+    CHECK(cell.alter.closed);
+    CHECK(cell.tool.target() == 0);
+  }
 }

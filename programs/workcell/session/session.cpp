@@ -23,11 +23,16 @@ constexpr std::size_t most_samples = 60'000;  // 17 MB
 constexpr std::size_t most_events = 300'000;  // 10 MB
 constexpr std::size_t events_at_a_time = 1U << 12U;
 
-/// The samples of a run as they come: all on the disk, and what pictures show of them.
+/// The threads of a run in real time wait for no disk.
+trace::SpoolPlace spool_of(const Session& session) {
+  return session.real_time ? trace::SpoolPlace::memory : trace::SpoolPlace::disk;
+}
+
+/// The samples of a run as they come: all in a spool, and what pictures show of them.
 class SampleRecorder {
  public:
-  explicit SampleRecorder(sim::Workcell& workcell)
-      : spool_(std::make_shared<sim::SampleSpool>()),
+  SampleRecorder(sim::Workcell& workcell, trace::SpoolPlace place)
+      : spool_(std::make_shared<sim::SampleSpool>(place)),
         listener_(workcell.on_sample([this, tool = workcell.tool_kind()](const sim::Sample& sample) {
           spool_->append(sample);
           history_.add({std::chrono::duration<double>(sample.time).count(),
@@ -129,6 +134,7 @@ std::string title(const runtime::Skill& skill, const Session& session) {
 
 SessionResult run_session(runtime::Skill& skill, const Session& session) {
   SessionResult result;
+  result.messages = sim::MessageLog(spool_of(session));
   ObservedWorld* world = nullptr;
   sim::CellOptions cell_options;
   cell_options.raise = session.raise;
@@ -150,7 +156,7 @@ SessionResult run_session(runtime::Skill& skill, const Session& session) {
   cell_options.at_begin = [&](runtime::Time begin) {
     if (before) return;
     world->workcell.begin_log(begin);
-    samples.emplace(world->workcell);
+    samples.emplace(world->workcell, spool_of(session));
     world->watched.begin(begin);
   };
   sim::Cell cell(session.scene, cell_options);

@@ -1,6 +1,7 @@
 // The generated code of at_a_time.pal, compiled and run. Each block that executes a module with a CONCURRENT
 // has its own threads for it.
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <memory>
 #include <string>
@@ -26,7 +27,7 @@ class Mend final : public made::MendActivities {
     return true;
   }
 
-  int polished = 0;
+  std::atomic<int> polished = 0;  // by several blocks at once, in real time (PAL0734)
   std::vector<std::string> told;
 };
 
@@ -130,4 +131,20 @@ TEST_CASE("a generated skill is told of a broken promise and of the requirements
   CHECK(outcome.broken_promises.back().promise == "requirement in-time, a duration of at most 13.7 ms");
   REQUIRE_FALSE(mend.told.empty());
   CHECK(mend.told.front() == broken.promise);
+}
+
+TEST_CASE("a generated skill runs in real time, its blocks at one time") {
+  auto mend = std::make_unique<Mend>();
+  auto finish = std::make_unique<Finish>(*mend);
+  const auto skill = made::make_at_a_time(std::move(finish), std::move(mend));
+  Lamp lamp;
+  NoWorld world;
+  runtime::Device* devices[] = {&lamp};
+  for (int again = 0; again < 3; ++again) {
+    const auto outcome = runtime::Dispatcher(devices, world)
+                             .run(*skill, {}, {.horizon = 8s, .real_time = runtime::RealTime{}});
+    CHECK(outcome.reason == "Smooth.");
+    // The third block goes on until the others have ended; how far it comes is a matter of the machine.
+    CHECK(lamp.level >= 30);
+  }
 }

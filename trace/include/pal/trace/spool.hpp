@@ -1,4 +1,4 @@
-// Records of a long run, on the disk as they come.
+// Records of a long run, on the disk as they come, or in memory where the writer must not wait for a disk.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,15 @@
 
 namespace pal::trace {
 
-/// Bytes in a file of the system's temporary folder that has no name: it is gone with the process.
+/// Where a spool keeps its bytes. What is appended in memory waits for no disk.
+enum class SpoolPlace { disk, memory };
+
+/// Bytes in a file that has no name, in the system's temporary folder or in memory: it is gone with the process.
 class SpoolFile {
  public:
   /// Throws std::runtime_error if there can be no such file.
-  SpoolFile();
-  /// False from the first failure on: the disk is full. Allocates nothing.
+  explicit SpoolFile(SpoolPlace place = SpoolPlace::disk);
+  /// False from the first failure on: the disk is full, or the memory. Allocates nothing.
   bool append(const void* bytes, std::size_t count) noexcept;
   bool failed() const noexcept { return failed_; }
   /// How many bytes of those from `offset` on were read into `room`.
@@ -29,6 +32,7 @@ class SpoolFile {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  std::vector<char> room_;  // of the file, which it outlives
   std::unique_ptr<std::FILE, Close> file_;
   bool failed_ = false;
 };
@@ -39,6 +43,7 @@ class Spool {
   static_assert(std::is_trivially_copyable_v<Record>);
 
  public:
+  explicit Spool(SpoolPlace place = SpoolPlace::disk) : file_(place) {}
   void append(const Record* records, std::size_t count) noexcept {
     if (file_.append(records, count * sizeof(Record))) size_ += count;
   }
