@@ -73,8 +73,7 @@ TEST_CASE("resources names what the environment lacks, by group") {
     missing.push_back(std::string(one.at("group")) + ": " + std::string(one.at("name")));
   CHECK(missing == std::vector<std::string>{"sensor drivers: SD1", "sensor drivers: force-torque",
                                             "logical sensors: LS1", "activities: extract-z",
-                                            "activities: hold",
-                                            "activities: retreat"});
+                                            "activities: hold", "activities: retreat"});
   CHECK(compared.size() == 1);
   const auto check = test::pal({"check", "touch/touch.pal", "-e", "bare.pal"}, files);
   CHECK(check.err.find("error[PAL0721]: environment bare does not place SD1") != std::string::npos);

@@ -17,7 +17,8 @@ namespace pal::trace {
 /// Where a spool keeps its bytes. What is appended in memory waits for no disk.
 enum class SpoolPlace { disk, memory };
 
-/// Bytes in a file that has no name, in the system's temporary folder or in memory: it is gone with the process.
+/// Bytes in a file that has no name, in the system's temporary folder or in memory: it is gone with the
+/// process.
 class SpoolFile {
  public:
   /// Throws std::runtime_error if there can be no such file.
