@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Runs one study on each engine, on three virtual hosts: study_hosts.py PAL FOLDER.
+"""Runs one study on each engine, on three virtual hosts: study_hosts.py PAL FOLDER [--proofs N | --study FILE].
 
 A host is a set of namespaces (network, mounts, host name, processes) with addresses of its own; veth pairs connect each two.
 On each run munge, slurmd and sshd, on the first one slurmctld, too. The study is run on one core, on two cores, by GNU parallel over
 ssh, and by Slurm; then by the last two again while one host is killed in the middle. All tables must be the same bytes. Needs root.
+With --study a study of one's own takes the place of the program's, and no host is killed.
 Whatever happens, the hosts are gone at the end: with the first process of its namespace the kernel ends all others.
 """
 import argparse
@@ -221,7 +222,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("pal")
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--proofs", type=int, default=120)
+    parser.add_argument("--proofs", type=int, default=120, help="of the program's own study")
+    parser.add_argument("--study", type=pathlib.Path, help="another study")
     options = parser.parse_args()
     missing = [program for program in PROGRAMS if shutil.which(program) is None]
     if os.geteuid() != 0 or missing:
@@ -231,8 +233,9 @@ def main():
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     source = pathlib.Path(__file__).resolve().parents[2]
-    study = folder / "study.toml"
-    study.write_text(STUDY.format(source=source, last=100 + 10 * (options.proofs // 2 - 1)))
+    study = options.study.resolve() if options.study else folder / "study.toml"
+    if not options.study:
+        study.write_text(STUDY.format(source=source, last=100 + 10 * (options.proofs // 2 - 1)))
     (folder / "hosts.txt").write_text("".join(f"2/{name}\n" for name in HOSTS))
     by_parallel = ["--engine", "parallel", "--hosts", str(folder / "hosts.txt")]
     cluster = Cluster(folder)
@@ -240,14 +243,13 @@ def main():
         cluster.start()
         pal = str(pathlib.Path(options.pal).resolve())
         tables = {}
-        for name, arguments in [("one-core", ["--jobs", "1"]), ("two-cores", ["--jobs", "2"]),
-                                ("parallel", [*by_parallel, "--block", "10"]), ("slurm", ["--engine", "slurm", "--block", "10"])]:
+        block = [] if options.study else ["--block", "10"]
+        for name, arguments in [("one-core", ["--jobs", "1"]), ("two-cores", ["--jobs", "2"]), ("parallel", [*by_parallel, *block]),
+                                ("slurm", ["--engine", "slurm", *block])]:
             tables[name] = sweep(cluster, pal, study, name, arguments)
         third = options.proofs // 3
-        tables["parallel-without-pal2"] = sweep(cluster, pal, study, "parallel-without-pal2", [*by_parallel, "--block", "10"],
-                                                (cluster.hosts[1], third))
-        tables["slurm-without-pal3"] = sweep(cluster, pal, study, "slurm-without-pal3", ["--engine", "slurm", "--block", "10"],
-                                             (cluster.hosts[2], third))
+        for name, arguments, host in [] if options.study else [("parallel-without-pal2", by_parallel, 1), ("slurm-without-pal3", ["--engine", "slurm"], 2)]:
+            tables[name] = sweep(cluster, pal, study, name, [*arguments, *block], (cluster.hosts[host], third))
     finally:
         cluster.stop()
     different = [name for name, files in tables.items() if files != tables["one-core"]]
