@@ -14,6 +14,7 @@
 #include "operations/write.hpp"
 #include "pal/pan/dot.hpp"
 #include "pal/support/diagnostic_code.hpp"
+#include "pal/support/finding.hpp"
 #include "pal/support/utf8.hpp"
 #include "server/json_requests.hpp"
 #include "server/program_check.hpp"

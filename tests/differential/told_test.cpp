@@ -122,13 +122,13 @@ std::string project(const std::string& name) {
   return test::project_file("tests/differential/told/" + name + ".pal");
 }
 
-void take_tick(Told& run, int number = 1) {
+void take_tick(test::Told& run, int number = 1) {
   const std::string statement = "WTM( tick from d )";
   run.say(Kind::put, "d", {}, "tick", number).say(Kind::start, "MC1", statement);
   run.say(Kind::take, "MC1", statement, "tick", number).say(Kind::done, "MC1", statement);
 }
 
-void send(Told& run, const std::string& statement, const std::string& message) {
+void send(test::Told& run, const std::string& statement, const std::string& message) {
   run.say(Kind::start, "MC1", statement).say(Kind::put, "MC1", statement, message, 1);
   run.say(Kind::done, "MC1", statement);
 }
@@ -175,25 +175,25 @@ TEST_CASE("the referee accepts every simulated run of odd skills") {
 TEST_CASE("a thread with a message and the greater priority goes first") {
   // Else SM1 would read what MC1 sets after it has sent, and work for 50 ms.
   const auto begun = [] {
-    Told run(project("overtaken"));
+    test::Told run(project("overtaken"));
     run.say(Kind::block, "SM1", "WTM( m from MC1 )", "m")
         .say(Kind::block, "MC1", "WTM( tick from d )", "tick");
     take_tick(run);
     send(run, "TXM( m to SM1 )", "m");
     return run;
   };
-  const auto take_m = [](Told& run) {
+  const auto take_m = [](test::Told& run) {
     const std::string wait = "WTM( m from MC1 )";
     run.say(Kind::take, "SM1", wait, "m", 1).say(Kind::done, "SM1", wait).say(Kind::start, "SM1", "CASE");
   };
-  Told first = begun();
+  test::Told first = begun();
   first.say(Kind::start, "SM1", "WTM( m from MC1 )").say(Kind::ready, "MC1", "SPC( c = TRUE )");
   take_m(first);
   first.say(Kind::read, "SM1", "CASE", "c", 0).say(Kind::done, "SM1", "CASE");
   first.say(Kind::start, "SM1", "TXM( Completion Protocol 0 )");
   CHECK(first.broken() == "");
 
-  Told overtaken = begun();
+  test::Told overtaken = begun();
   overtaken.say(Kind::start, "MC1", "SPC( c = TRUE )").say(Kind::set, "MC1", "SPC( c = TRUE )", "c", 1);
   overtaken.say(Kind::done, "MC1", "SPC( c = TRUE )").say(Kind::start, "SM1", "WTM( m from MC1 )");
   take_m(overtaken);
@@ -206,7 +206,7 @@ TEST_CASE("a sender goes on when its slot becomes free") {
   const std::string wait = "WTM( m from MC1 )";
   const std::string tick = "WTM( tick from d )";
   const auto freed = [&](int later) {
-    Told run(project("freed"));
+    test::Told run(project("freed"));
     run.say(Kind::start, "SM1", "work").say(Kind::block, "MC1", tick, "tick");
     take_tick(run, 1);
     send(run, send_m, "m");
@@ -227,7 +227,7 @@ TEST_CASE("a sender goes on when its slot becomes free") {
 TEST_CASE("a request is withdrawn by a wait that gives up, and not before") {
   // Else SM1 would have nothing to take, let MC1 go on, and so be the reason that it gives up.
   const std::string asked = "WTM( request m from MC1 )";
-  Told run(project("early"));
+  test::Told run(project("early"));
   run.say(Kind::block, "SM1", asked, "request m").say(Kind::block, "MC1", "WTM( tick from d )", "tick");
   take_tick(run);
   send(run, "TXM( request m from SM1 )", "request m");

@@ -112,7 +112,7 @@ TEST_CASE("a crowded instant in the middle is enlarged before a long quiet stret
   for (int i = 0; i < 6; ++i) {
     const std::int64_t at = 34 * ms + i * 50 * us;
     bars.push_back(bar(at, at + 50 * us, "SPC( c )", BarKind::condition));
-    options.explanation.text().push_back({at, at + 50 * us, "runs SPC( c )", "SM1", "", 0});
+    options.explanation.push_back({at, at + 50 * us, "runs SPC( c )", "SM1", "", 0});
   }
   bars.push_back(bar(39 * ms - 50 * us, 39 * ms, "TXM( e to E )"));
   const Layer layer{&run, &options, Role::only, 0, {0}, {}};
@@ -185,7 +185,7 @@ TEST_CASE("explanations go on in the next line and are never cut") {
   std::string words;
   for (int i = 0; i < 40; ++i) words += "word" + std::to_string(i) + " ";
   for (int i = 0; i < 8; ++i)
-    options.explanation.text().push_back({i * ms, (i + 1) * ms, words, "SM1", "m.pal:1", 0});
+    options.explanation.push_back({i * ms, (i + 1) * ms, words, "SM1", "m.pal:1", 0});
   const std::string picture = svg(run, options);
   const std::string below = picture.substr(picture.find("How the 30 ms come about"));
   CHECK(below.find("\u2026") == std::string::npos);
@@ -197,7 +197,7 @@ TEST_CASE("explanations go on in the next line and are never cut") {
 TEST_CASE("what is inside a part stands below it, indented and without a letter") {
   Timeline run = long_work();
   ChartOptions options = over(0, 30 * ms, -1);
-  options.explanation.text() = {{0, 30 * ms, "waits", "SM1", "", 0}, {0, 20 * ms, "works", "LS1", "", 1}};
+  options.explanation = {{0, 30 * ms, "waits", "SM1", "", 0}, {0, 20 * ms, "works", "LS1", "", 1}};
   const SvgContent content = read_svg(svg(run, options));
   const SvgText* outer = text_with(content, "SM1: waits");
   const SvgText* inner = text_with(content, "LS1: works");

@@ -21,7 +21,7 @@ Example example_of(const trace::Trace& trace) {
   example.options.highlight = Highlight{oldest.set_ns, oldest.sent_ns, "age of pc-force", age > limit, limit};
   if (age > limit) {
     const std::int64_t asked = oldest.sent_ns - age / 50;
-    example.options.explanation.text() = {
+    example.options.explanation = {
         {oldest.set_ns, oldest.set_ns + 100'000, "reads pc-force and decides on it", "SM1.2", "touch.pal:10"},
         {oldest.set_ns + 100'000, asked, "waits at WTM( request motion from MC1 )", "SM1.2", "touch.pal:12"},
         {asked, oldest.sent_ns, "computes the motion and sends it", "SM1.2", "touch.pal:13"}};
