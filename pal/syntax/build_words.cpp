@@ -158,7 +158,7 @@ Interval Builder::interval(Parser::IntervalContext* context) {
   auto* best = context->NUMBER(0);
   auto* worst = context->NUMBER(1);
   auto* unit = context->NAME(0);
-  if (best == nullptr) return {};
+  if (best == nullptr || is_made_up(best->getSymbol())) return {};
   if (unit == nullptr) {
     diagnostics_.report(Finding::time_without_unit, span(best));
     return {};

@@ -17,6 +17,8 @@ import { number, t, type Word } from "../words/words";
 import { Replay } from "./Replay";
 import { Stage, type Label, type NamedView, type Place, type Shows } from "./stage";
 
+type Numbers = ArrayLike<number>;
+
 const poses = "poses", contacts = "contact-points", force = "force", pose = "pose", profile = "profile";
 /** As often as the server sends them. */
 const period = 0.034;
@@ -197,7 +199,7 @@ function showing(stage: Stage): () => number | undefined {
   let pieces: number[] = [];
   /** There is a scan to show, if it is asked for. */
   let fanned = false;
-  const putFan = (y: ArrayLike<number>, z: ArrayLike<number>, rows: RowTrack, at: number) => {
+  const putFan = (y: Numbers, z: Numbers, rows: RowTrack, at: number) => {
     stage.fan.put(y, z, stage.tipOf(rows.numbers[at]!, tipThen));
     fanned = y.length > 0;
     stage.stale = true;
