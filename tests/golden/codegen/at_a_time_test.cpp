@@ -137,10 +137,10 @@ TEST_CASE("a generated skill runs in real time, its blocks at one time") {
   auto mend = std::make_unique<Mend>();
   auto finish = std::make_unique<Finish>(*mend);
   const auto skill = made::make_at_a_time(std::move(finish), std::move(mend));
-  Lamp lamp;
-  NoWorld world;
-  runtime::Device* devices[] = {&lamp};
   for (int again = 0; again < 3; ++again) {
+    Lamp lamp;
+    NoWorld world;
+    runtime::Device* devices[] = {&lamp};
     const auto outcome = runtime::Dispatcher(devices, world)
                              .run(*skill, {}, {.horizon = 8s, .real_time = runtime::RealTime{}});
     CHECK(outcome.reason == "Smooth.");
