@@ -11,11 +11,11 @@ std::string from_number(const PlannedField& field, std::size_t index) {
   const std::string number = "numbers[" + std::to_string(index) + "]";
   switch (field.type) {
     case pan::ScalarType::real:
-      return number;
+      return "runtime::finite(" + number + ")";
     case pan::ScalarType::integer:
       return "runtime::whole(" + number + ")";
     case pan::ScalarType::boolean:
-      return number + " != 0";
+      return "runtime::truth(" + number + ")";
     case pan::ScalarType::text:
       break;  // in no plain message
   }
@@ -25,7 +25,7 @@ std::string from_number(const PlannedField& field, std::size_t index) {
 std::string to_number(const PlannedField& field) {
   switch (field.type) {
     case pan::ScalarType::real:
-      return field.name;
+      return "runtime::finite(" + field.name + ")";
     case pan::ScalarType::integer:
       return "runtime::from_whole(" + field.name + ")";
     case pan::ScalarType::boolean:
@@ -113,12 +113,8 @@ GeneratedFile emit_messages(const Plan& plan) {
   write_heading(out, plan, "The messages of skill " + plan.skill.name + ".");
   out.line("#pragma once").line();
   out.line("#include <array>").line("#include <cstddef>").line("#include <cstdint>").line("#include <span>");
-  const auto has_integer = [](const PlannedMessage& message) {
-    return std::any_of(message.fields.begin(), message.fields.end(),
-                       [](const PlannedField& field) { return field.type == pan::ScalarType::integer; });
-  };
-  if (!std::all_of(plan.messages.begin(), plan.messages.end(), is_plain) ||
-      std::any_of(plan.messages.begin(), plan.messages.end(), has_integer))
+  const auto has_fields = [](const PlannedMessage& message) { return !message.fields.empty(); };
+  if (std::any_of(plan.messages.begin(), plan.messages.end(), has_fields))
     out.line().line("#include \"pal/runtime/payload.hpp\"");
   open_namespace(out, plan);
   for (const PlannedMessage& message : plan.messages) {

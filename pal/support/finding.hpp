@@ -125,8 +125,8 @@ Note::Note(SourceSpan at, std::type_identity_t<RemarkWith<sizeof...(Arguments)>>
 
 template <class... Arguments>
 Diagnostic& Diagnostic::note(SourceSpan at, std::type_identity_t<RemarkWith<sizeof...(Arguments)>> remark,
-                             const Arguments&... arguments) {
-  notes.emplace_back(at, remark, arguments...);
+                             const Arguments&... given) {
+  notes.emplace_back(at, remark, given...);
   return *this;
 }
 
