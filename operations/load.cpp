@@ -32,9 +32,9 @@ std::optional<Program> load(const FileSystem& files, SourceManager& sources, con
     auto document = parse(sources, file, diagnostics);
     if (!document) continue;
     for (Operation& operation : document->operations) {
-      const auto want = [&](const std::string& file, SourceSpan where) {
-        if (file.empty()) return;
-        const std::string named = resolve_path(next.path, file);
+      const auto want = [&](const std::string& name, SourceSpan where) {
+        if (name.empty()) return;
+        const std::string named = resolve_path(next.path, name);
         if (seen.insert(named).second) wanted.push_back({named, where});
       };
       for (const Icon& icon : operation.icons) want(icon.file, icon.subject);
