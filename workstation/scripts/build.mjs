@@ -34,6 +34,22 @@ function page(metafile) {
   writeFileSync(join(out, "LICENSES.txt"), licences(root));
 }
 
+/** `import address from "./x?address"`: the script of a thread of its own is a file of its own, and this is its address. */
+const workers = {
+  name: "workers",
+  setup(it) {
+    it.onResolve({ filter: /\?address$/ }, ({ path, resolveDir }) => ({ path: join(resolveDir, `${path.slice(0, -"?address".length)}.ts`), namespace: "worker" }));
+    it.onLoad({ filter: /.*/, namespace: "worker" }, async ({ path }) => {
+      const { metafile } = await build({ ...options, entryPoints: [path], splitting: false, plugins: [] });
+      const [file] = Object.entries(metafile.outputs).find(([, each]) => each.entryPoint);
+      return {
+        contents: `export default new URL(${JSON.stringify(`./${relative(out, join(root, file)).replaceAll("\\", "/")}`)}, import.meta.url).href`,
+        watchFiles: Object.keys(metafile.inputs).map((each) => join(root, each)),
+      };
+    });
+  },
+};
+
 const options = {
   absWorkingDir: root,
   entryPoints: ["src/start.ts", "src/main.tsx"],
@@ -52,7 +68,7 @@ const options = {
   metafile: true,
   legalComments: "none",
   define: { "process.env.NODE_ENV": watch ? '"development"' : '"production"' },
-  plugins: [{ name: "page", setup: (it) => it.onEnd((result) => result.metafile && page(result.metafile)) }],
+  plugins: [workers, { name: "page", setup: (it) => it.onEnd((result) => result.metafile && page(result.metafile)) }],
 };
 
 mkdirSync(out, { recursive: true });

@@ -156,34 +156,37 @@ export function TimeChart({ source, span, onSpan, within }: { source: Source; sp
   );
 }
 
-/** The fields with their values at the cursor, else now. Each can be switched off. */
-function Values({ source: { fields, track }, hidden, onHidden }: { source: Source; hidden: ReadonlySet<number>; onHidden(hidden: ReadonlySet<number>): void }) {
+/** The span at the cursor, else the last one; -1: there is none. */
+const shownAt = (track: Track, time: number | undefined): number => (time === undefined ? track.size - 1 : (track.at(time) ?? -1));
+
+/** A text of what is shown now. It alone is made anew, ten times a second, which is as much as people read. */
+function Now({ track, of }: { track: Track; of(at: number): string }) {
   const time = useInstant((state) => state.time);
-  const [version, setVersion] = useState(track.version);
-  // Ten times a second is as much as people read.
+  const [, setVersion] = useState(track.version);
   useEffect(() => {
     const timer = setInterval(() => setVersion(track.version), 100);
     return () => clearInterval(timer);
   }, [track]);
-  void version;
-  const at = time === undefined ? track.size - 1 : track.at(time);
+  return of(shownAt(track, time));
+}
+
+/** The fields with their values at the cursor, else now. Each can be switched off. */
+function Values({ source: { fields, track }, hidden, onHidden }: { source: Source; hidden: ReadonlySet<number>; onHidden(hidden: ReadonlySet<number>): void }) {
   const toggle = (field: number) => {
     const next = new Set(hidden);
     if (!next.delete(field)) next.add(field);
     if (next.size < fields.length) onHidden(next);
   };
+  const inWords = (value: number, unit: string) => number(Math.abs(value) < 10 ** -digits(unit) / 2 ? 0 : value, digits(unit));
   return (
     <div className="chart-fields">
-      {fields.map(({ field, name, unit }) => {
-        const value = at === undefined || at < 0 ? undefined : track.last[field]![at];
-        return (
-          <ToggleButton key={field} className="chart-field" isSelected={!hidden.has(field)} onChange={() => toggle(field)} data-field={name}>
-            <svg width="18" height="8" aria-hidden="true"><line x1="0" x2="18" y1="4" y2="4" stroke={`var(--series-${(field % 6) + 1})`} strokeWidth="2.5" strokeDasharray={seriesDash(field).join(" ")} /></svg>
-            <span>{name}</span><b>{value === undefined ? "–" : number(Math.abs(value) < 10 ** -digits(unit) / 2 ? 0 : value, digits(unit))}</b>
-          </ToggleButton>
-        );
-      })}
-      <span className="chart-time">{at === undefined || at < 0 ? "" : `${number(track.times[at]!, 3)} s`}</span>
+      {fields.map(({ field, name, unit }) => (
+        <ToggleButton key={field} className="chart-field" isSelected={!hidden.has(field)} onChange={() => toggle(field)} data-field={name}>
+          <svg width="18" height="8" aria-hidden="true"><line x1="0" x2="18" y1="4" y2="4" stroke={`var(--series-${(field % 6) + 1})`} strokeWidth="2.5" strokeDasharray={seriesDash(field).join(" ")} /></svg>
+          <span>{name}</span><b><Now track={track} of={(at) => (at < 0 ? "–" : inWords(track.last[field]![at]!, unit))} /></b>
+        </ToggleButton>
+      ))}
+      <span className="chart-time"><Now track={track} of={(at) => (at < 0 ? "" : `${number(track.times[at]!, 3)} s`)} /></span>
     </div>
   );
 }

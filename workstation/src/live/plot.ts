@@ -80,6 +80,35 @@ export function makePlot(host: HTMLElement, track: Track, shown: readonly Shown[
     }
     ctx.restore();
   };
+  /** From the least to the greatest of each span, where one can see a difference. */
+  const spans = (plot: uPlot) => {
+    const { ctx, bbox } = plot, { min, max } = plot.scales["y"]!;
+    const x = (i: number) => bbox.left + ((track.times[i]! - begin) / (end - begin)) * bbox.width;
+    const y = (value: number) => bbox.top + ((max! - value) / (max! - min!)) * bbox.height;
+    const least = ((max! - min!) / bbox.height) * devicePixelRatio;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    for (const { field } of shown) {
+      const low = track.low[field]!, high = track.high[field]!, wide = (i: number) => high[i]! - low[i]! > least;
+      ctx.fillStyle = `${seriesColor(field)}38`;
+      ctx.beginPath();
+      for (let i = from; i < to; ++i) {
+        if (!wide(i)) continue;
+        // With its neighbours, where it becomes narrow again.
+        const first = Math.max(from, i - 1);
+        while (i < to && wide(i)) ++i;
+        const last = Math.min(to - 1, i);
+        ctx.moveTo(x(first), y(high[first]!));
+        for (let at = first + 1; at <= last; ++at) ctx.lineTo(x(at), y(high[at]!));
+        for (let at = last; at >= first; --at) ctx.lineTo(x(at), y(low[at]!));
+        ctx.closePath();
+      }
+      ctx.fill();
+    }
+    ctx.restore();
+  };
   const before = (plot: uPlot) => {
     const { ctx, bbox } = plot, colours = look(), scale = devicePixelRatio;
     ctx.save();
@@ -118,18 +147,12 @@ export function makePlot(host: HTMLElement, track: Track, shown: readonly Shown[
     ctx.restore();
   };
 
-  const series: uPlot.Series[] = [{}];
-  const bands: uPlot.Band[] = [];
-  for (const { field } of shown) {
-    const at = series.length;
-    series.push({ points: { show: false } }, { points: { show: false } }, { stroke: () => seriesColor(field), width: 1.25, dash: seriesDash(field), points: { show: false } });
-    bands.push({ series: [at + 1, at], fill: () => `${seriesColor(field)}38` });
-  }
+  const series: uPlot.Series[] = [{}, ...shown.map(({ field }): uPlot.Series => ({ stroke: () => seriesColor(field), width: 1.25, dash: seriesDash(field), points: { show: false } }))];
   const axis: uPlot.Axis = {
     stroke: () => look().ink2, grid: { stroke: () => look().grid, width: 1 }, ticks: { stroke: () => look().grid, width: 1, size: 4 }, font: '12px "Inter Variable", sans-serif',
   };
   const plot = new uPlot({
-    width: Math.max(200, host.clientWidth), height, series, bands,
+    width: Math.max(200, host.clientWidth), height, series,
     legend: { show: false },
     scales: { x: { time: false, auto: false }, y: { auto: false } },
     axes: [
@@ -138,7 +161,7 @@ export function makePlot(host: HTMLElement, track: Track, shown: readonly Shown[
     ],
     cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, dataIdx: (_, __, at) => at, bind: { dblclick: () => () => (follow(), null) } },
     hooks: {
-      drawClear: [behind], draw: [before],
+      drawClear: [behind], drawAxes: [spans], draw: [before],
       setCursor: [(it) => {
         if (own) return;
         const left = it.cursor.left ?? -1;
@@ -151,7 +174,7 @@ export function makePlot(host: HTMLElement, track: Track, shown: readonly Shown[
         zoomed(at, to);
       }],
     },
-  }, [none, ...shown.flatMap(() => [none, none, none])] as unknown as uPlot.AlignedData, host);
+  }, [none, ...shown.map(() => none)] as unknown as uPlot.AlignedData, host);
 
   return {
     draw(first, last) {
@@ -160,7 +183,7 @@ export function makePlot(host: HTMLElement, track: Track, shown: readonly Shown[
       from = Math.max(0, from - 1);
       to = Math.min(track.size, to + 1);
       const part = (row: Float64Array) => row.subarray(from, to);
-      const data = [part(track.times), ...shown.flatMap(({ field }) => [part(track.low[field]!), part(track.high[field]!), part(track.last[field]!)])];
+      const data = [part(track.times), ...shown.map(({ field }) => part(track.last[field]!))];
       const [low, high] = rangeOf(track, shown, from, to, limits());
       plot.batch(() => {
         plot.setData(data as unknown as uPlot.AlignedData, false);

@@ -15,9 +15,8 @@ import { useReplayed } from "../state/replayed";
 import { Symbol } from "../symbols/Symbol";
 import { number, t, type Word } from "../words/words";
 import { Replay } from "./Replay";
-import { Stage, type Label, type NamedView, type Place, type Shows } from "./stage";
-
-type Numbers = ArrayLike<number>;
+import type { Place, Shows } from "./news";
+import { Stage, type Label, type NamedView } from "./stage";
 
 const poses = "poses", contacts = "contact-points", force = "force", pose = "pose", profile = "profile";
 /** As often as the server sends them. */
@@ -70,17 +69,13 @@ function View({ scene, places, offered }: { scene: Scene; places: readonly Place
     const host = frame.current!, canvas = document.createElement("canvas");
     canvas.setAttribute("aria-hidden", "true");
     host.prepend(canvas);
-    let made: Stage;
-    try {
-      made = new Stage(canvas, scene, still);
-    } catch {
+    const made = new Stage(canvas, scene, still, () => {
       canvas.remove();
-      return setFailed(true);
-    }
+      setFailed(true);
+    });
     stage.current = made;
     const resized = new ResizeObserver(() => made.resize(host.clientWidth, host.clientHeight));
     made.resize(host.clientWidth, host.clientHeight);
-    made.view("iso");
     resized.observe(host);
     const stopLook = onLook(() => made.colour());
     const words = new Map<string, HTMLElement>();
@@ -103,12 +98,15 @@ function View({ scene, places, offered }: { scene: Scene; places: readonly Place
       if (seen && label.kind === "location") taken.push({ x, y: below, width });
       text.style.transform = `translate(${x.toFixed(1)}px, ${below.toFixed(1)}px)`;
     };
+    /** The cell's time of the picture that was asked for last. */
+    let asked: number | undefined;
     const stopFrames = eachFrame(() => {
+      if (!made.busy && asked !== undefined) host.dataset["time"] = String(asked);
       const time = show();
       taken = [];
       const drawn = made.draw(name);
-      // A machine that does not keep up draws it later.
-      if (!made.stale && time !== undefined) host.dataset["time"] = String(time);
+      // What nobody would see is not drawn anew.
+      if (drawn || !made.stale) asked = time;
       if (!drawn) return;
       const there = new Set(made.labels.map((each) => each.key));
       for (const [key, text] of words) if (!there.has(key)) text.hidden = true;
@@ -199,10 +197,13 @@ function showing(stage: Stage): () => number | undefined {
   let pieces: number[] = [];
   /** There is a scan to show, if it is asked for. */
   let fanned = false;
-  const putFan = (y: Numbers, z: Numbers, rows: RowTrack, at: number) => {
-    stage.fan.put(y, z, stage.tipOf(rows.numbers[at]!, tipThen));
+  const putFan = (y: Float64Array, z: Float64Array, rows: RowTrack, at: number) => {
     fanned = y.length > 0;
-    stage.stale = true;
+    stage.scan(fanned ? { y, z, tip: stage.tipOf(rows.numbers[at]!, tipThen).toArray() } : undefined);
+  };
+  const noFan = () => {
+    if (fanned) stage.scan(undefined);
+    fanned = false;
   };
   const feel = (channel: Track, at: number) => stage.feel(at >= 0 ? [0, 1, 2].map((field) => channel.last[field]![at]!) : undefined, newtons);
   const walk = (rows: RowTrack) => {
@@ -229,7 +230,7 @@ function showing(stage: Stage): () => number | undefined {
     if (points.size > 0) stage.press(points.numbers.at(-1)!, newtons);
     feel(forces, forces.size - 1);
     const scan = profiles.at(-1), at = scan ? rows.at(scan.time_s) : -1;
-    if (!scan || at < 0 || time - scan.time_s >= fresh) fanned = false;
+    if (!scan || at < 0 || time - scan.time_s >= fresh) noFan();
     else if (scan !== scanned) putFan(scan.y, scan.z, rows, at);
     scanned = scan;
     shownTime = time;
@@ -249,11 +250,9 @@ function showing(stage: Stage): () => number | undefined {
     stage.stale = true;
     const scan = scans ? scans.at(time) : -1;
     if (scan >= 0 && time - scans!.times[scan]! < fresh) {
-      const points_of = scans!.numbers[scan]!, y = points_of.filter((_, i) => i % 2 === 0), z = points_of.filter((_, i) => i % 2 === 1);
+      const points_of = Float64Array.from(scans!.numbers[scan]!), y = points_of.filter((_, i) => i % 2 === 0), z = points_of.filter((_, i) => i % 2 === 1);
       putFan(y, z, rows, Math.max(0, rows.at(scans!.times[scan]!)));
-    } else {
-      fanned = false;
-    }
+    } else noFan();
     shownTime = time;
   };
   return () => {
@@ -275,9 +274,6 @@ function showing(stage: Stage): () => number | undefined {
     }
     if (loaded) again();
     else live();
-    const fan = stage.fan.object, visible = fanned && stage.shown.laser;
-    if (fan.visible !== visible) stage.stale = true;
-    fan.visible = visible;
     return shownTime;
   };
 }

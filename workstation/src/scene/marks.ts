@@ -6,6 +6,8 @@ import {
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import type { ArrowNews, FanNews } from "./news";
+import { longestTrail, nextCount, type TrailNews } from "./trail";
 
 /** Three arrows along x, y and z. */
 export class Axes extends Group {
@@ -40,25 +42,24 @@ export class Arrow extends Group {
     this.#shaft.renderOrder = this.#head.renderOrder = 10;
     this.add(this.#shaft, this.#head);
   }
-  /** From `begin` along a unit vector, so long in m. */
-  put(begin: Vector3, direction: Vector3, length: number): void {
+  put({ begin, direction, length }: ArrowNews): void {
     const shaft = Math.max(0.001, length - 0.022);
-    this.position.copy(begin);
-    this.quaternion.setFromUnitVectors(up, direction);
+    this.position.fromArray(begin as number[]);
+    this.quaternion.setFromUnitVectors(up, new Vector3().fromArray(direction as number[]));
     this.#shaft.scale.y = shaft;
     this.#shaft.position.y = shaft / 2;
     this.#head.position.y = shaft + 0.011;
   }
 }
 
-/** A line through points that come one after the other. When it is full the older half goes. */
+/** A line through points that come one after the other. */
 export class Path {
   readonly object: LineSegments2;
-  #points: Float32Array;
+  #points = new Float32Array(longestTrail * 6);
   #count = 0;
-  #last = new Vector3();
-  constructor(width: number, readonly capacity = 6000) {
-    this.#points = new Float32Array(capacity * 6);
+  /** Where the next piece begins. */
+  #last: readonly number[] | undefined;
+  constructor(width: number) {
     const geometry = new LineSegmentsGeometry();
     geometry.setPositions(this.#points);
     geometry.instanceCount = 0;
@@ -69,48 +70,32 @@ export class Path {
   get #buffer(): InstancedInterleavedBuffer {
     return (this.object.geometry.getAttribute("instanceStart") as unknown as { data: InstancedInterleavedBuffer }).data;
   }
-  clear(): void {
-    this.#count = 0;
-    this.#begun = false;
-    this.object.geometry.instanceCount = 0;
-  }
-  #begun = false;
-  /** Points nearer than half a millimetre to the last one are left out. */
-  add(point: Vector3): void {
-    if (this.#begun && this.#last.distanceToSquared(point) < 0.25e-6) return;
-    if (this.#begun) {
-      const buffer = this.#buffer, array = this.#points;
-      if (this.#count === this.capacity) {
-        const half = this.capacity >> 1;
-        array.copyWithin(0, half * 6);
-        this.#count -= half;
-        buffer.addUpdateRange(0, half * 6);
-      }
-      this.#last.toArray(array, this.#count * 6);
-      point.toArray(array, this.#count * 6 + 3);
-      // The graphics get what is new, not the whole.
-      buffer.addUpdateRange(this.#count * 6, 6);
-      ++this.#count;
-      buffer.needsUpdate = true;
-      this.object.geometry.instanceCount = this.#count;
+  take({ cleared, points, upTo }: TrailNews): void {
+    if (cleared) {
+      this.#count = 0;
+      this.#last = undefined;
     }
-    this.#begun = true;
-    this.#last.copy(point);
+    for (let at = 0; at < points.length; at += 3) this.#add(points.slice(at, at + 3));
+    this.object.geometry.instanceCount = Math.min(this.#count, upTo ?? this.#count);
   }
-  get count(): number {
-    return this.#count;
-  }
-  /** Only the first so many pieces are seen. */
-  upTo(count: number): void {
-    this.object.geometry.instanceCount = count;
+  #add(point: readonly number[]): void {
+    if (this.#last) {
+      const buffer = this.#buffer, count = nextCount(this.#count);
+      if (count <= this.#count) {
+        this.#points.copyWithin(0, (this.#count - count + 1) * 6);
+        buffer.addUpdateRange(0, count * 6);
+      }
+      this.#points.set([...this.#last, ...point], (count - 1) * 6);
+      // The graphics get what is new, not the whole.
+      buffer.addUpdateRange((count - 1) * 6, 6);
+      buffer.needsUpdate = true;
+      this.#count = count;
+    }
+    this.#last = point;
   }
   colour(colour: ColorRepresentation, opacity: number): void {
     this.object.material.color.set(colour);
     this.object.material.opacity = opacity;
-  }
-  end(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
   }
 }
 
@@ -127,9 +112,8 @@ export class Fan {
     this.object.add(sheet, line);
     this.object.visible = false;
   }
-  /** y and z of each point in the tool's frame, mm; `tip`: where the tool was then. */
-  put(y: ArrayLike<number>, z: ArrayLike<number>, tip: Matrix4): void {
-    const origin = new Vector3().setFromMatrixPosition(tip), points = Array.from(y, (at, i) => new Vector3(0, at / 1000, z[i]! / 1000).applyMatrix4(tip));
+  put({ y, z, tip: numbers }: FanNews): void {
+    const tip = new Matrix4().fromArray(numbers as number[]), origin = new Vector3().setFromMatrixPosition(tip), points = Array.from(y, (at, i) => new Vector3(0, at / 1000, z[i]! / 1000).applyMatrix4(tip));
     const sheet: number[] = [], line: number[] = [];
     // Points that are far apart are of two surfaces: nothing is between them.
     const one_surface = 0.012;
@@ -146,9 +130,6 @@ export class Fan {
   colour(colour: ColorRepresentation): void {
     this.#sheetLook.color.set(colour);
     this.#lineLook.color.set(colour);
-  }
-  end(): void {
-    for (const each of [this.#sheet, this.#line, this.#sheetLook, this.#lineLook]) each.dispose();
   }
 }
 
@@ -178,29 +159,6 @@ export class Floor {
     this.#strong.opacity = 1;
     this.#shadow.opacity = dark ? 0.4 : 0.14;
   }
-}
-
-/** Contacts that are near one another and press the same way count as one: it has their sum. */
-export interface Press {
-  position: Vector3;
-  force: Vector3;
-}
-
-export function presses(rows: Float32Array): Press[] {
-  const near = 0.03, all: (Press & { weight: number })[] = [];
-  for (let at = 0; at + 6 <= rows.length; at += 6) {
-    const position = new Vector3().fromArray(rows, at), force = new Vector3().fromArray(rows, at + 3), weight = force.length();
-    if (weight < 0.05) continue;
-    const with_it = all.find((each) => each.position.distanceTo(position) < near && each.force.dot(force) > 0);
-    if (!with_it) {
-      all.push({ position, force, weight });
-      continue;
-    }
-    with_it.position.lerp(position, weight / (weight + with_it.weight));
-    with_it.force.add(force);
-    with_it.weight += weight;
-  }
-  return all;
 }
 
 /** Seen through what is before them: a force on a tool begins inside of what it presses. */

@@ -1,10 +1,11 @@
 // The cell's shapes as three.js has them: one mesh and one set of edges for each body. It knows no server and no page.
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial,
-  Quaternion, SphereGeometry, Vector3,
+  BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial,
+  SphereGeometry,
 } from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Scene, SceneShape } from "../../generated/protocol";
+import { matrixOf } from "./bodies";
 
 const round = 32;
 
@@ -36,16 +37,11 @@ function geometryOf(shape: SceneShape): BufferGeometry | undefined {
   }
 }
 
-export const matrixOf = (position: readonly number[], turn: readonly number[]): Matrix4 =>
-  new Matrix4().compose(new Vector3(...(position as [number, number, number])), new Quaternion(...(turn as [number, number, number, number])), new Vector3(1, 1, 1));
-
 export interface Model {
   /** All bodies; add it to a scene. */
   root: Group;
   /** In the order of the scene's bodies. */
   bodies: readonly Group[];
-  /** Those that move, in the order of the rows of `poses`. */
-  moving: readonly number[];
   edges: LineBasicMaterial;
 }
 
@@ -84,41 +80,5 @@ export function modelOf(scene: Scene): Model {
     root.add(group);
     return group;
   });
-  return { root, bodies, moving: scene.bodies.flatMap((body, at) => (body.moves ? [at] : [])), edges };
-}
-
-const one = new Vector3(1, 1, 1), place = new Vector3(), next = new Vector3(), turn = new Quaternion(), nextTurn = new Quaternion();
-const width = 7;
-
-/** Puts the bodies where the rows say; `part` of the way to the next rows, if there are such. */
-export function putBodies(model: Model, rows: Float32Array, later?: Float32Array, part = 0): void {
-  model.moving.forEach((body, i) => {
-    poseOf(rows, i, place, turn);
-    if (later && part > 0) {
-      poseOf(later, i, next, nextTurn);
-      place.lerp(next, part);
-      turn.slerp(nextTurn, part);
-    }
-    model.bodies[body]!.matrix.compose(place, turn, one);
-    model.bodies[body]!.matrixWorldNeedsUpdate = true;
-  });
-}
-
-function poseOf(rows: Float32Array, i: number, position: Vector3, rotation: Quaternion): void {
-  const at = i * width;
-  if (at + width > rows.length) return;
-  position.fromArray(rows, at);
-  rotation.fromArray(rows, at + 3);
-}
-
-/** A frame on a body, in the world, as these rows have it. */
-export function frameAt(scene: Scene, model: Model, frame: Scene["tip"], rows: Float32Array, into: Matrix4): Matrix4 {
-  const i = model.moving.indexOf(frame.body);
-  const body = scene.bodies[frame.body]!;
-  if (i < 0 || (i + 1) * width > rows.length) into.copy(matrixOf(body.position, body.turn));
-  else {
-    poseOf(rows, i, place, turn);
-    into.compose(place, turn, one);
-  }
-  return into.multiply(matrixOf(frame.position, frame.turn));
+  return { root, bodies, edges };
 }
