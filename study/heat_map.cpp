@@ -45,7 +45,7 @@ class Map {
     place();
     out_.text({margin, margin + title_font}, Anchor::start, "title", table_.study.title);
     for (std::size_t r = 0; r < rows_; ++r)
-      for (std::size_t c = 0; c < columns_; ++c) draw_field(c, r);
+      for (std::size_t c = 0, end = 0; c < columns_; c = end) draw_fields(c, end = end_of_run(c, r), r);
     draw_border();
     draw_axes();
     draw_legend();
@@ -81,20 +81,35 @@ class Map {
     return outcome == Outcome::not_checked ? "not-checked" : name(outcome);
   }
 
-  void draw_field(std::size_t column, std::size_t row) {
-    const Field& field = at(column, row);
+  /// Whether each field is large enough to be told from the next one.
+  bool apart() const { return std::min(width_, height_) > 100; }
+
+  /// The first column after `column` that is drawn by itself. Fields too small to be pointed at are drawn as
+  /// one, as long as they are equal.
+  std::size_t end_of_run(std::size_t column, std::size_t row) const {
+    std::size_t end = column + 1;
+    if (apart()) return end;
+    while (end < columns_ && outcome(end, row) == outcome(column, row) &&
+           at(end, row).broken == at(column, row).broken)
+      ++end;
+    return end;
+  }
+
+  /// Fields [from, to) of a row, which are equal.
+  void draw_fields(std::size_t from, std::size_t to, std::size_t row) {
+    const Field& field = at(from, row);
     const auto broken = static_cast<std::size_t>(std::count(field.broken.begin(), field.broken.end(), true));
     const std::string count = std::to_string(field.any ? table_.pairs.size() - broken : 0) + "/" +
                               std::to_string(table_.pairs.size());
-    std::string title = across_.name + " = " + across_.choices[column].label + ", " + up_.name + " = " +
-                        up_.choices[row].label + ": " + name(outcome(column, row));
+    std::string title = across_.name + " = " + across_.choices[from].label;
+    if (to > from + 1) title += " to " + across_.choices[to - 1].label;
+    title += ", " + up_.name + " = " + up_.choices[row].label + ": " + name(outcome(from, row));
     for (std::size_t i = 0; i < field.broken.size(); ++i)
       if (field.broken[i]) title += "\nnot " + table_.pairs[i].skill + " in " + table_.pairs[i].environment;
-    const bool framed = std::min(width_, height_) > 100;
-    out_.rect({x(column), y(row) - height_, x(column) + width_, y(row)},
-              (framed ? "field " : "") + style(outcome(column, row)), title);
+    out_.rect({x(from), y(row) - height_, x(to), y(row)}, (apart() ? "field " : "") + style(outcome(from, row)),
+              title);
     if (table_.pairs.size() > 1 && text_width(count, small_font) < width_ && height_ > 150)
-      out_.text({x(column) + width_ / 2, y(row) - height_ / 2 + 30}, Anchor::middle, "small mid", count);
+      out_.text({(x(from) + x(to)) / 2, y(row) - height_ / 2 + 30}, Anchor::middle, "small mid", count);
   }
 
   void draw_border() {

@@ -72,7 +72,9 @@ std::string whole(double value) {
 std::string sha256(std::string_view text) {
   std::array<unsigned char, 32> digest{};
   unsigned size = 0;
-  if (::EVP_Digest(text.data(), text.size(), digest.data(), &size, ::EVP_sha256(), nullptr) != 1 ||
+  // Looked up once: with EVP_sha256() each call looks for it again.
+  static const EVP_MD* const algorithm = ::EVP_MD_fetch(nullptr, "SHA256", nullptr);
+  if (::EVP_Digest(text.data(), text.size(), digest.data(), &size, algorithm, nullptr) != 1 ||
       size != digest.size())
     throw std::runtime_error("SHA-256 is not available in this system's libcrypto");
   return hexadecimal(digest.data(), digest.size());

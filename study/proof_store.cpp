@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <vector>
 
@@ -19,6 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view proof_ending = ".proof";
 constexpr std::string_view half_ending = ".half";
+/// A file that was used since then is young enough, seconds.
+constexpr std::time_t just_used = 60;
 
 struct Closed {
   int descriptor;
@@ -35,6 +38,20 @@ bool write_all(int descriptor, std::string_view text) {
     text.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
+}
+
+/// Less than `size` bytes if the file is shorter by now.
+std::string read_all(int descriptor, std::size_t size) {
+  std::string text(size, '\0');
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = ::read(descriptor, text.data() + done, size - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  text.resize(done);
+  return text;
 }
 
 /// Unlike any other of this machine and of others.
@@ -63,16 +80,15 @@ std::optional<KeptProof> ProofStore::find(const std::string& key) {
   const std::string path = path_of(key);
   const Closed file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   if (file.descriptor < 0) return std::nullopt;
-  std::string text;
-  std::array<char, 8192> piece{};
-  for (ssize_t count = 0; (count = ::read(file.descriptor, piece.data(), piece.size())) > 0;)
-    text.append(piece.data(), static_cast<std::size_t>(count));
-  auto proof = kept_proof(text, key);
+  struct stat status {};
+  if (::fstat(file.descriptor, &status) != 0) return std::nullopt;
+  auto proof = kept_proof(read_all(file.descriptor, static_cast<std::size_t>(status.st_size)), key);
   if (!proof) {
     ++damaged_;
     return std::nullopt;
   }
-  ::futimens(file.descriptor, nullptr);  // used now; a folder that may not be written keeps its order
+  // Used now. A folder that may not be written keeps its order.
+  if (std::time(nullptr) - status.st_mtim.tv_sec > just_used) ::futimens(file.descriptor, nullptr);
   return proof;
 }
 

@@ -169,14 +169,23 @@ class Sweep {
       return ExitStatus::usage;
     }
     EngineWork work{proofs_, store_, all, {}};
-    for (std::uint64_t proof = from; proof < to; ++proof)
-      if (options_.retry ? !store_.has(proofs_.key(proof)) : !is_made(proof, work))
+    study::Table table = no_rows(all);
+    for (std::uint64_t proof = from; proof < to; ++proof) {
+      const auto kept = find(proof);
+      if (!kept || (options_.retry && !kept->note.empty()))
         work.missing.push_back(proof);
+      else if (work.missing.empty() && options_.cells.empty())
+        proofs_.add_rows(proof, kept->proof, kept->note, table);
+    }
     if (!options_.cells.empty()) return make_cells(work);
     console_.err << "pal: " << all << " proofs, " << all - work.missing.size() << " of them made before\n";
+    if (work.missing.empty()) return write(table);
+    const std::size_t damaged = store_.damaged();
     make(work);
     if (Interruption::asked_for()) return stopped(work);
-    study::Table table = table_of(all);
+    if (damaged > 0)
+      console_.err << "pal: " << damaged << " kept proofs were damaged, and were made again\n";
+    table = table_of(all);
     store_.trim(options_.cache_size);
     return write(table);
   }
@@ -214,30 +223,35 @@ class Sweep {
     return ExitStatus::not_met;
   }
 
-  study::Table table_of(std::uint64_t all) {
+  struct Kept {
+    study::KeptProof proof;
+    std::string note;  // for its rows
+  };
+
+  std::optional<Kept> find(std::uint64_t proof) {
+    if (auto kept = store_.find(proofs_.key(proof))) return Kept{std::move(*kept), ""};
+    if (auto kept = store_.find(proofs_.limit_key(proof)))
+      return Kept{std::move(*kept), "the study's limit of time, or of memory, ended the proof"};
+    return std::nullopt;
+  }
+
+  /// With room for the rows of that many proofs.
+  study::Table no_rows(std::uint64_t proofs) const {
     study::Table table;
+    table.rows.reserve(std::min<std::uint64_t>(proofs, 1 << 20));
     table.study = study_;
     table.pairs = proofs_.pair_names();
-    std::vector<std::uint64_t> damaged;
+    return table;
+  }
+
+  study::Table table_of(std::uint64_t all) {
+    study::Table table = no_rows(all);
     for (std::uint64_t proof = 0; proof < all; ++proof) {
-      auto kept = store_.find(proofs_.key(proof));
-      std::string note;
-      if (!kept) {
-        kept = store_.find(proofs_.limit_key(proof));
-        note = kept ? "the study's limit of time, or of memory, ended the proof" : "no proof was made";
-      }
-      if (!kept && store_.damaged() > damaged.size()) {  // cut off or changed: it is made here and now
-        damaged.push_back(proof);
-        study::KeptProof at_limit;
-        kept = proofs_.prove(proof, at_limit);
-        note.clear();
-        if (kept) store_.keep(proofs_.key(proof), *kept);
-      }
+      const auto kept = find(proof);
       if (!kept) ++not_made_;
-      proofs_.add_rows(proof, kept.value_or(study::KeptProof{}), note, table);
+      proofs_.add_rows(proof, kept ? kept->proof : study::KeptProof{},
+                       kept ? kept->note : "no proof was made", table);
     }
-    if (!damaged.empty())
-      console_.err << "pal: " << damaged.size() << " kept proofs were damaged, and were made again\n";
     return table;
   }
 
