@@ -50,6 +50,7 @@ export async function lightClient(port: number, listens = false): Promise<LightC
     const message = JSON.parse(body.toString()) as Told;
     for (const wish of wishes) if (wish.fits(message)) wishes.delete(wish), wish.resolve(message);
   };
+  let pieces: Buffer[] | undefined;
   socket.on("data", (data: Buffer) => {
     bytes += data.length;
     if (!listens) return;
@@ -60,7 +61,15 @@ export async function lightClient(port: number, listens = false): Promise<LightC
       if (waiting.length < at) return;
       const length = short === 126 ? waiting.readUInt16BE(2) : short === 127 ? Number(waiting.readBigUInt64BE(2)) : short;
       if (waiting.length < at + length) return;
-      if ((waiting[0]! & 15) === 1) text(waiting.subarray(at, at + length));
+      const opcode = waiting[0]! & 15, body = waiting.subarray(at, at + length);
+      // A long message comes in pieces, of which the first tells its kind.
+      if (opcode === 1) pieces = [body];
+      else if (opcode === 0) pieces?.push(body);
+      else pieces = undefined;
+      if (pieces && (waiting[0]! & 0x80) !== 0) {
+        text(Buffer.concat(pieces));
+        pieces = undefined;
+      }
       waiting = waiting.subarray(at + length);
     }
   });

@@ -1,4 +1,4 @@
-// Prints what open pages cost the simulation, and asserts nothing: a figure depends on the machine. The cell has one processor,
+// Prints what open pages and trials cost the simulation, and asserts nothing: a figure depends on the machine. The cell has one processor,
 // everything else the other. Runs without and with pages alternate in one cell, so that the machine's moods meet both.
 // ROUNDS=N: pairs of runs of a replayed line; --only chooses lines. Quiet machines need some 40 pairs for a figure of 1 %.
 import { spawn, spawnSync, type ChildProcess } from "node:child_process";
@@ -14,7 +14,7 @@ import { lightClient, type LightClient } from "./client";
 const rounds = Number(process.env.ROUNDS ?? 12);
 const example = readFileSync(join(process.env.WORKSTATION!, "../examples/operations/rub_in_square.op.json"), "utf8");
 const sleep = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
-const pin = (pid: number, processor: number) => void spawnSync("taskset", ["-acp", String(processor), String(pid)]);
+const pin = (pid: number, processors: number | string) => void spawnSync("taskset", ["-acp", String(processors), String(pid)]);
 const median = (values: readonly number[]) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)]!;
 
 /** What a page sends: when it opens, and, by the time since the run's begin, while it looks at a run. */
@@ -157,6 +157,36 @@ const busy = (): Guests => {
   };
 };
 
+/** Trials aside, one after the other. */
+const trials = (): Guests => {
+  let client: LightClient, ends = Promise.resolve(), gone = false, made = 0;
+  const tryAgain = async () => {
+    for (let id = 2; !gone; ++id, ++made) {
+      const answer = client.next((message) => message.id === id);
+      client.send(JSON.stringify({ jsonrpc: "2.0", id, method: "study.try", params: { skill: "touch" } }));
+      const { error } = await answer;
+      if (error) throw new Error(error.message);
+    }
+  };
+  return {
+    come: async () => {
+      gone = false;
+      client = await lightClient(served.port, true);
+      client.send(JSON.stringify({ jsonrpc: "2.0", id: 1, method: "hello", params: { token: served.token, name: "trials" } }));
+      ends = tryAgain();
+      await sleep(200);
+    },
+    begun: () => {},
+    go: async () => {
+      gone = true;
+      await ends;
+      await client.close();
+      if (made === 0) throw new Error("no trial was made");
+      return 0;
+    },
+  };
+};
+
 async function compared(what: string, guests: Guests, times: number): Promise<void> {
   const without: [number, number, number][] = [], together: [number, number, number][] = [];
   let bytes = 0;
@@ -190,6 +220,8 @@ before(async () => {
   pin(served.pid, 0);
   by = await driver(served);
   await run(by, served);
+  // A cell that has just begun still proves its skills.
+  await sleep(30_000);
 });
 after(async () => {
   await by.client.close();
@@ -208,3 +240,8 @@ for (const [name, windows] of [
 test("two pages of another cell, in a browser", (about) => compared(about.name, elsewhere(chromium), Math.ceil(rounds / 4)));
 // What the machine itself does: the other processor is busy, and nobody talks with the cell.
 test("no page, the other processor is busy", (about) => compared(about.name, busy(), Math.ceil(rounds / 2)));
+test("trials aside, one after the other; the cell has both processors", async (about) => {
+  pin(served.pid, "0,1");
+  await compared(about.name, trials(), rounds);
+  pin(served.pid, 0);
+});
