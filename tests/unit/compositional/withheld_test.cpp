@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -22,23 +23,8 @@ using Kind = WithheldRow::Kind;
 
 /// Shapes of which no such skill is known by now. They are kept, since nothing shows that they are not
 /// needed.
-constexpr Withheld without_skill[] = {Withheld::may_not_answer,
-                                      Withheld::loops_again,
-                                      Withheld::nested_block,
-                                      Withheld::limited_service,
-                                      Withheld::asked_although_it_comes,
-                                      Withheld::asked_again,
-                                      Withheld::answered_elsewhere,
-                                      Withheld::asked_beside,
-                                      Withheld::asked_after_cancelled,
-                                      Withheld::two_idle_waits,
-                                      Withheld::waits_unasked,
-                                      Withheld::waits_for_other_job,
-                                      Withheld::left_to_later_job,
-                                      Withheld::started_again,
-                                      Withheld::waits_untriggered,
+constexpr Withheld without_skill[] = {Withheld::waits_for_other_job,
                                       Withheld::blocks_again,
-                                      Withheld::blocks_once,
                                       Withheld::slot_full,
                                       Withheld::several_ways,
                                       Withheld::several_clients,
@@ -85,6 +71,14 @@ bool tells(const std::string& text, std::string_view reason) {
   return goes_on(reason);
 }
 
+/// The one skill of a row.
+std::unique_ptr<test::Skill> skill_of(Withheld withheld) {
+  auto skill = test::meaningful_skill(
+      test::project_file("tests/unit/compositional/withheld/" + std::string(row(withheld).name) + ".pal"));
+  REQUIRE(skill->problem->requirements.size() == 1);
+  return skill;
+}
+
 /// Whether a run goes beyond what is bounded: it has a greater value, or a lesser one, or none at all.
 bool beyond(const Verdict& bound, const Witness& witness) {
   const Nanoseconds value = witness.measured.value;
@@ -109,9 +103,7 @@ TEST_CASE("without a row of the table a bound comes out that some run exceeds") 
         std::find(std::begin(without_skill), std::end(without_skill), withheld) != std::end(without_skill);
     if (row(withheld).kind != Kind::shape || kept) continue;
     CAPTURE(row(withheld).name);
-    const auto skill = test::meaningful_skill(
-        test::project_file("tests/unit/compositional/withheld/" + std::string(row(withheld).name) + ".pal"));
-    REQUIRE(skill->problem->requirements.size() == 1);
+    const auto skill = skill_of(withheld);
     const Verdict none = compositional::analyze(*skill->problem).verdicts.front();
     CAPTURE(none.explanation.text());
     REQUIRE_FALSE(none.bound);
