@@ -23,25 +23,13 @@ using Kind = WithheldRow::Kind;
 
 /// Shapes of which no such skill is known by now. They are kept, since nothing shows that they are not
 /// needed.
-constexpr Withheld without_skill[] = {Withheld::waits_for_other_job,
-                                      Withheld::blocks_again,
-                                      Withheld::slot_full,
-                                      Withheld::several_ways,
-                                      Withheld::several_clients,
-                                      Withheld::job_without_end,
-                                      Withheld::answer_discarded,
-                                      Withheld::request_withdrawn,
-                                      Withheld::event_overtaken,
-                                      Withheld::message_overtaken,
-                                      Withheld::answer_given_up,
-                                      Withheld::asker_cancelled,
-                                      Withheld::several_threads,
-                                      Withheld::may_skip,
-                                      Withheld::may_leave_loop,
-                                      Withheld::may_stop,
-                                      Withheld::completed_in_some_job,
-                                      Withheld::several_setters,
-                                      Withheld::jobs_overtake};
+constexpr Withheld without_skill[] = {
+    Withheld::slot_full,       Withheld::several_ways,      Withheld::several_clients,
+    Withheld::job_without_end, Withheld::answer_discarded,  Withheld::request_withdrawn,
+    Withheld::event_overtaken, Withheld::message_overtaken, Withheld::answer_given_up,
+    Withheld::asker_cancelled, Withheld::several_threads,   Withheld::may_skip,
+    Withheld::may_leave_loop,  Withheld::may_stop,          Withheld::completed_in_some_job,
+    Withheld::several_setters, Withheld::jobs_overtake};
 
 std::string table_of(bool shapes) {
   std::string table =
@@ -117,5 +105,20 @@ TEST_CASE("without a row of the table a bound comes out that some run exceeds") 
     CAPTURE(wrong.bound->count(), exact.explanation.text());
     REQUIRE(exact.witness);
     CHECK(beyond(wrong, *exact.witness));
+  }
+}
+
+TEST_CASE("without a check that only names a gap there is no bound either") {
+  for (const Withheld withheld : {Withheld::waits_for_other_job, Withheld::blocks_again}) {
+    CAPTURE(row(withheld).name);
+    REQUIRE(row(withheld).kind == Kind::gap);
+    const auto skill = skill_of(withheld);
+    const Verdict none = compositional::analyze(*skill->problem).verdicts.front();
+    CAPTURE(none.explanation.text());
+    CHECK(tells(none.explanation.text(), row(withheld).reason));
+    const Verdict without = compositional::analyze(*skill->problem, {}, false, {withheld}).verdicts.front();
+    CAPTURE(without.explanation.text());
+    CHECK_FALSE(tells(without.explanation.text(), row(withheld).reason));
+    CHECK_FALSE(without.bound);
   }
 }
