@@ -204,6 +204,7 @@ class Precedence {
       }
     } else if (of.kind == Source::Kind::joined) {
       for (const NodeId n : later_.ids()) {
+        if (asked.contains(context_.node(n).source)) continue;
         const auto& forks = context_.segment(n).forks;
         const bool starts = std::any_of(forks.begin(), forks.end(),
                                         [&of](const Segment::Arrival& at) { return at.step == of.fork; });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -22,40 +23,13 @@ using Kind = WithheldRow::Kind;
 
 /// Shapes of which no such skill is known by now. They are kept, since nothing shows that they are not
 /// needed.
-constexpr Withheld without_skill[] = {Withheld::may_not_answer,
-                                      Withheld::loops_again,
-                                      Withheld::nested_block,
-                                      Withheld::limited_service,
-                                      Withheld::asked_although_it_comes,
-                                      Withheld::asked_again,
-                                      Withheld::answered_elsewhere,
-                                      Withheld::asked_beside,
-                                      Withheld::asked_after_cancelled,
-                                      Withheld::two_idle_waits,
-                                      Withheld::waits_unasked,
-                                      Withheld::waits_for_other_job,
-                                      Withheld::left_to_later_job,
-                                      Withheld::started_again,
-                                      Withheld::waits_untriggered,
-                                      Withheld::blocks_again,
-                                      Withheld::blocks_once,
-                                      Withheld::slot_full,
-                                      Withheld::several_ways,
-                                      Withheld::several_clients,
-                                      Withheld::job_without_end,
-                                      Withheld::answer_discarded,
-                                      Withheld::request_withdrawn,
-                                      Withheld::event_overtaken,
-                                      Withheld::message_overtaken,
-                                      Withheld::answer_given_up,
-                                      Withheld::asker_cancelled,
-                                      Withheld::several_threads,
-                                      Withheld::may_skip,
-                                      Withheld::may_leave_loop,
-                                      Withheld::may_stop,
-                                      Withheld::completed_in_some_job,
-                                      Withheld::several_setters,
-                                      Withheld::jobs_overtake};
+constexpr Withheld without_skill[] = {
+    Withheld::slot_full,       Withheld::several_ways,      Withheld::several_clients,
+    Withheld::job_without_end, Withheld::answer_discarded,  Withheld::request_withdrawn,
+    Withheld::event_overtaken, Withheld::message_overtaken, Withheld::answer_given_up,
+    Withheld::asker_cancelled, Withheld::several_threads,   Withheld::may_skip,
+    Withheld::may_leave_loop,  Withheld::may_stop,          Withheld::completed_in_some_job,
+    Withheld::several_setters, Withheld::jobs_overtake};
 
 std::string table_of(bool shapes) {
   std::string table =
@@ -85,6 +59,14 @@ bool tells(const std::string& text, std::string_view reason) {
   return goes_on(reason);
 }
 
+/// The one skill of a row.
+std::unique_ptr<test::Skill> skill_of(Withheld withheld) {
+  auto skill = test::meaningful_skill(
+      test::project_file("tests/unit/compositional/withheld/" + std::string(row(withheld).name) + ".pal"));
+  REQUIRE(skill->problem->requirements.size() == 1);
+  return skill;
+}
+
 /// Whether a run goes beyond what is bounded: it has a greater value, or a lesser one, or none at all.
 bool beyond(const Verdict& bound, const Witness& witness) {
   const Nanoseconds value = witness.measured.value;
@@ -109,9 +91,7 @@ TEST_CASE("without a row of the table a bound comes out that some run exceeds") 
         std::find(std::begin(without_skill), std::end(without_skill), withheld) != std::end(without_skill);
     if (row(withheld).kind != Kind::shape || kept) continue;
     CAPTURE(row(withheld).name);
-    const auto skill = test::meaningful_skill(
-        test::project_file("tests/unit/compositional/withheld/" + std::string(row(withheld).name) + ".pal"));
-    REQUIRE(skill->problem->requirements.size() == 1);
+    const auto skill = skill_of(withheld);
     const Verdict none = compositional::analyze(*skill->problem).verdicts.front();
     CAPTURE(none.explanation.text());
     REQUIRE_FALSE(none.bound);
@@ -125,5 +105,20 @@ TEST_CASE("without a row of the table a bound comes out that some run exceeds") 
     CAPTURE(wrong.bound->count(), exact.explanation.text());
     REQUIRE(exact.witness);
     CHECK(beyond(wrong, *exact.witness));
+  }
+}
+
+TEST_CASE("without a check that only names a gap there is no bound either") {
+  for (const Withheld withheld : {Withheld::waits_for_other_job, Withheld::blocks_again}) {
+    CAPTURE(row(withheld).name);
+    REQUIRE(row(withheld).kind == Kind::gap);
+    const auto skill = skill_of(withheld);
+    const Verdict none = compositional::analyze(*skill->problem).verdicts.front();
+    CAPTURE(none.explanation.text());
+    CHECK(tells(none.explanation.text(), row(withheld).reason));
+    const Verdict without = compositional::analyze(*skill->problem, {}, false, {withheld}).verdicts.front();
+    CAPTURE(without.explanation.text());
+    CHECK_FALSE(tells(without.explanation.text(), row(withheld).reason));
+    CHECK_FALSE(without.bound);
   }
 }
