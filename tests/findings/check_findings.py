@@ -61,12 +61,22 @@ def unused(rows, sources):
             if ("Finding" if code else "Remark", name) not in named]
 
 
+def lines_with(part, text):
+    """Each line of a text that has a part."""
+    at = text.find(part)
+    while at >= 0:
+        begin, end = text.rfind("\n", 0, at) + 1, text.find("\n", at)
+        yield text[begin:end if end >= 0 else len(text)]
+        at = text.find(part, end) if end >= 0 else -1
+
+
 def unseen(rows, expected):
     """The rows whose text is found nowhere, with anything on one line in the place of each placeholder."""
     result = []
     for code, name, text in rows:
-        form = "[^\n]*?".join(re.escape(part) for part in re.split(r"\{[a-z_]+\}", text))
-        if not re.search(form, expected):
+        parts = re.split(r"\{[a-z_]+\}", text)
+        form = re.compile(".*?".join(re.escape(part) for part in parts))
+        if not any(form.search(line) for line in lines_with(max(parts, key=len), expected)):
             result.append(f"{code or 'note'} {name}: {text}")
     return result
 

@@ -170,7 +170,7 @@ void report(const Seen& seen) {
 }  // namespace
 
 TEST_CASE("leaving out orders of moves changes nothing that is found") {
-  const auto seeds = setting("PAL_ROUNDS", 60);
+  const auto seeds = setting("PAL_ROUNDS", 30);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   for (auto seed = first; seed < first + seeds; ++seed) {
@@ -189,7 +189,7 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
 }
 
 TEST_CASE("blocks within blocks that are cancelled change nothing that is found") {
-  const auto seeds = setting("PAL_ROUNDS", 75);
+  const auto seeds = setting("PAL_ROUNDS", 40);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   for (auto seed = first; seed < first + seeds; ++seed) {
@@ -363,7 +363,7 @@ END
 }
 
 TEST_CASE("withdrawn requests beyond the count do not change what is decided") {
-  const auto seeds = setting("PAL_ROUNDS", 25);
+  const auto seeds = setting("PAL_ROUNDS", 12);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   Blurred blurred;

@@ -222,7 +222,7 @@ def check_full_output(pal):
 def check_little_memory(pal):
     """The exploration ends, and what is known by then is reported."""
     def limited():
-        resource.setrlimit(resource.RLIMIT_AS, (600 << 20, 600 << 20))
+        resource.setrlimit(resource.RLIMIT_AS, (300 << 20, 300 << 20))
     if subprocess.run([pal, "--version"], capture_output=True, preexec_fn=limited).returncode != 0:
         return  # a sanitizer asks for more
     with tempfile.TemporaryDirectory() as name:
@@ -240,12 +240,12 @@ def check_memory_limit(pal):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "drivers.pal").write_text(specification().replace("AT MOST 100 ms", "AT MOST 8 ms"))
-        made = subprocess.run([pal, "check", "drivers.pal", "--analysis", "thorough", "--format", "json", "--max-memory", "150MB"],
+        made = subprocess.run([pal, "check", "drivers.pal", "--analysis", "thorough", "--format", "json", "--max-memory", "80MB"],
                               cwd=folder, capture_output=True, text=True, timeout=120)
         peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
         rows = json.loads(made.stdout)["requirements"]
         assert all(row["bound_ns"] is not None for row in rows), "memory limit: a bound is missing"
-        assert peak < 600, f"memory limit: {peak:.0f} MB"
+        assert peak < 300, f"memory limit: {peak:.0f} MB"
 
 
 def main():
