@@ -39,23 +39,8 @@ constexpr Withheld without_skill[] = {Withheld::may_not_answer,
                                       Withheld::waits_untriggered,
                                       Withheld::blocks_again,
                                       Withheld::blocks_once,
-                                      Withheld::slot_full,
-                                      Withheld::several_ways,
-                                      Withheld::several_clients,
-                                      Withheld::job_without_end,
                                       Withheld::answer_discarded,
-                                      Withheld::request_withdrawn,
-                                      Withheld::event_overtaken,
-                                      Withheld::message_overtaken,
-                                      Withheld::answer_given_up,
-                                      Withheld::asker_cancelled,
-                                      Withheld::several_threads,
-                                      Withheld::may_skip,
-                                      Withheld::may_leave_loop,
-                                      Withheld::may_stop,
-                                      Withheld::completed_in_some_job,
-                                      Withheld::several_setters,
-                                      Withheld::jobs_overtake};
+                                      Withheld::several_setters};
 
 std::string table_of(bool shapes) {
   std::string table =
