@@ -39,7 +39,6 @@ constexpr Withheld without_skill[] = {Withheld::may_not_answer,
                                       Withheld::waits_untriggered,
                                       Withheld::blocks_again,
                                       Withheld::blocks_once,
-                                      Withheld::answer_discarded,
                                       Withheld::several_setters};
 
 std::string table_of(bool shapes) {
