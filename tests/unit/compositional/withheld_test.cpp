@@ -38,8 +38,7 @@ constexpr Withheld without_skill[] = {Withheld::may_not_answer,
                                       Withheld::started_again,
                                       Withheld::waits_untriggered,
                                       Withheld::blocks_again,
-                                      Withheld::blocks_once,
-                                      Withheld::several_setters};
+                                      Withheld::blocks_once};
 
 std::string table_of(bool shapes) {
   std::string table =
