@@ -95,6 +95,13 @@ TEST_CASE("blocks in each round of a module") {
   expect_bounds(chain("blocks_in_a_round"), {{2, 1}, {6, 6}, {6, 6}, {25, 25}, {0, 0}});
 }
 
+TEST_CASE("a condition that two blocks set is as old as one of them leaves it") {
+  // Rounds are 30 apart. The first set comes 2 after the first round begins, and is read 1 before the act.
+  // The bound does not know that a block is over when the next one looks: it counts 2 more for each, and
+  // waits for the end of both. A reaction waits for the next act, 20 later.
+  expect_bounds(chain("set_in_two_blocks"), {{37, 33}, {57, 53}});
+}
+
 TEST_CASE("a response does not include the jitter of its event") {
   // Two clocks with jitter, each for a chain of two modules on two processors, the one always before the
   // other.

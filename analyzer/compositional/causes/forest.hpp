@@ -54,8 +54,6 @@ struct Forest {
   Table<NodeId, Node> nodes;  // a cause stands before its effects
   /// Why there is no forest; empty if there is one.
   Why refusal;
-  /// By channel: withdrawn_requests().
-  Table<ChannelId, bool> withdrawn;
 
   SetAside set_aside;
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "analyzer/compositional/causes/job_distance.hpp"
-#include "analyzer/compositional/causes/protocol.hpp"
 #include "analyzer/compositional/causes/refusal.hpp"
 #include "analyzer/compositional/causes/sequence.hpp"
 #include "analyzer/compositional/causes/takers.hpp"
@@ -23,7 +22,6 @@ class ForestBuilder {
         stop_(stop),
         sequence_(problem),
         takers_(problem, forest.segments) {
-    forest.withdrawn = withdrawn_requests(problem);
     most_nodes_ = 40 * problem.steps.size() + 4'000;
   }
 

@@ -195,28 +195,6 @@ bool asked_after_cancelled(const Problem& problem, ChannelId request) {
 
 }  // namespace
 
-Table<ChannelId, bool> withdrawn_requests(const Problem& problem) {
-  Table<ChannelId, bool> withdrawn(problem.channels.size());
-  for (const Step& step : problem.steps) {
-    if (step.kind != Kind::wait || !step.within) continue;
-    for (ChannelId channel : step.channels) {
-      const ChannelId request = problem.channels[channel].answers;
-      if (request.valid()) withdrawn[request] = true;
-    }
-  }
-  for (const Step& fork : problem.steps) {
-    for (ThreadId block : cancelled_blocks(problem, fork)) {
-      comes_to(problem, entry_of(problem, block), [&](const Step& step) {
-        if (step.kind != Kind::send) return false;
-        const ChannelId channel = step.channels.front();
-        withdrawn[channel] = withdrawn[channel] || problem.channels[channel].answer.valid();
-        return false;
-      });
-    }
-  }
-  return withdrawn;
-}
-
 std::set<StepId> takers_of_answer(const Problem& problem, StepId send) {
   return Asked(problem, send).takers();
 }

@@ -18,10 +18,6 @@ namespace pal::analyzer::compositional {
 Why out_of_turn(const Problem& problem, const Segments& segments, const std::function<bool()>& stop,
                 const SetAside& set_aside = {});
 
-/// By channel of requests: whether a request may be withdrawn before it is received, because its client times
-/// out or is cancelled.
-Table<ChannelId, bool> withdrawn_requests(const Problem& problem);
-
 /// The waits that may receive the answer to the request `send`.
 std::set<StepId> takers_of_answer(const Problem& problem, StepId send);
 

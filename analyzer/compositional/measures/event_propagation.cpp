@@ -82,17 +82,9 @@ Sum EventPropagation::value_of_step(NodeId n, StepId at) {
       const auto after = steps_.find({n, next});
       value = greater(value, after == steps_.end() ? Sum::unbounded() : after->second);
     }
-    if (step.kind == Kind::send && is_put(at)) value = less(value, sent_value(n, at));
+    if (step.kind == Kind::send) value = less(value, sent_value(n, at));
   }
   return value;
-}
-
-bool EventPropagation::is_put(StepId send) {
-  const ChannelId request = problem_.channels[step_at(send).channels.front()].answers;
-  if (!request.valid() || !view_.forest.withdrawn[request]) return true;
-  if (!view_.withholds(Withheld::answer_discarded)) return true;
-  if (why_.empty()) why_ = compositional::why(Withheld::answer_discarded);
-  return false;
 }
 
 Sum EventPropagation::sent_value(NodeId n, StepId send) {

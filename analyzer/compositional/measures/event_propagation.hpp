@@ -44,9 +44,6 @@ class EventPropagation {
     return since_ == Since::event ? finish_since_event(view_, n) : finish(view_, n);
   }
   const Why& unbounded_reason_of(NodeId n) const;
-  /// Whether the message is put and not withdrawn before it is received. Otherwise it has no response, and
-  /// does not propagate its event.
-  bool is_put(StepId send);
   Sum beginning_value(NodeId n);
   Sum step_value(NodeId n, StepId at);
   /// The same from the results of the steps that follow.

@@ -1,6 +1,7 @@
 #include "analyzer/compositional/measures/staleness.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "analyzer/compositional/measures/reasons.hpp"
@@ -30,9 +31,13 @@ class Staleness {
 
   Bound run() const {
     if (setters_.empty()) return no_bound(why(Withheld::never_set));
-    if (setters_.size() == 1 || !view_.withholds(Withheld::several_setters))
-      return distance_of_sets(*setters_.begin());
-    return several_setters();
+    // A value is no older than the last set of any one of them: what the others set only makes it younger.
+    std::optional<Bound> least;
+    for (ThreadId setter : setters_) {
+      const Bound of = distance_of_sets(setter);
+      if (!least || of.sum.value() < least->sum.value()) least = of;
+    }
+    return *least;
   }
 
  private:
@@ -41,21 +46,6 @@ class Staleness {
   const Segment& segment(NodeId n) const { return view_.forest.segment_of(view_.forest.nodes[n]); }
   bool sets(StepId step) const {
     return step_at(step).kind == Kind::set && step_at(step).condition == condition_;
-  }
-
-  /// A module may set a condition before its CONCURRENT, and then in a block.
-  Bound several_setters() const {
-    const Bound none = no_bound(why(Withheld::several_setters));
-    ThreadId block{};
-    for (ThreadId setter : setters_) {
-      if (!problem_.threads[setter].parent.valid()) continue;
-      if (block.valid()) return none;
-      block = setter;
-    }
-    if (!block.valid() || setters_.size() != 2) return none;
-    if (!setters_.contains(problem_.threads[block].parent)) return none;
-    // What the parent sets after its blocks only makes values younger, as does what it sets before.
-    return distance_of_sets(block);
   }
 
   Bound distance_of_sets(ThreadId setter) const {
