@@ -14,6 +14,9 @@ function hasGraphicsCard(): boolean {
   return context !== null;
 }
 
+/** A map of shadows with so many pixels is a coarse one. */
+const coarseShadow = 512;
+
 export class Painter {
   /** Edges are smooth by the graphics card. Else those of a picture that rests are, since it is drawn with more pixels. */
   readonly graphicsCard = hasGraphicsCard();
@@ -38,6 +41,8 @@ export class Painter {
   #colours: Colours | undefined;
   #shows: Shows = { path: true, contacts: true, sensor: false, laser: true, locations: true };
   #contacts = 0;
+  /** How often bodies were put. */
+  #moves = 0;
   #felt = false;
   #scanned = false;
 
@@ -139,7 +144,8 @@ export class Painter {
         each.matrix.copy(this.#bodies.matrices[i]!);
         each.matrixWorldNeedsUpdate = true;
       });
-      this.#renderer.shadowMap.needsUpdate = true;
+      // Where pictures are coarse, shadows follow less often.
+      if (++this.#moves % (this.#sun.shadow.mapSize.x > coarseShadow ? 1 : 3) === 0) this.#renderer.shadowMap.needsUpdate = true;
     }
     if (tip) {
       this.#tool.matrix.fromArray(tip as number[]);
