@@ -1,5 +1,5 @@
 # pal_add_skill(NAME PAL FILE ENVIRONMENT FILE SOURCES FILE… [SKILL NAME-IN-PAL] [ALLOW_FAILING] [WITHOUT_TIMES] [DEBUG_LINES]
-#               [WORKCELL] [INSTALLED])
+#               [WORKCELL] [DECLARED FILE] [INSTALLED])
 #
 # A static library pal_skill_NAME (alias pal::skill_NAME) of a skill: its C++, generated from PAL, and SOURCES, the
 # activities written by hand. They include "<skill>_activities.hpp" and "<skill>_skill.hpp", and devices "<skill>_devices.hpp", where <skill> is the skill's name in
@@ -12,11 +12,15 @@
 #
 # WORKCELL: also a file NAME.so (target pal_plugin_NAME), which workcell loads. SOURCES then have the function that gives the skill
 # its activities: std::unique_ptr<pal::runtime::Skill> pal::skills::<skill>_skill().
+# DECLARED: what the skill declares to the workcell, its longest times and its limits in charts (docs/workcell/declared.md).
 # The file names the top of the source tree, so that workcell tells when that has changed since; INSTALLED: it does not.
 function(pal_add_skill name)
-  cmake_parse_arguments(ARG "ALLOW_FAILING;WITHOUT_TIMES;DEBUG_LINES;WORKCELL;INSTALLED" "PAL;ENVIRONMENT;SKILL" "SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "ALLOW_FAILING;WITHOUT_TIMES;DEBUG_LINES;WORKCELL;INSTALLED" "PAL;ENVIRONMENT;SKILL;DECLARED" "SOURCES" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_PAL OR NOT ARG_ENVIRONMENT)
-    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING, WITHOUT_TIMES, DEBUG_LINES, WORKCELL, INSTALLED")
+    message(FATAL_ERROR "pal_add_skill(${name}): needs PAL and ENVIRONMENT, takes SOURCES, SKILL, ALLOW_FAILING, WITHOUT_TIMES, DEBUG_LINES, WORKCELL, DECLARED, INSTALLED")
+  endif()
+  if(ARG_DECLARED AND NOT ARG_WORKCELL)
+    message(FATAL_ERROR "pal_add_skill(${name}): DECLARED is for a workcell: add WORKCELL")
   endif()
   if(NOT ARG_SKILL)
     set(ARG_SKILL ${name})
@@ -49,8 +53,14 @@ function(pal_add_skill name)
 
   set(plugin)
   set(plugin_file)
+  set(declared_file)
   if(ARG_WORKCELL)
     set(plugin --plugin)
+    if(ARG_DECLARED)
+      get_filename_component(declared_file "${ARG_DECLARED}" ABSOLUTE)
+      file(RELATIVE_PATH declared_name "${CMAKE_SOURCE_DIR}" "${declared_file}")
+      list(APPEND plugin --declared ${declared_name})
+    endif()
     set(plugin_file "${directory}/${prefix}_plugin.cpp")
   endif()
 
@@ -67,7 +77,7 @@ function(pal_add_skill name)
     COMMAND ${pal_program} generate ${pal_name} --environment ${environment_name} --skill ${ARG_SKILL} -o "${directory}" --allow-failing ${debug_lines} ${plugin}
             --depfile "${directory}/${prefix}.d" --depfile-target "${directory}/${prefix}_messages.hpp"
             --depfile-folder "${CMAKE_SOURCE_DIR}"
-    DEPENDS ${pal_target} "${pal_file}" "${environment_file}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
+    DEPENDS ${pal_target} "${pal_file}" "${environment_file}" ${declared_file} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/PalCheck.cmake"
     DEPFILE "${directory}/${prefix}.d"
     WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
     COMMENT "Checking skill ${ARG_SKILL} and generating its C++"

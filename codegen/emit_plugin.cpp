@@ -21,7 +21,7 @@ void write_text(Writer& out, std::string_view name, std::string_view text) {
 
 }  // namespace
 
-GeneratedFile emit_plugin(const Plan& plan, const SourceManager& sources) {
+GeneratedFile emit_plugin(const Plan& plan, const SourceManager& sources, FileId declared) {
   Writer out;
   write_heading(out, plan, "Skill " + plan.skill.name + " as a file of its own, which a host loads.");
   out.line("#include <array>").line("#include <memory>").line();
@@ -44,7 +44,8 @@ GeneratedFile emit_plugin(const Plan& plan, const SourceManager& sources) {
   out.line("pal::runtime::plugin_interface, " + literal(plan.skill.name) + ", pal::skills::" + plan.name +
            "_skill, PAL_SKILL_FOLDER,");
   out.line(literal(sources.name(plan.skill.where.file)) + ", " +
-           literal(sources.name(plan.environment.where.file)) + ", pal::skills::sources};");
+           literal(sources.name(plan.environment.where.file)) + ", " +
+           literal(declared.valid() ? sources.name(declared) : std::string()) + ", pal::skills::sources};");
   out.outdent().outdent();
   out.line("return &plugin;");
   out.close();

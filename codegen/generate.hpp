@@ -23,8 +23,9 @@ struct EmitOptions {
 /// what it looks like.
 std::vector<GeneratedFile> emit(const Plan& plan, const EmitOptions& options = {});
 
-/// The file that makes a plug-in of the skill: <skill>_plugin.cpp. It holds every text of `sources`.
-GeneratedFile emit_plugin(const Plan& plan, const SourceManager& sources);
+/// The file that makes a plug-in of the skill: <skill>_plugin.cpp. It holds every text of `sources`, of which
+/// `declared` is what the skill declares; invalid: nothing.
+GeneratedFile emit_plugin(const Plan& plan, const SourceManager& sources, FileId declared = {});
 
 /// A file to begin with, which is never written again: every activity, empty, and the function that
 /// emit_plugin asks for. <skill>.cpp.

@@ -139,7 +139,7 @@ class Method final : public SM1Activities {
   }
 
   bool aligned() const { return parameters_.literal ? law_.aligned() : aligned_; }
-  // At the most, s: longest.def promises no more.
+  // At the most, s: follow_edge.declared says no more.
   double time_to_align() const {
     const double each = parameters_.literal ? for_a_step_literal : for_a_step;
     return each * (farthest_off / parameters_.translation + most_askew / most_turn_) + to_settle;

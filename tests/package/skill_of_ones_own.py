@@ -51,7 +51,11 @@ first = run(workcell, "run", "tap/build/tap.so", *plain)
 expect("The tool touches the surface.", first)
 if "has changed" in first:
     sys.exit(f"nothing has changed:\n{first}")
-expect("  tap\n", run(workcell, "list", "--skills", "tap/build/tap.so"))
+
+# The copy has what touch declares, and is told with it.
+listed = run(workcell, "list", "--skills", "tap/build/tap.so")
+own = listed[listed.index("  tap\n"):].split("\n  touch\n")[0]
+expect("longest time in s: 2 * reach / approach-speed + 2", own)
 
 # In an operation, beside the skills that are installed.
 operation = {"operation-format": 1, "name": "tap-once", "icons": [
@@ -79,6 +83,9 @@ if (build / "share/pal/workstation/index.html").exists():
             sys.exit(f"the page's {name} is missing")
     if "tap" not in [each["skill"] for each in server.client().call("skills")]:
         sys.exit("the page's cell has no skill tap")
+    force = next(each for each in server.client().call("channels.list") if each["channel"] == "force")
+    if ["threshold"] != [each["parameter"] for each in force["limits"] if each["skill"] == "tap"]:
+        sys.exit(f"charts have not the limit of tap: {force['limits']}")
     server.end()
 
 # Its PAL has changed, and it was not built again.
@@ -90,6 +97,13 @@ expect("tap.pal has changed since it was built", run(workcell, "run", "tap/build
 pal.write_text(pal.read_text().replace("AT MOST 10 ms", "AT MOST 1 ms"))
 expect("'fresh-force' fails", run("cmake", "--build", "tap/build", status=1))
 pal.write_text(pal.read_text().replace("AT MOST 1 ms", "AT MOST 10 ms"))
+
+# So does a line that declares what the skill has not.
+declared = work / "tap/tap.declared"
+right = declared.read_text()
+declared.write_text(right.replace("longest 2:", "longest 3:"))
+expect("tap.declared:8: tap has no completion 3", run("cmake", "--build", "tap/build", status=1))
+declared.write_text(right)
 
 # From a PAL file, with activities that do nothing.
 (work / "drawn").mkdir()

@@ -130,6 +130,7 @@ struct GenerateOptions {
   ProofLimits limits;
   bool allow_failing = false;  // nothing is proved
   bool plugin = false;         // also what makes a plug-in of the skill
+  std::string declared;        // with plugin: the file of what the skill declares; empty: nothing
   bool debug_lines = false;    // debuggers show lines of PAL
   bool explain = false;        // lists what would be generated, and writes nothing
 };

@@ -5,6 +5,7 @@
 
 #include "codegen/explain.hpp"
 #include "codegen/generate.hpp"
+#include "operations/declared.hpp"
 #include "pal/check/resources.hpp"
 #include "pal/check/shared_uses.hpp"
 #include "programs/pal/commands/commands.hpp"
@@ -50,6 +51,31 @@ bool is_one(std::size_t count, const char* kind, const char* none, const char* s
   return false;
 }
 
+/// Reads what the skill declares, and adds it to the session's texts. Invalid: it is wrong, or cannot be
+/// read, and `status` says which.
+FileId read_declared(const std::string& path, const Console& console, Session& session, ExitStatus& status) {
+  auto read = console.files.read(path);
+  if (const auto* error = std::get_if<FileError>(&read)) {
+    console.err << fmt::format("pal: cannot read '{}': {}\n", path, error->reason);
+    status = ExitStatus::usage;
+    return {};
+  }
+  const std::string& text = std::get<std::string>(read);
+  auto declared = operations::read_declared(text);
+  std::optional<operations::DeclaredError> wrong;
+  if (const auto* error = std::get_if<operations::DeclaredError>(&declared))
+    wrong = *error;
+  else
+    wrong = operations::misfit(std::get<operations::Declared>(declared),
+                               session.specification.skills.front().skill);
+  if (wrong) {
+    console.err << fmt::format("pal: {}:{}: {}\n", path, wrong->line, wrong->cause);
+    status = ExitStatus::wrong_specification;
+    return {};
+  }
+  return session.sources.add(path, text);
+}
+
 }  // namespace
 
 ExitStatus generate(const GenerateOptions& options, const Console& console) {
@@ -78,7 +104,16 @@ ExitStatus generate(const GenerateOptions& options, const Console& console) {
       return status_of_findings(session);
     }
     if (plan) generated = codegen::emit(*plan, {.debug_lines = options.debug_lines});
-    if (plan && options.plugin) generated.push_back(codegen::emit_plugin(*plan, session.sources));
+    FileId declared;
+    if (plan && !options.declared.empty()) {
+      ExitStatus status = ExitStatus::all_hold;
+      declared = read_declared(options.declared, console, session, status);
+      if (!declared.valid()) {
+        show_findings(session, console);
+        return status;
+      }
+    }
+    if (plan && options.plugin) generated.push_back(codegen::emit_plugin(*plan, session.sources, declared));
   }
   if (one && !options.allow_failing && !session.diagnostics.has_errors()) {
     const std::vector<Proof> proofs = prove(session, options.limits);

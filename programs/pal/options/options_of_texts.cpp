@@ -22,8 +22,14 @@ void add_generate(CLI::App& app, GenerateOptions& options) {
       ->type_name("FOLDER");
   add_limits(*command, options.limits);
   command->add_flag("--allow-failing", options.allow_failing, "prove nothing, and always generate");
-  command->add_flag("--plugin", options.plugin,
-                    "also write the file that lets programs such as workcell load the skill when they run");
+  auto* plugin = command->add_flag(
+      "--plugin", options.plugin,
+      "also write the file that lets programs such as workcell load the skill when they run");
+  command
+      ->add_option("--declared", options.declared,
+                   "with --plugin: what the skill declares to a workcell, such as its longest times")
+      ->type_name("FILE")
+      ->needs(plugin);
   command->add_flag("--debug-lines", options.debug_lines, "make debuggers show the lines of PAL (#line)");
   command->add_flag("--explain", options.explain,
                     "write nothing: list processors, threads, servers, couriers and channels");

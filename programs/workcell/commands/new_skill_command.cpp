@@ -42,7 +42,7 @@ std::string replaced(const std::string& text, const std::string& what, const std
   return std::regex_replace(text, std::regex(what), by);
 }
 
-std::string cmake_file(const std::string& name, const std::vector<std::string>& sources) {
+std::string cmake_file(const std::string& name, const std::vector<std::string>& sources, bool declares) {
   std::string all;
   for (const std::string& source : sources) all += " " + source;
   return fmt::format(
@@ -57,10 +57,10 @@ endif()
 find_package(pal 0.1 REQUIRED COMPONENTS workcell)
 
 # Stops the build if a requirement of {1}.pal does not hold in workcell.pal.
-pal_add_skill({1} SKILL {0} PAL {1}.pal ENVIRONMENT workcell.pal SOURCES{2} WORKCELL)
+pal_add_skill({1} SKILL {0} PAL {1}.pal ENVIRONMENT workcell.pal SOURCES{2} WORKCELL{3})
 target_link_libraries(pal_skill_{1} PUBLIC pal::skill_modules)
 )",
-      name, in_code(name), all);
+      name, in_code(name), all, declares ? " DECLARED " + in_code(name) + ".declared" : "");
 }
 
 /// Where a text of the workcell's skills stands in the new folder: its own skill's beside the others'
@@ -101,7 +101,11 @@ class Likeness {
       result.push_back({file, cpp(text_of(entry.path()))});
     }
     std::sort(sources.begin(), sources.end());
-    result.push_back({"CMakeLists.txt", cmake_file(name_, sources)});
+    const bool declares = !known_.declared_file.empty();
+    if (declares)
+      result.push_back(
+          {in_code(name_) + ".declared", std::get<std::string>(known_.texts->read(known_.declared_file))});
+    result.push_back({"CMakeLists.txt", cmake_file(name_, sources, declares)});
     return result;
   }
 
@@ -180,7 +184,11 @@ std::vector<OutputFile> from_pal(const NewSkillCommand& command) {
     result.push_back({file, std::string(session.sources.text(FileId(i)))});
   }
   result.push_back({name + ".cpp", codegen::emit_empty_activities(*plan).text});
-  result.push_back({"CMakeLists.txt", cmake_file(command.name, {name + ".cpp"})});
+  const std::string declared = fs::path(given).replace_extension(".declared").string();
+  std::error_code none;
+  const bool declares = fs::is_regular_file(declared, none);
+  if (declares) result.push_back({name + ".declared", text_of(declared)});
+  result.push_back({"CMakeLists.txt", cmake_file(command.name, {name + ".cpp"}, declares)});
   return result;
 }
 

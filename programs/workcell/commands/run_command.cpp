@@ -296,7 +296,8 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
   if (const auto threshold = parameter_value(skill, session, "threshold"); threshold && result.peak_force > 0)
     out << fmt::format("  overshoot: {:.2f} N past the threshold of {:g} N\n", result.peak_force - *threshold,
                        *threshold);
-  if (session.picture && !result.picture.image) out << "  no picture: " << result.picture.problem << '\n';
+  if (session.picture && !result.picture.image)
+    out << "  no picture: " << result.picture.problem << " (apt-get install libegl1 libgl1-mesa-dri)\n";
   std::vector<Promise> proved;
   if (command.proof)
     proved = promises(known, outcome, result.events.get(),

@@ -178,7 +178,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   offered.runs = &runs;
   SimulatedTrials trials(scene, known, times_named(command.times));
   offered.trials = &trials;
-  offered.channels = live_channels(sim::tool_of(scene));
+  offered.channels = live_channels(sim::tool_of(scene), known);
   for (const server::Channel& each : scene_channels()) offered.channels.push_back(each);
   server::RunRecording recording = open_recording(command, folder, offered.channels);
   offered.recording = &recording;

@@ -131,9 +131,8 @@ operations::Skills templates_of(const std::vector<KnownSkill>& skills) {
 operations::DeclaredTimes longest_of(const std::vector<KnownSkill>& skills) {
   operations::DeclaredTimes result;
   for (const KnownSkill& known : skills)
-    for (const auto& [code, text] : known.longest)
-      if (auto formula = operations::Formula::parse(text))
-        result.emplace(std::pair(known.name, code), std::move(*formula));
+    for (const auto& [code, time] : known.declared.longest)
+      result.emplace(std::pair(known.name, code), time.seconds);
   return result;
 }
 

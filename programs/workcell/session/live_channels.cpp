@@ -1,10 +1,14 @@
 #include "programs/workcell/session/live_channels.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <set>
 
+#include "programs/workcell/session/failure.hpp"
 #include "programs/workcell/session/profile_marks.hpp"
-#include "runtime/drivers/force_torque/codec.hpp"
 #include "sim/val/transformation.hpp"
 
 namespace pal::workcell {
@@ -58,39 +62,7 @@ void put_pose(Shown raw, const Eigen::Vector3d& place, const Eigen::Quaterniond&
   raw[3] = turn.x(), raw[4] = turn.y(), raw[5] = turn.z(), raw[6] = turn.w();
 }
 
-using Limit = server::ShownLimit;
-
-// Pressing is negative along z (docs/workcell/force-torque.md).
-constexpr double pressing = -1, a_count = 1 / runtime::drivers::force_torque::counts_per_newton;
-
-/// What the parameters of the skills mean for the force. A skill that is not here has no lines in its charts.
-std::vector<Limit> force_limits() {
-  using Kind = Limit::Kind;
-  const std::vector<std::string> along_z{"fz"}, each_axis{"fx", "fy", "fz"};
-  return {{"touch", "threshold", along_z, pressing, false, Kind::target},
-          {"rub", "greatest-force", along_z, a_count, false, Kind::band},
-          {"rub", "least-force", along_z, a_count, false, Kind::band},
-          {"rub", "stop-force", each_axis, a_count, true, Kind::stop},
-          {"rub", "error-force", each_axis, a_count, true, Kind::error},
-          {"press", "force", along_z, pressing, false, Kind::target},
-          {"press", "band", along_z, 1, true, Kind::band, Limit::Around{"force", pressing}},
-          {"press", "stop-force", each_axis, 1, true, Kind::stop}};
-}
-
-/// Distances from the range finder.
-std::vector<Limit> profile_limits() {
-  using Kind = Limit::Kind;
-  constexpr double mm_of_cm = 10;
-  const std::vector<std::string> depth{"z"};
-  return {{"standoff", "distance", depth, 1, false, Kind::target},
-          {"standoff", "tolerance", depth, 1, true, Kind::band, Limit::Around{"distance", 1}},
-          {"align", "standoff", depth, 1, false, Kind::target},
-          {"follow-edge", "standoff", depth, mm_of_cm, false, Kind::target}};
-}
-
-}  // namespace
-
-server::Channels live_channels(sim::ToolKind tool) {
+server::Channels channels_of(sim::ToolKind tool) {
   constexpr double each_step = 1000;
   const auto numbers = Channel::Form::numbers;
   const auto pose_from = [](std::size_t at) {
@@ -106,8 +78,7 @@ server::Channels live_channels(sim::ToolKind tool) {
        {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"tx", "N*m"}, {"ty", "N*m"}, {"tz", "N*m"}},
        each_step,
        numbers,
-       show_as_it_is<wrench_at>,
-       force_limits()},
+       show_as_it_is<wrench_at>},
       {"pose", "where the tool's tip is", pose_fields(), each_step, numbers, pose_from(tool_at)},
       {"set-point", "where the tip has been told to be", pose_fields(), each_step, numbers,
        pose_from(set_point_at)},
@@ -135,8 +106,71 @@ server::Channels live_channels(sim::ToolKind tool) {
                       0,
                       Channel::Form::profile,
                       {},
-                      profile_limits(),
+                      {},
                       profile_marks});
+  return result;
+}
+
+bool has(const server::Channel& channel, const operations::DeclaredLimit& limit) {
+  return channel.name == limit.channel &&
+         std::all_of(limit.fields.begin(), limit.fields.end(), [&](const std::string& field) {
+           return std::any_of(channel.fields.begin(), channel.fields.end(),
+                              [&](const ChannelField& each) { return each.name == field; });
+         });
+}
+
+/// Throws Failure if a cell has these fields with no tool.
+void check_place(const KnownSkill& skill, const operations::DeclaredLimit& limit) {
+  std::set<std::string> names;
+  for (const auto tool : {sim::ToolKind::pad, sim::ToolKind::gripper, sim::ToolKind::range_finder}) {
+    for (const server::Channel& channel : channels_of(tool)) {
+      if (has(channel, limit)) return;
+      names.insert(channel.name);
+      if (channel.name != limit.channel) continue;
+      std::vector<std::string> fields;
+      for (const ChannelField& each : channel.fields) fields.push_back(each.name);
+      throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", skill.declared_file, limit.line),
+                    fmt::format("the channel '{}' has not all of these fields", limit.channel),
+                    fmt::format("its fields are {}", fmt::join(fields, ", ")));
+    }
+  }
+  throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", skill.declared_file, limit.line),
+                fmt::format("a cell has no channel '{}'", limit.channel),
+                fmt::format("the channels are {}", fmt::join(names, ", ")));
+}
+
+server::ShownLimit::Kind kind_of(operations::DeclaredLimit::Kind kind) {
+  using Kind = server::ShownLimit::Kind;
+  switch (kind) {
+    case operations::DeclaredLimit::Kind::band:
+      return Kind::band;
+    case operations::DeclaredLimit::Kind::stop:
+      return Kind::stop;
+    case operations::DeclaredLimit::Kind::error:
+      return Kind::error;
+    case operations::DeclaredLimit::Kind::target:
+      break;
+  }
+  return Kind::target;
+}
+
+server::ShownLimit shown(const std::string& skill, const operations::DeclaredLimit& limit) {
+  server::ShownLimit result{skill,           limit.at.parameter, limit.fields,
+                            limit.at.factor, limit.both,         kind_of(limit.kind)};
+  if (limit.around) result.around = {limit.around->parameter, limit.around->factor};
+  return result;
+}
+
+}  // namespace
+
+server::Channels live_channels(sim::ToolKind tool, const std::vector<KnownSkill>& skills) {
+  server::Channels result = channels_of(tool);
+  for (const KnownSkill& skill : skills)
+    for (const operations::DeclaredLimit& limit : skill.declared.limits) {
+      check_place(skill, limit);
+      for (server::Channel& channel : result)
+        if (channel.name == limit.channel) channel.limits.push_back(shown(skill.name, limit));
+    }
   return result;
 }
 

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "programs/workcell/session/skills.hpp"
 #include "server/channels.hpp"
 #include "server/telemetry.hpp"
 #include "sim/workcell.hpp"
 
 namespace pal::workcell {
 
-/// All of a cell with this tool; their raw numbers are those of LiveRecorder.
-server::Channels live_channels(sim::ToolKind tool);
+/// All of a cell with this tool, with the limits that the skills declare; their raw numbers are those of
+/// LiveRecorder. Throws Failure if a limit names a channel, or a field of it, that a cell has with no tool.
+server::Channels live_channels(sim::ToolKind tool, const std::vector<KnownSkill>& skills);
 
 /// Copies each step of the physics into records, as long as the sink is watched.
 class LiveRecorder {

@@ -1,5 +1,7 @@
 #include "programs/workcell/session/skills.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -7,7 +9,6 @@
 
 #include "pal/runtime/plugin.hpp"
 #include "programs/workcell/session/failure.hpp"
-#include "skills_pal/longest.hpp"
 
 namespace pal::workcell {
 
@@ -22,13 +23,23 @@ KnownSkill known(const runtime::SkillPlugin& plugin) {
     names.emplace_back(source.name);
     texts->add(names.back(), std::string(source.text));
   }
+  operations::Declared declared;
+  if (!plugin.declared_file.empty()) {
+    const std::string file(plugin.declared_file);
+    auto read = operations::read_declared(std::get<std::string>(texts->read(file)));
+    if (const auto* wrong = std::get_if<operations::DeclaredError>(&read))
+      throw Failure(ExitStatus::wrong_specification, fmt::format("{}:{}", file, wrong->line), wrong->cause,
+                    "build the skill again");
+    declared = std::get<operations::Declared>(std::move(read));
+  }
   return {std::string(plugin.name),
           plugin.make,
           std::string(plugin.pal_file),
           std::string(plugin.environment_file),
           std::move(texts),
           std::move(names),
-          {},
+          std::string(plugin.declared_file),
+          std::move(declared),
           {}};
 }
 
@@ -56,12 +67,8 @@ std::vector<KnownSkill> installed_skills() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
   const fs::path installed = program.parent_path().parent_path() / PAL_PLUGIN_FOLDER;
-  auto known = skills_of_folder(fs::is_directory(installed, none) ? installed.string()
-                                                                  : PAL_BUILD_FOLDER "/" PAL_PLUGIN_FOLDER);
-  for (KnownSkill& skill : known)
-    for (const skills::LongestTime& each : skills::longest_times())
-      if (each.skill == skill.name) skill.longest.emplace(each.code, each.seconds);
-  return known;
+  return skills_of_folder(fs::is_directory(installed, none) ? installed.string()
+                                                            : PAL_BUILD_FOLDER "/" PAL_PLUGIN_FOLDER);
 }
 
 KnownSkill skill_of_file(const std::string& path) {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "operations/declared.hpp"
 #include "pal/runtime/skill.hpp"
 #include "pal/support/file_system.hpp"
 
@@ -19,8 +19,9 @@ struct KnownSkill {
   std::string environment_file{};
   std::shared_ptr<const MemoryFileSystem> texts{};  // what it was generated from
   std::vector<std::string> text_names{};            // of all of them
-  std::string from{};                               // the file or folder of --skills; empty: it is installed
-  std::map<int, std::string> longest{};             // formulas of its longest time in s, by completion code
+  std::string declared_file{};                      // in `texts`; empty: it declares nothing
+  operations::Declared declared{};
+  std::string from{};  // the file or folder of --skills; empty: it is installed
 };
 
 /// Sorted by name. Throws Failure if one cannot be loaded.

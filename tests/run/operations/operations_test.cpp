@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -14,7 +15,8 @@
 #include "operations/load.hpp"
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/cell_runner.hpp"
-#include "skills_pal/longest.hpp"
+#include "programs/workcell/session/failure.hpp"
+#include "programs/workcell/session/live_channels.hpp"
 
 using namespace pal::workcell;
 
@@ -397,7 +399,9 @@ TEST_CASE("a skill that takes longer than is declared says so") {
   pal::sim::Cell cell(pal::sim::find_scene("touch", {PAL_SOURCE_DIR "/sim/scenes"}));
   auto known = installed_skills();
   for (KnownSkill& skill : known)
-    if (skill.name == "touch") skill.longest = {{0, "0.01 * reach"}};
+    if (skill.name == "touch")
+      skill.declared =
+          std::get<pal::operations::Declared>(pal::operations::read_declared("longest 0: 0.01 * reach"));
   CellRunner runner(cell, known, pal::runtime::CostPolicy::worst, 1);
   const auto result = runner.run("touch", {}, std::nullopt);
   INFO(result.reason);
@@ -410,9 +414,7 @@ TEST_CASE("each formula of a longest time can be read, and names parameters of i
   const auto known = installed_skills();
   const auto skills = templates_of(known);
   const auto longest = longest_of(known);
-  std::size_t written = 0;
-  for (const KnownSkill& skill : known) written += skill.longest.size();
-  CHECK(longest.size() == written);
+  CHECK(longest.size() > 30);
   for (const auto& [of, formula] : longest) {
     INFO(of.first << ' ' << of.second << ": " << formula.text());
     const auto usual =
@@ -423,15 +425,65 @@ TEST_CASE("each formula of a longest time can be read, and names parameters of i
   }
 }
 
+TEST_CASE("limits that skills declare are shown in the channels that they name") {
+  const auto shown = [](pal::sim::ToolKind tool, const std::vector<KnownSkill>& skills) {
+    std::set<std::string> result;
+    for (const pal::server::Channel& channel : live_channels(tool, skills))
+      for (const pal::server::ShownLimit& limit : channel.limits) {
+        std::ostringstream text;
+        text << channel.name << ' ' << limit.skill << ' ' << static_cast<int>(limit.kind);
+        for (const std::string& field : limit.fields) text << ' ' << field;
+        if (limit.around) text << ' ' << limit.around->factor << ' ' << limit.around->parameter;
+        text << (limit.both ? " +- " : " ") << limit.factor << ' ' << limit.parameter;
+        result.insert(text.str());
+      }
+    return result;
+  };
+  const auto known = installed_skills();
+  const std::set<std::string> force{"force touch 1 fz -1 threshold",
+                                    "force touch-read-first 1 fz -1 threshold",
+                                    "force rub 0 fz 0.05 greatest-force",
+                                    "force rub 0 fz 0.05 least-force",
+                                    "force rub 2 fx fy fz +- 0.05 stop-force",
+                                    "force rub 3 fx fy fz +- 0.05 error-force",
+                                    "force press 1 fz -1 force",
+                                    "force press 0 fz -1 force +- 1 band",
+                                    "force press 2 fx fy fz +- 1 stop-force"};
+  CHECK(shown(pal::sim::ToolKind::pad, known) == force);
+  std::set<std::string> all = force;
+  all.insert({"profile standoff 1 z 1 distance", "profile standoff 0 z 1 distance +- 1 tolerance",
+              "profile align 1 z 1 standoff", "profile follow-edge 1 z 10 standoff"});
+  CHECK(shown(pal::sim::ToolKind::range_finder, known) == all);
+
+  const auto why = [&](const std::string& text) -> std::string {
+    auto wrong = known;
+    wrong.front().declared_file = "a.declared";
+    wrong.front().declared = std::get<pal::operations::Declared>(pal::operations::read_declared(text));
+    try {
+      live_channels(pal::sim::ToolKind::pad, wrong);
+    } catch (const Failure& failure) {
+      std::ostringstream out;
+      failure.print(out);
+      return out.str();
+    }
+    return {};
+  };
+  CHECK(why("limit width of gripper: target threshold").empty());  // of another tool
+  CHECK(why("\nlimit fz of forse: target x").find("a.declared:2: a cell has no channel 'forse'") !=
+        std::string::npos);
+  CHECK(why("limit fz, fw of force: target x").find("its fields are fx, fy, fz, tx, ty, tz") !=
+        std::string::npos);
+}
+
 TEST_CASE("the document of longest times has each of them") {
   std::ifstream file(PAL_SOURCE_DIR "/docs/workcell/longest-times.md");
   std::ostringstream text;
   text << file.rdbuf();
   std::size_t rows = 0;
-  for (const pal::skills::LongestTime& each : pal::skills::longest_times()) {
-    if (each.skill == "touch-read-first") continue;  // as touch
-    const std::string row = "| " + std::string(each.skill) + " | " + std::to_string(each.code) + " | `" +
-                            std::string(each.seconds) + "` |\n";
+  for (const auto& [of, formula] : longest_of(installed_skills())) {
+    if (of.first == "touch-read-first") continue;  // as touch
+    const std::string row =
+        "| " + of.first + " | " + std::to_string(of.second) + " | `" + formula.text() + "` |\n";
     CAPTURE(row);
     CHECK(text.str().find(row) != std::string::npos);
     ++rows;

@@ -183,6 +183,37 @@ TEST_CASE("the rule of pal generate --depfile names files by absolute paths, spe
   CHECK(rule.find("/a\\ cell.pal \\\n  /some\\ where/") != std::string::npos);
 }
 
+TEST_CASE("a plug-in has what its skill declares, if that fits the skill") {
+  const Folder folder("declared");
+  fs::create_directories(folder.path());
+  const std::string file = folder.file("touch.declared");
+  const auto generate = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    return pal::test::pal({"generate", touch, "-e", cell, "-o", folder.file("out"), "--allow-failing",
+                           "--plugin", "--declared", file, "--depfile", folder.file("d")});
+  };
+  const std::string text = "longest 0: reach / approach-speed + 2\nlimit fz of force: target -threshold\n";
+  CHECK(generate(text).status == ExitStatus::all_hold);
+  const std::string plugin = content(folder.file("out") + "/touch_plugin.cpp");
+  CHECK(plugin.find("\"longest 0: reach / approach-speed + 2\\n\"") != std::string::npos);
+  CHECK(plugin.find("\"" + file + "\", pal::skills::sources}") != std::string::npos);
+  CHECK(content(folder.file("d")).find("touch.declared") != std::string::npos);
+
+  fs::remove_all(folder.file("out"));
+  const Answer form = generate(text + "longest 1\n");
+  CHECK(form.status == ExitStatus::wrong_specification);
+  CHECK(form.err.find("touch.declared:3: a line is written as") != std::string::npos);
+  const Answer fit = generate("\nlongest 7: 2\n");
+  CHECK(fit.status == ExitStatus::wrong_specification);
+  CHECK(fit.err.find("touch.declared:2: touch has no completion 7") != std::string::npos);
+  fs::remove(file);
+  const Answer none = pal::test::pal({"generate", touch, "-e", cell, "-o", folder.file("out"),
+                                      "--allow-failing", "--plugin", "--declared", file});
+  CHECK(none.status == ExitStatus::usage);
+  CHECK(none.err.find("cannot read '" + file) != std::string::npos);
+  CHECK_FALSE(fs::exists(folder.file("out")));
+}
+
 TEST_CASE("the class of a module has the module's name, also beside a message of that name") {
   const Folder folder("force");
   fs::create_directories(folder.path());

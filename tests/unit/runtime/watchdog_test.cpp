@@ -268,6 +268,10 @@ TEST_CASE("real time: without the right to SCHED_FIFO a skill runs, and the outc
     return count;
   };
   CHECK(times("SCHED_FIFO is not permitted (Operation not permitted)") == 1);
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  // A sanitizer takes the call that locks memory, does nothing, and says that it is done.
+#else
   CHECK(times("memory is not locked (") == 1);
+#endif
   CHECK(ended.said.find("done") != std::string::npos);
 }

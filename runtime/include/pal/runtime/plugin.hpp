@@ -28,6 +28,7 @@ struct SkillPlugin {
   std::string_view folder;    // where it was built: names of texts are relative to it; empty: not told
   std::string_view pal_file;  // in `sources`, like the next
   std::string_view environment_file;
+  std::string_view declared_file;       // what the skill declares to the cell; empty: nothing
   std::span<const SourceText> sources;  // all texts that were read: what is proved is what was compiled
 };
 
