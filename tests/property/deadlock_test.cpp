@@ -363,7 +363,7 @@ END
 }
 
 TEST_CASE("withdrawn requests beyond the count do not change what is decided") {
-  const auto seeds = setting("PAL_ROUNDS", 12);
+  const auto seeds = setting("PAL_ROUNDS", 25);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   Blurred blurred;
