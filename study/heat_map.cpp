@@ -106,8 +106,8 @@ class Map {
     title += ", " + up_.name + " = " + up_.choices[row].label + ": " + name(outcome(from, row));
     for (std::size_t i = 0; i < field.broken.size(); ++i)
       if (field.broken[i]) title += "\nnot " + table_.pairs[i].skill + " in " + table_.pairs[i].environment;
-    out_.rect({x(from), y(row) - height_, x(to), y(row)}, (apart() ? "field " : "") + style(outcome(from, row)),
-              title);
+    out_.rect({x(from), y(row) - height_, x(to), y(row)},
+              (apart() ? "field " : "") + style(outcome(from, row)), title);
     if (table_.pairs.size() > 1 && text_width(count, small_font) < width_ && height_ > 150)
       out_.text({(x(from) + x(to)) / 2, y(row) - height_ / 2 + 30}, Anchor::middle, "small mid", count);
   }

@@ -183,8 +183,7 @@ class Sweep {
     const std::size_t damaged = store_.damaged();
     make(work);
     if (Interruption::asked_for()) return stopped(work);
-    if (damaged > 0)
-      console_.err << "pal: " << damaged << " kept proofs were damaged, and were made again\n";
+    if (damaged > 0) console_.err << "pal: " << damaged << " kept proofs were damaged, and were made again\n";
     table = table_of(all);
     store_.trim(options_.cache_size);
     return write(table);
