@@ -19,8 +19,8 @@ class ProofStore {
 
   const std::string& folder() const { return folder_; }
 
-  /// A file that is not as it was written counts as none, and is counted. A proof that is found becomes one of
-  /// the youngest, to the minute.
+  /// A file that is not as it was written counts as none, and is counted. A proof that is found becomes one
+  /// of the youngest, to the minute.
   std::optional<KeptProof> find(const std::string& key);
 
   /// Whether there is a file; nothing is read.
