@@ -1,5 +1,5 @@
-// What a skill declares beside its PAL, for the cell that runs it: how long it takes at the most, and what
-// its parameters mean as limits in charts. docs/workcell/declared.md has the form of the text.
+// What a skill declares to its cell, in a file beside its PAL: its longest times, and its limits in charts.
+// docs/workcell/declared.md has the form of the text.
 #pragma once
 
 #include <map>
@@ -51,8 +51,8 @@ struct DeclaredError {
 
 std::variant<Declared, DeclaredError> read_declared(std::string_view text);
 
-/// The first thing that does not fit the skill: a code that it does not have, a parameter that it does not
-/// have or that is no number, a time that has no bound when all parameters have their defaults.
+/// The first thing that does not fit the skill: a code or a parameter that it does not have, or a parameter
+/// that is no number. Also a time that has no bound when all parameters have their defaults.
 std::optional<DeclaredError> misfit(const Declared& declared, const pan::Template& skill);
 
 }  // namespace pal::operations
