@@ -85,7 +85,7 @@ TEST_CASE("move-to-location: 2, a post in the way") {
 }
 
 TEST_CASE(
-    "move-to-location: 2, the line to VAL breaks; the motion under way is ended, as nothing can stop it") {
+    "move-to-location: 2, the line to VAL breaks, the motion under way is ended, as nothing can stop it") {
   Workshop shop(scene("parts"));
   const auto& lines = shop.cell().lines();
   const auto val =
@@ -112,7 +112,7 @@ TEST_CASE("move-cartesian: 0, at the pose, in a straight line past the posts") {
   CHECK(axis_z(shop).z() == Approx(-1).margin(1e-4));
 }
 
-TEST_CASE("move-cartesian: 1, out of reach and through a singular pose; nothing moves") {
+TEST_CASE("move-cartesian: 1, out of reach and through a singular pose, nothing moves") {
   struct Way {
     double x, y, z, o, a;
     const char* what;
@@ -182,7 +182,7 @@ TEST_CASE("relative-move: 1, beyond the arm's reach, and nothing moves") {
   CHECK(stands(shop, before));
 }
 
-TEST_CASE("relative-move: 1, to where the wrist is stretched, a singular pose; nothing moves") {
+TEST_CASE("relative-move: 1, to where the wrist is stretched, a singular pose, nothing moves") {
   Workshop shop(scene("nothing"));
   const Vector3d before = shop.tip();
   CHECK(shop.run("relative-move", {{.name = "ry", .value = -20}, {.name = "rz", .value = 1}}).code == 1);

@@ -67,7 +67,7 @@ TEST_CASE("pick-at-location: 2, a location that was never taught") {
   CHECK((shop.tip() - before).norm() < 0.1);
 }
 
-TEST_CASE("pick-at-location: 2, a location out of reach; the arm stands still") {
+TEST_CASE("pick-at-location: 2, a location out of reach, the arm stands still") {
   Workshop shop(scene("parts"));
   sim::Pose far = shop.cell().val_store().locations.at("PART");
   far.translation().x() = 1.5;

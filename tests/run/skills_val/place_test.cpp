@@ -20,7 +20,7 @@ TEST_CASE("place-at-location: 0, the part stands at its place, the fingers above
   CHECK((shop.tip() - shop.location("PLACE") - Vector3d(0, 0, 50)).norm() < 0.2);
 }
 
-TEST_CASE("place-at-location: 2, the part falls on the way there; it does not say that it put it down") {
+TEST_CASE("place-at-location: 2, the part falls on the way there, it does not say that it put it down") {
   Workshop shop(scene("parts"));
   REQUIRE(shop.run("pick-at-location").code == 0);
   // Someone opens the fingers while the arm carries the part.
@@ -93,7 +93,7 @@ TEST_CASE(
   CHECK((shop.tip() - shop.location("TAKEN") - Vector3d(0, 0, 100)).norm() < 0.2);
 }
 
-TEST_CASE("place-at-location: 2, a post on the way there; the arm stands still") {
+TEST_CASE("place-at-location: 2, a post on the way there, the arm stands still") {
   const ChangedScene changed("parts", "post at 460 -50 height 120");
   Workshop shop(changed.scene());
   REQUIRE(shop.run("pick-at-location").code == 0);
@@ -102,7 +102,7 @@ TEST_CASE("place-at-location: 2, a post on the way there; the arm stands still")
   CHECK(shop.tip().y() < 0);
 }
 
-TEST_CASE("place-at-location: 2, a location that was never taught; the part stays in the fingers") {
+TEST_CASE("place-at-location: 2, a location that was never taught, the part stays in the fingers") {
   Workshop shop(scene("parts"));
   REQUIRE(shop.run("pick-at-location").code == 0);
   const auto outcome = shop.run("place-at-location", {text("location", "NOWHERE")});

@@ -123,7 +123,7 @@ TEST_CASE("each fault of a line ends the skill with a reason and the arm at rest
   }
 }
 
-TEST_CASE("a run breaks no promise; with a late line it does, and the policy is followed") {
+TEST_CASE("a run breaks no promise, with a late line it does, and the policy is followed") {
   using runtime::OnBrokenPromise;
   Session one = station_session();
   one.on_broken_promise = OnBrokenPromise::stop;

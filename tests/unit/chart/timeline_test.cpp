@@ -67,7 +67,7 @@ TEST_CASE("a message is an arrow to its take, or is dropped or never delivered")
 }
 
 TEST_CASE(
-    "what a device works at is named by the message that comes of it; what it says of itself is an event") {
+    "what a device works at is named by the message that comes of it, what it says of itself is an event") {
   const Timeline found = timeline(signs_trace());
   REQUIRE(lane(found, "range-finder").bars.size() == 1);
   CHECK(lane(found, "range-finder").bars[0].text == "profile");

@@ -53,7 +53,7 @@ TEST_CASE("a finding has its page and a cure that makes it go away") {
   CHECK(applied(wrong, offered[0]["edit"]["changes"][uri("feel.pal")]) == skill);
 }
 
-TEST_CASE("an edit of one line is checked; what is right has no finding") {
+TEST_CASE("an edit of one line is checked, what is right has no finding") {
   Client client;
   client.open("feel.pal", skill);
   const auto change = [&](const std::string& text, int begin, int end, int version) {

@@ -117,7 +117,7 @@ TEST_CASE("a stop at every instant of a run, during every statement of every kin
 }
 
 TEST_CASE(
-    "a run is paused, stepped, held at a breakpoint and goes on, from another thread; its trace is the "
+    "a run is paused, stepped, held at a breakpoint and goes on, from another thread, its trace is the "
     "same") {
   Everything plain, held;
   const auto expected = run(plain.skill, {&plain.sensor});

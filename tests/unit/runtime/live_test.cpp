@@ -50,7 +50,7 @@ struct Talk {
 
 }  // namespace
 
-TEST_CASE("a ring keeps the order; events that find it full are dropped and counted") {
+TEST_CASE("a ring keeps the order, events that find it full are dropped and counted") {
   TraceRing ring(3);
   REQUIRE(ring.capacity() == 4);
   for (int i = 0; i < 6; ++i) ring.put(event(i));
@@ -74,7 +74,7 @@ TEST_CASE("an observer gets the events of the trace, also if the run keeps none"
   }
 }
 
-TEST_CASE("a trace that outgrows its room many times is whole; its end and its file have the same events") {
+TEST_CASE("a trace that outgrows its room many times is whole, its end and its file have the same events") {
   const auto traced = [](runtime::RunOptions options) {
     Talk talk(10'000);
     const auto outcome = run(talk.skill, {}, options);

@@ -48,7 +48,7 @@ struct Fixture {
 
 }  // namespace
 
-TEST_CASE("the controls belong to one client; every client may pause and stop") {
+TEST_CASE("the controls belong to one client, every client may pause and stop") {
   Fixture f;
   CHECK(f.load(f.ann, test::two_long) == "done");
   CHECK(f.desk.status(f.ann).yours);

@@ -64,7 +64,7 @@ TEST_CASE("wrong requests are answered by the rules of JSON-RPC") {
   CHECK_FALSE(web.hung_up);
 }
 
-TEST_CASE("a skill is answered when it has ended; an operation tells itself by events") {
+TEST_CASE("a skill is answered when it has ended, an operation tells itself by events") {
   Web web;
   web.enter();
   CHECK(web.call("skill.run", {{"skill", "quick"}, {"parameters", {{"code", 4}}}}).empty());

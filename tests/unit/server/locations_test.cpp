@@ -78,7 +78,7 @@ TEST_CASE("each change of a location counts its version, and an old version is r
   CHECK(book.teach("PART", at(4), 0, "ann").version == 4);
 }
 
-TEST_CASE("what was taught is kept with the cell; what the cell is made with later comes in") {
+TEST_CASE("what was taught is kept with the cell, what the cell is made with later comes in") {
   const LocationFolder folder;
   {
     Locations book(made, folder.path);

@@ -4,7 +4,7 @@
 
 using pal::server::Outbox;
 
-TEST_CASE("answers and events are kept; the oldest telemetry is dropped and counted") {
+TEST_CASE("answers and events are kept, the oldest telemetry is dropped and counted") {
   Outbox outbox({100, 2});
   for (const char* sample : {"1", "2", "3"})
     outbox.put_sample(
