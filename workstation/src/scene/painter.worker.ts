@@ -6,7 +6,7 @@ const answer = (message: Answer): void => postMessage(message);
 let painter: Painter | undefined;
 
 addEventListener("message", ({ data }: MessageEvent<Begin | Wanted>) => {
-  if (!("scene" in data)) return void painter?.draw(data).then(() => answer({ kind: "drawn" }));
+  if (!("scene" in data)) return void painter?.draw(data).then(() => answer({ kind: "drawn" }), () => answer({ kind: "failed" }));
   try {
     painter = new Painter(data);
     answer({ kind: "begun", boxes: painter.boxes, graphicsCard: painter.graphicsCard });
