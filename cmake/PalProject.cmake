@@ -6,6 +6,7 @@ option(PAL_WORKSTATION "Build the page that the workcell serves (needs Node 18 a
 option(PAL_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAL_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (set by the presets)" OFF)
 option(PAL_PRECOMPILE "Read the standard library's headers once for all files; hides an #include that is missing" OFF)
+option(PAL_FAST_LINK "Link with mold, where it is installed" OFF)
 option(PAL_INSTALL "Make rules to install pal, and its packages" ${PROJECT_IS_TOP_LEVEL})
 set(PAL_PROGRAM "" CACHE FILEPATH
   "A pal that runs on this machine: only the runtime is built then, as for a robot's controller (docs/reference/runtime.md)")
@@ -36,6 +37,13 @@ if(PAL_SANITIZE)
   add_link_options(-fsanitize=${PAL_SANITIZE})
   if(PAL_SANITIZE STREQUAL "thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-Wno-tsan)  # Boost.Asio has fences, which the sanitizer does not know
+  endif()
+endif()
+
+if(PAL_FAST_LINK)
+  find_program(PAL_MOLD mold)
+  if(PAL_MOLD)
+    add_link_options(-fuse-ld=mold)
   endif()
 endif()
 
@@ -119,6 +127,7 @@ function(pal_precompiled target)
     add_library(${headers} OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
     if("FOR_TESTS" IN_LIST ARGN)
       pal_without_optimization(${headers})
+      pal_quick_checks(${headers})
       target_precompile_headers(${headers} PRIVATE <catch2/catch.hpp>)
     elseif(in_plugins)
       pal_in_plugins(${headers})
@@ -138,4 +147,9 @@ endfunction()
 # pal_without_optimization(TARGET): for code that runs for a moment only and would take longer to compile.
 function(pal_without_optimization target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
+endfunction()
+
+# pal_quick_checks(TARGET): Catch2's checks compile in less time. One that throws ends its whole case, which fails.
+function(pal_quick_checks target)
+  target_compile_definitions(${target} PRIVATE CATCH_CONFIG_FAST_COMPILE)
 endfunction()
