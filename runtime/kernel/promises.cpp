@@ -34,6 +34,7 @@ Promises::Promises(const Clock& clock, Journal& journal, Skill& skill, const Run
       skill_(skill),
       wiring_(skill.wiring()),
       policy_(options.on_broken_promise),
+      cost_tolerance_(options.real_time ? options.real_time->cost_tolerance : Time::zero()),
       requirements_(wiring_, journal.tables(), options.margins) {
   const Time tolerance = options.real_time ? options.real_time->tolerance : Time::zero();
   for (const DeviceTimes& times : wiring_.times) devices_.emplace_back(with_tolerance(times, tolerance));
@@ -70,10 +71,12 @@ void Promises::answered(int device, int channel, Time asked) {
 }
 
 void Promises::took(const Thread& thread, Time used) {
-  const int statement = thread.control.operation->statement();
+  const Operation& operation = *thread.control.operation;
+  const int statement = operation.statement();
   const Interval& declared = wiring_.statements[static_cast<std::size_t>(statement)].cost;
-  if (used > declared.worst)
-    note({row_of_statement(statement), used, thread.control.index, statement, -1, false, false});
+  const Time limit = declared.worst + (operation.is_activity() ? Time::zero() : cost_tolerance_);
+  if (used > limit)
+    note({row_of_statement(statement), used, thread.control.index, statement, -1, false, false, limit});
 }
 
 void Promises::see(const trace::Event& event, std::span<const std::uint32_t> meters) {
@@ -256,7 +259,7 @@ BrokenPromise Promises::describe(const Breach& breach) const {
   const StatementSpec& statement = wiring_.statements[breach.row - statements];
   broken.promise = std::string(statement.text) + " of " + std::string(statement.module) + " (" +
                    std::string(statement.file) + ":" + std::to_string(statement.line) + ") takes at most " +
-                   in_words(statement.cost.worst);
+                   in_words(breach.limit);
   int root = breach.actor;  // a block belongs to the thread whose CONCURRENT begins it
   while (wiring_.threads[static_cast<std::size_t>(root)].parent >= 0)
     root = wiring_.threads[static_cast<std::size_t>(root)].parent;

@@ -92,6 +92,7 @@ class Promises final : public EventWatcher {
     std::int32_t channel = -1;
     bool least = false;  // the promise is a least time
     bool noted = false;  // another measure of a breach that was noted
+    Time limit{};        // of a statement: the longest time that it may take
   };
 
   DeviceWatch& watch(int device) { return devices_[static_cast<std::size_t>(device)]; }
@@ -115,6 +116,7 @@ class Promises final : public EventWatcher {
   Skill& skill_;
   const Wiring& wiring_;
   OnBrokenPromise policy_;
+  Time cost_tolerance_;
   std::vector<DeviceWatch> devices_;  // none: nothing is promised of any
   RequirementWatch requirements_;
   std::vector<Row> rows_;  // of each device three, of each statement and each requirement one

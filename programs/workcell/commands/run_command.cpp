@@ -27,7 +27,8 @@ namespace pal::workcell {
 namespace {
 
 /// As skills_pal/workcell_real_time.pal declares; all skills hold their requirements there.
-constexpr auto tolerance_in_real_time = std::chrono::milliseconds(1);
+constexpr Tolerances in_real_time = {.device = std::chrono::milliseconds(1),
+                                     .cost = std::chrono::microseconds(70)};
 
 const KnownSkill& find_skill(const std::string& wanted, const std::vector<KnownSkill>& skills) {
   std::vector<std::string> names;
@@ -238,7 +239,8 @@ SessionResult run_as_asked(const RunCommand& command, runtime::Skill& skill, Ses
   if (command.real_time) {
     runtime::RealTime& real_time = session.real_time.emplace();
     real_time.hang_status = static_cast<int>(ExitStatus::hung);
-    real_time.tolerance = tolerance_in_real_time;
+    real_time.tolerance = in_real_time.device;
+    real_time.cost_tolerance = in_real_time.cost;
   }
   try {
     SessionResult result = run_session(skill, session);
@@ -300,8 +302,7 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
     out << "  no picture: " << result.picture.problem << " (apt-get install libegl1 libgl1-mesa-dri)\n";
   std::vector<Promise> proved;
   if (command.proof)
-    proved = promises(known, outcome, result.events.get(),
-                      command.real_time ? Duration(tolerance_in_real_time) : Duration());
+    proved = promises(known, outcome, result.events.get(), command.real_time ? in_real_time : Tolerances());
   const bool kept = print(proved, out);
   if (!command.output.empty()) write_run(command, skill, session, result, proved, out);
 

@@ -27,22 +27,26 @@ trace::Trace around(const trace::Trace& tables, const trace::EventSpool& events,
   return part;
 }
 
-/// As RealTime::tolerance widens what a run is watched with. PAL has no word for frames that are late.
-void widen(pan::Environment& environment, Duration tolerance) {
+/// As RealTime::tolerance and cost_tolerance widen what a run is watched with. PAL has no word for late
+/// frames.
+void widen(pan::Environment& environment, const Tolerances& tolerances) {
   for (pan::DeviceTiming& device : environment.devices) {
     if (auto* events = std::get_if<pan::EventDevice>(&device.behaviour)) {
-      events->jitter += tolerance;
+      events->jitter += tolerances.device;
     } else if (auto* served = std::get_if<pan::RequestDevice>(&device.behaviour)) {
-      served->answer.best = std::max(Duration::zero(), served->answer.best - tolerance);
-      served->answer.worst += tolerance;
+      served->answer.best = std::max(Duration::zero(), served->answer.best - tolerances.device);
+      served->answer.worst += tolerances.device;
     }
   }
+  pan::Costs& costs = environment.costs;
+  for (Interval* cost : {&costs.send, &costs.receive, &costs.set, &costs.read, &costs.test})
+    cost->worst += tolerances.cost;
 }
 
 }  // namespace
 
 std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
-                              const trace::EventSpool* events, Duration tolerance) {
+                              const trace::EventSpool* events, const Tolerances& tolerances) {
   const trace::Trace& run = outcome.trace;
   std::vector<Promise> result;
   if (skill.pal_file.empty()) return result;
@@ -54,7 +58,7 @@ std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& o
   selection.skill = skill.name;
   const program::Console console{out, err, *skill.texts};
   const bool chosen = program::read(selection, console, session);
-  for (pan::Environment& environment : session.specification.environments) widen(environment, tolerance);
+  for (pan::Environment& environment : session.specification.environments) widen(environment, tolerances);
   std::vector<program::Proof> proofs;
   if (chosen && !session.diagnostics.has_errors()) proofs = program::prove(session, {});
   program::give_back_memory();

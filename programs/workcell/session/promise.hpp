@@ -31,10 +31,16 @@ struct Promise {
   }
 };
 
+/// What a machine adds to the declared times, as RealTime has it.
+struct Tolerances {
+  Duration device{};  // answers come sooner or later by this, events have so much more jitter
+  Duration cost{};    // sends, receives, tests, and what sets or reads conditions take so much longer
+};
+
 /// Proves the skill from the PAL that it was generated from, and lays the run beside it. Throws Failure if
-/// this pal finds the PAL wrong. A skill that names no PAL has no promises. What is proved holds with devices
-/// whose answers come sooner or later by `tolerance`, and whose events have so much more jitter.
+/// this pal finds the PAL wrong. A skill that names no PAL has no promises. What is proved holds with the
+/// tolerances, too.
 std::vector<Promise> promises(const KnownSkill& skill, const runtime::Outcome& outcome,
-                              const trace::EventSpool* events = nullptr, Duration tolerance = {});
+                              const trace::EventSpool* events = nullptr, const Tolerances& tolerances = {});
 
 }  // namespace pal::workcell

@@ -1,7 +1,7 @@
 """The times of runs in real time: real_time_environment.py PAL SOURCE.
 
-workcell_real_time.pal has the devices of workcell.pal with the tolerance of `workcell run --real-time`, and nothing else differs. The
-skills hold their requirements there; two, whose loads take several seconds, are left out.
+workcell_real_time.pal has the devices and costs of workcell.pal with the tolerances of `workcell run --real-time`, and nothing else
+differs. The skills hold their requirements there; two, whose loads take several seconds, are left out.
 """
 import re
 import subprocess
@@ -10,13 +10,16 @@ from pathlib import Path
 
 pal, source = sys.argv[1], Path(sys.argv[2])
 command = (source / "programs/workcell/commands/run_command.cpp").read_text()
-tolerance = float(re.search(r"tolerance_in_real_time = std::chrono::milliseconds\((\d+)\)", command).group(1))
+tolerance = float(re.search(r"\.device = std::chrono::milliseconds\((\d+)\)", command).group(1))
+cost_tolerance = float(re.search(r"\.cost = std::chrono::microseconds\((\d+)\)", command).group(1)) / 1e3
 UNITS = {"ms": 1.0, "s": 1e3, "min": 6e4}
 
 
 def widened(line):
-    """The line of a device as it is watched in real time: its times in ms."""
+    """The line of a device or a cost as it is watched in real time: its times in ms."""
     words = line.split()
+    if words[0] == "COST":
+        return words[:3] + ["TO", f"{float(words[2]) + cost_tolerance:g}", "ms"]
     if "FRAMES" in words:
         return words  # PAL has no word for frames that are late
     if "EVENT" in words:
@@ -43,8 +46,8 @@ def items(name):
 
 
 for declared, late in zip(items("workcell.pal"), items("workcell_real_time.pal"), strict=True):
-    device = declared.split()[:1] == ["DEVICE"]
-    expected, found = (widened(declared), as_told(late)) if device else (declared, late)
+    late_there = declared.split()[:1] in (["DEVICE"], ["COST"])
+    expected, found = (widened(declared), as_told(late)) if late_there else (declared, late)
     if expected != found:
         sys.exit(f"workcell.pal:          {declared}\nworkcell_real_time.pal: {late}\nexpected: {expected}")
 

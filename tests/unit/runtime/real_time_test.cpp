@@ -515,6 +515,35 @@ TEST_CASE("real time: what the tolerance allows a device is no broken promise") 
   CHECK(broken(30s) == 0);
 }
 
+TEST_CASE("real time: what the tolerance allows a cost is no broken promise, and no activity has it") {
+  const auto busy = [] {
+    const auto from = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - from < 5ms) continue;
+    return true;
+  };
+  const auto broken = [&](runtime::Time tolerance) {
+    WrittenSkill skill;
+    const int p = skill.processor("P");
+    const int c = skill.condition("c");
+    const int set = skill.statement("set", 1ms), act = skill.statement("act", 1ms),
+              end = skill.statement("end", 1s);
+    skill.thread("A", p, 1, [=](Thread& t) -> Task {
+      co_await t.set(set, c, busy);
+      co_await t.perform(act, busy);
+      co_await t.complete(end, 0);
+    });
+    auto options = real_time();
+    options.real_time->cost_tolerance = tolerance;
+    std::vector<std::string> promises;
+    for (const auto& each : run(skill, {}, options).broken_promises) promises.push_back(each.promise);
+    return promises;
+  };
+  const std::string activity = "act of M (written.pal:2) takes at most 1 ms";
+  CHECK(broken(0ms) == std::vector<std::string>{"set of M (written.pal:1) takes at most 1 ms", activity});
+  CHECK(broken(1s) == std::vector<std::string>{activity});
+  CHECK(broken(1ms).front() == "set of M (written.pal:1) takes at most 2 ms");
+}
+
 TEST_CASE("real time: an activity that waits holds its processor, and is late") {
   AskerInRealTime asker;
   asker.skill.times = {{}};

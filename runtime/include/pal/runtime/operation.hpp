@@ -32,6 +32,8 @@ class Operation {
   virtual void compute() {}
   /// Whether compute() runs such code.
   virtual bool by_hand() const { return false; }
+  /// Its time is that of an activity; else it is a COST of the environment.
+  virtual bool is_activity() const { return false; }
   virtual void effect() = 0;
 
   bool await_ready() const noexcept { return false; }
@@ -65,6 +67,7 @@ class Perform final : public Step {
   Perform(Thread& thread, int statement, Work work) : Step(thread, statement), work_(std::move(work)) {}
   void compute() override { work_(); }
   bool by_hand() const override { return true; }
+  bool is_activity() const override { return true; }
 
  private:
   void act() override {}

@@ -27,6 +27,10 @@ struct RealTime {
   /// sooner or later, an event with so much more jitter. Frames have none. It is what the clocks and threads
   /// of this machine add to devices that keep their times. The proof counts only if it holds with it, too.
   Time tolerance{};
+  /// A statement whose time is a COST of the environment may take so much longer. It is what the interrupts
+  /// of this machine add to its processor time: an activity's declared time has room for them, that of a send
+  /// has little. The proof counts only if it holds with it, too.
+  Time cost_tolerance{};
   /// Code that exceeds its declared worst time by this much of its processor is taken as never returning. The
   /// devices are closed, and the process ends, because C++ can end a thread in no other way.
   Time hang_timeout = std::chrono::seconds(1);
