@@ -113,7 +113,7 @@ std::pair<std::int64_t, bool> measured(const trace::Trace& run, const Problem& p
 
 TEST_CASE("runs of the runtime keep the rules, and exceed no bound") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 50);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 25);
   const std::uint64_t runs = setting("PAL_RUNS", 9);
   const int longest = static_cast<int>(setting("PAL_LONGEST", 5));
   std::size_t skills = 0, traces = 0, events = 0, values = 0, attained = 0, within = 0;
@@ -214,7 +214,7 @@ std::pair<std::optional<std::int64_t>, bool> refereed(const Problem& problem, co
 
 TEST_CASE("what a run watches of each requirement is what the referee measures in its trace") {
   const std::uint64_t first = setting("PAL_SEED", 1);
-  const std::uint64_t rounds = setting("PAL_ROUNDS", 60);
+  const std::uint64_t rounds = setting("PAL_ROUNDS", 30);
   std::map<Requirement::Measure, int> values, breaches;
   int phases = 0;
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {

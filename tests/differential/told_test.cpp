@@ -163,7 +163,7 @@ TEST_CASE("no run of a timed skill that the referee accepts exceeds a bound") {
 TEST_CASE("the referee accepts every simulated run of odd skills") {
   const std::uint64_t first = setting("PAL_SEED", 1);
   std::size_t events = 0;
-  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 30); ++seed) {
+  for (std::uint64_t seed = first; seed < first + setting("PAL_ROUNDS", 15); ++seed) {
     events += confirm(test::RandomCell(seed, 4, static_cast<int>(seed % 3)).text(), seed);
     events += confirm(test::StoppedBlocks(seed).text(), seed);
     events += confirm(test::OddSkill(seed).text(), seed);

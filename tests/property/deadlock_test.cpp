@@ -189,7 +189,7 @@ TEST_CASE("leaving out orders of moves changes nothing that is found") {
 }
 
 TEST_CASE("blocks within blocks that are cancelled change nothing that is found") {
-  const auto seeds = setting("PAL_ROUNDS", 40);
+  const auto seeds = setting("PAL_ROUNDS", 20);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   for (auto seed = first; seed < first + seeds; ++seed) {
@@ -363,7 +363,7 @@ END
 }
 
 TEST_CASE("withdrawn requests beyond the count do not change what is decided") {
-  const auto seeds = setting("PAL_ROUNDS", 25);
+  const auto seeds = setting("PAL_ROUNDS", 20);
   const auto first = setting("PAL_SEED", 1);
   Seen seen;
   Blurred blurred;
