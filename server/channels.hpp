@@ -54,7 +54,7 @@ struct Channel {
   std::vector<ChannelField> fields;
   double rate_hz = 0;  // its own; 0: at no fixed rate
   Form form = Form::numbers;
-  /// Makes the fields of a raw record; of `numbers`. Called by the server's thread.
+  /// Makes the fields of a raw record; of `numbers`. Called by the server's thread and a recording's at once.
   std::function<void(std::span<const double> raw, std::span<double> shown)> show{};
   std::vector<ShownLimit> limits{};
   /// What is seen in a profile; of `profile`. Called by the server's thread.

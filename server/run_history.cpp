@@ -53,8 +53,8 @@ struct RunHistory::Parts {
       : limits(the_limits), database(file.empty() ? ":memory:" : file) {
     try {
       prepare();
-    } catch (const StoreProblem& problem) {
-      refuse(Refusal::Why::failed, fmt::format("{}: {}", file, problem.refusal.message),
+    } catch (const StoreProblem& failed) {
+      refuse(Refusal::Why::failed, fmt::format("{}: {}", file, failed.refusal.message),
              "move the file away, and a new history begins");
     }
   }

@@ -99,8 +99,8 @@ struct RunRecording::Parts {
       : channels(the_channels), limits(the_limits), database(file) {
     try {
       prepare();
-    } catch (const StoreProblem& problem) {
-      refuse(Refusal::Why::failed, fmt::format("{}: {}", file, problem.refusal.message),
+    } catch (const StoreProblem& failed) {
+      refuse(Refusal::Why::failed, fmt::format("{}: {}", file, failed.refusal.message),
              "move the file away, and a new recording begins");
     }
   }

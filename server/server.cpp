@@ -71,7 +71,11 @@ struct Server::Parts {
         farewell(io),
         page_files(options.pages) {
     options.access.port = web.local_endpoint().port();
-    if (options.line_port) lines.emplace(listen_at(io, options.address, *options.line_port));
+    if (options.line_port) {
+      lines.emplace(listen_at(io, options.address, *options.line_port));
+      // Once the server's thread runs, the acceptors are its own; so both ports are kept.
+      options.line_port = lines->local_endpoint().port();
+    }
     if (options.line_terminal) {
       OpenTerminal opened = open_pseudo_terminal();
       terminal.emplace(io, opened.descriptor);
@@ -347,8 +351,7 @@ std::uint16_t Server::port() const {
 }
 
 std::optional<std::uint16_t> Server::line_port() const {
-  if (!parts_->lines) return std::nullopt;
-  return parts_->lines->local_endpoint().port();
+  return parts_->options.line_port;
 }
 
 const std::string& Server::terminal() const {

@@ -4,6 +4,7 @@ that take long to check, clients that are killed while the arm moves, servers th
 Usage: attacks.py WORKCELL
 """
 import json
+import os
 import pathlib
 import signal
 import socket
@@ -214,8 +215,46 @@ def a_text_that_was_not_sent():
         server.end()
 
 
+def an_output_that_breaks_off():
+    """Its reader goes while the server still tells its addresses, and serves a client already."""
+    read, write = os.pipe()
+    os.set_blocking(write, False)
+    try:
+        while True:
+            os.write(write, b" ")
+    except BlockingIOError:
+        os.set_blocking(write, True)
+    with tempfile.TemporaryDirectory() as folder:
+        announcement = pathlib.Path(folder) / "cell.json"
+        # A broken pipe is a refusal, as for a service of the system; memory that was given back holds nothing of use.
+        process = subprocess.Popen([workcell, "serve", "--fast", "--port", "0", "--announce", announcement], stdout=write,
+                                   stderr=subprocess.PIPE, text=True, restore_signals=False,
+                                   env={**os.environ, "MALLOC_PERTURB_": "165"})
+        try:
+            os.close(write)
+            end = time.monotonic() + 60
+            while not announcement.exists():
+                assert time.monotonic() < end and process.poll() is None, "the server does not start"
+                time.sleep(0.02)
+            announced = json.loads(announcement.read_text())
+            client = Client(announced["port"])
+            client.call("hello", token=announced["token"], name="early")
+            os.close(read)
+            try:
+                while True:
+                    client.step()
+            except ConnectionError as problem:
+                assert "the server ends" in str(problem), problem
+            _, told = process.communicate(timeout=60)
+            assert process.returncode == 2 and "standard output" in told, (process.returncode, told)
+            assert not announcement.exists()
+        finally:
+            process.kill()
+            process.wait()
+
+
 for attack in (strangers_keep_nobody_out, texts_keep_no_stop_waiting, who_goes_leaves_no_motion, a_server_that_was_started_again,
-               a_text_that_was_not_sent):
+               a_text_that_was_not_sent, an_output_that_breaks_off):
     begin = time.monotonic()
     attack()
     print(f"{attack.__name__.replace('_', ' ')}: {time.monotonic() - begin:.1f} s", flush=True)

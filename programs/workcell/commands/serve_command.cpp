@@ -54,6 +54,19 @@ std::unique_ptr<server::Server> open_server(const server::ServerOptions& options
   }
 }
 
+/// The server serves the desk while this lives: whatever ends the command, no client is served when the desk
+/// goes.
+class Serving {
+ public:
+  Serving(server::Server& server, server::Desk& desk) : server_(server) { server_.start(desk, true); }
+  ~Serving() { server_.stop(); }
+  Serving(const Serving&) = delete;
+  Serving& operator=(const Serving&) = delete;
+
+ private:
+  server::Server& server_;
+};
+
 /// Orders of clients go to the cell's pendant.
 class CellPendant final : public server::Pendant {
  public:
@@ -245,7 +258,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
   clock_reader = &desk;
   desk.tell_time(runner.now());
   const SkillScholar scholar(known, knowledge, pictures);
-  server->start(desk, true);
+  const Serving serving(*server, desk);
   const std::string path = command.announcement.empty()
                                ? server::default_announcement(scene.name, server->port())
                                : command.announcement;
