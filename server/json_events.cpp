@@ -1,4 +1,5 @@
-// Events as the JSON protocol tells them.
+#include "server/json_events.hpp"
+
 #include <array>
 
 #include "server/json_values.hpp"
@@ -81,13 +82,13 @@ struct EventFields {
 
 }  // namespace
 
-Json describe(const Event& event) {
+std::string event_text(const Event& event) {
   Json json;
   json["number"] = event.number;
   json["time_s"] = seconds(event.time);
   json["wall"] = wall_text(event.wall);
   std::visit(EventFields{json}, event.what);
-  return json;
+  return dump(json);
 }
 
 }  // namespace pal::server

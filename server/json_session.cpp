@@ -49,8 +49,8 @@ class JsonSession final : public Session, private CallHome {
     send_problem(nullptr, problem_of(Refusal{Refusal::Why::too_much, too_many_wait, wait_for_answers}));
   }
 
-  void happened(const Event& event) override {
-    if (watching_ && event.number > said_) notify(event);
+  void happened(const Event& event, const std::string& told) override {
+    if (watching_ && event.number > said_) notify(event.number, told);
   }
   void show(const std::shared_ptr<const Telemetry>& telemetry) override { live_.show(telemetry); }
   void show(Duration time, const std::shared_ptr<const Profile>& profile) override {
@@ -218,7 +218,7 @@ class JsonSession final : public Session, private CallHome {
     call.result(json);
     watching_ = true;
     said_ = number;
-    context_.history.since(number, [this](const Event& event) { notify(event); });
+    context_.history.since(number, [this](std::uint64_t each, const std::string& told) { notify(each, told); });
     return nullptr;
   }
 
@@ -240,9 +240,9 @@ class JsonSession final : public Session, private CallHome {
     return nullptr;
   }
 
-  void notify(const Event& event) {
-    said_ = event.number;
-    output_.send(dump({{"jsonrpc", "2.0"}, {"method", "event"}, {"params", describe(event)}}));
+  void notify(std::uint64_t number, const std::string& told) {
+    said_ = number;
+    output_.send(R"({"jsonrpc":"2.0","method":"event","params":)" + told + "}");
   }
 
   SessionContext& context_;

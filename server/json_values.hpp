@@ -1,4 +1,4 @@
-// What the JSON protocol says of events, the state, skills and sensors (docs/reference/protocols.md). The
+// What the JSON protocol says of the state, skills and sensors (docs/reference/protocols.md). The
 // schema is server/schema/protocol.json.
 #pragma once
 
@@ -33,7 +33,6 @@ Json describe(const ControlsAsked& asking);
 Json describe(const operations::Source& source);
 /// Of a step that goes on nothing is told that is not known yet.
 Json describe_step(const operations::Step& step, bool ended);
-Json describe(const Event& event);
 Json describe(const Status& status);
 Json describe(const Snapshot& snapshot);
 Json describe(const std::vector<Present>& clients);

@@ -42,7 +42,7 @@ class LineSession final : public Session {
     }
   }
 
-  void happened(const Event& event) override {
+  void happened(const Event& event, const std::string&) override {
     if (watching_) say(event_line(event));
     const auto* state = std::get_if<StateChanged>(&event.what);
     if (!waiting_ || state == nullptr || state->state == operations::ExecutionState::running) return;

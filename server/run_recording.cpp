@@ -25,7 +25,7 @@ constexpr int recording_format = 1;
 constexpr Duration chunk_time = std::chrono::seconds(2);
 constexpr std::size_t chunk_numbers = 100'000;
 // What may wait for the writer, in bytes: minutes of all channels. More than that is left out.
-constexpr std::size_t most_waiting = std::size_t{32} << 20;
+constexpr std::size_t most_bytes_waiting = std::size_t{32} << 20;
 // Who asks for a recording waits so long for the writer.
 constexpr std::chrono::seconds longest_wait(20);
 
@@ -121,7 +121,7 @@ struct RunRecording::Parts {
     std::uint64_t number = 0;
     {
       const std::lock_guard lock(mutex);
-      if (bytes > 0 && waiting_bytes + bytes > most_waiting) return noted;
+      if (bytes > 0 && waiting_bytes + bytes > most_bytes_waiting) return noted;
       waiting.push_back(std::move(work));
       waiting_bytes += bytes;
       number = ++noted;

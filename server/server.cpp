@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "server/connections.hpp"
+#include "server/json_events.hpp"
 #include "server/terminal.hpp"
 #include "server/urgency.hpp"
 
@@ -245,8 +246,9 @@ struct Server::Parts {
     room.notify_all();
     // By number: a session that leaves pauses what it ran, which is an event.
     for (const Event& event : taken.events) {
-      history.add(event);
-      for_each([&](Session& session) { session.happened(event); });
+      const std::string told = event_text(event);
+      history.add(event.number, told);
+      for_each([&](Session& session) { session.happened(event, told); });
     }
     show_blocks(taken.blocks);
     for (const ConnectionPointer& client : clients) client->lose(taken.lost);

@@ -81,7 +81,8 @@ class Session {
   /// Whatever the client sent: a message of the WebSocket, some bytes of a line. Never throws for what is in
   /// it.
   virtual void take(std::string_view text) = 0;
-  virtual void happened(const Event& event) = 0;
+  /// `told`: the same, as event_text() tells it, once for all sessions.
+  virtual void happened(const Event& event, const std::string& told) = 0;
   virtual void show(const std::shared_ptr<const Telemetry>& telemetry) = 0;
   virtual void show(Duration time, const std::shared_ptr<const Profile>& profile) = 0;
   virtual void show(const ShownBlock&) {}

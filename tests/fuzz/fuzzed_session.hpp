@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/json_events.hpp"
 #include "server/session.hpp"
 
 namespace pal::fuzz {
@@ -51,7 +52,7 @@ class FuzzedSession final : public server::EventSink {
     runner.desk = &desk;
   }
   void happened(const server::Event& event) override {
-    history.add(event);
+    history.add(event.number, server::event_text(event));
     waiting.push_back(event);
   }
   /// One message, and what the cell makes of it. Nothing may move before the token has been shown.
@@ -59,7 +60,7 @@ class FuzzedSession final : public server::EventSink {
     if (hung_up) return;
     session->take(text);
     desk.work();
-    for (const auto& event : std::exchange(waiting, {})) session->happened(event);
+    for (const auto& event : std::exchange(waiting, {})) session->happened(event, server::event_text(event));
     if (!session->admitted() && !was_admitted && runner.moved > 0) std::abort();
     was_admitted = was_admitted || session->admitted();
   }

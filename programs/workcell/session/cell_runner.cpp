@@ -173,11 +173,19 @@ CellRunner::CellRunner(sim::Cell& cell, const std::vector<KnownSkill>& skills, r
 }
 
 void CellRunner::take_new_control() {
-  controls_.push_back(std::make_unique<runtime::RunControl>());
-  control_ = controls_.back().get();
+  const auto next = std::make_shared<runtime::RunControl>();
+  {
+    const std::lock_guard lock(mutex_);
+    control_ = next;
+  }
   if (on_interrupt_ != OnInterrupt::stop) return;
   interrupt_.reset();
-  interrupt_.emplace(*controls_.back());
+  interrupt_.emplace(*of_signals_.emplace_back(next));
+}
+
+std::shared_ptr<runtime::RunControl> CellRunner::control() const {
+  const std::lock_guard lock(mutex_);
+  return control_;
 }
 
 SkillResult CellRunner::run(const std::string& name, const std::vector<operations::Parameter>& parameters,
@@ -194,7 +202,8 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
   runtime::RunOptions options;
   options.costs = times_;
   options.seed = seed_++;
-  options.control = control_;
+  const auto stops = control();
+  options.control = stops.get();
   options.observer = &figures_;
   if (limit) options.horizon = std::min(options.horizon, *limit);
   options.trace_capacity = 1U << 14U;
@@ -210,7 +219,7 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
     result.reason +=
         fmt::format("{}broken promise: {} took {}, at most {} is declared", result.reason.empty() ? "" : "; ",
                     name, to_text(outcome.duration), to_text(*longest));
-  if (outcome.fault && control_.load()->stopping()) {
+  if (outcome.fault && stops->stopping()) {
     result.kind = SkillResult::Kind::stopped;
   } else if (outcome.fault && limit && outcome.duration >= *limit) {
     result.over_time = true;
@@ -223,7 +232,7 @@ SkillResult CellRunner::run(const std::string& name, const std::vector<operation
 }
 
 std::optional<std::string> CellRunner::zero(const std::string& sensor) {
-  return cell_.zero(sensor, control_.load());
+  return cell_.zero(sensor, control().get());
 }
 
 void CellRunner::ask(const operations::Question& question) {
@@ -231,7 +240,7 @@ void CellRunner::ask(const operations::Question& question) {
 }
 
 operations::Reply CellRunner::answer() {
-  if (control_.load()->stopping()) return {{}, {}, true};
+  if (control()->stopping()) return {{}, {}, true};
   return person_ != nullptr ? person_->answer() : SkillRunner::answer();
 }
 
@@ -241,14 +250,14 @@ void CellRunner::withdraw() {
 
 bool CellRunner::delay(Duration time) {
   constexpr Duration grain = std::chrono::milliseconds(20);
-  const runtime::RunControl& control = *control_.load();
+  const auto stops = control();
   const Duration end = now() + time;
-  while (now() < end && !control.stopping()) cell_.station().idle(std::min(grain, end - now()));
-  return !control.stopping();
+  while (now() < end && !stops->stopping()) cell_.station().idle(std::min(grain, end - now()));
+  return !stops->stopping();
 }
 
 operations::Reading CellRunner::sense(const std::string& sensor) {
-  sim::Cell::Sensed sensed = cell_.sense(sensor, control_.load());
+  sim::Cell::Sensed sensed = cell_.sense(sensor, control().get());
   return {sensed.value, std::move(sensed.problem), sensed.stopped};
 }
 
@@ -257,11 +266,11 @@ Duration CellRunner::now() const {
 }
 
 void CellRunner::stop() noexcept {
-  control_.load()->stop();
+  control()->stop();
 }
 
 void CellRunner::allow() {
-  if (control_.load()->stopping()) take_new_control();
+  if (control()->stopping()) take_new_control();
 }
 
 runtime::Skill* CellRunner::find(const std::string& name) {

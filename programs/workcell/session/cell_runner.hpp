@@ -1,9 +1,9 @@
 // Runs the skills of an operation in the workcell.
 #pragma once
 
-#include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -71,6 +71,7 @@ class CellRunner final : public operations::SkillRunner {
  private:
   runtime::Skill* find(const std::string& name);
   void take_new_control();
+  std::shared_ptr<runtime::RunControl> control() const;
 
   sim::Cell& cell_;
   const std::vector<KnownSkill>& known_;
@@ -84,10 +85,12 @@ class CellRunner final : public operations::SkillRunner {
   Person* person_ = nullptr;
   MarginMeter* margins_ = nullptr;
   runtime::OnBrokenPromise on_broken_promise_ = runtime::OnBrokenPromise::report;
-  // A control that has been stopped stays so; resuming takes a new one. The old ones stay for another thread
-  // that is about to stop.
-  std::vector<std::unique_ptr<runtime::RunControl>> controls_;
-  std::atomic<runtime::RunControl*> control_ = nullptr;
+  // A control that has been stopped stays so; resuming takes a new one. Another thread that is about to stop
+  // holds the old one for so long.
+  mutable std::mutex mutex_;
+  std::shared_ptr<runtime::RunControl> control_;
+  // A signal's handler holds nothing: with OnInterrupt::stop all stay.
+  std::vector<std::shared_ptr<runtime::RunControl>> of_signals_;
   std::optional<Interrupt> interrupt_;
 };
 

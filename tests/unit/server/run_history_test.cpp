@@ -1,6 +1,7 @@
 // The history: what is noted of runs, pages of it, its limits, and what a crash leaves.
 #include "server/run_history.hpp"
 
+#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -183,6 +184,23 @@ TEST_CASE("the oldest runs go when the history is full") {
     const RunSteps read = history.read(run, 0, 1);
     REQUIRE(read.steps.size() == 1);
     CHECK(Json::parse(read.steps[0].step)["step"] > 1000);
+  }
+}
+
+TEST_CASE("a history keeps on the disk what it keeps, with a file and without") {
+  const DatabaseFolder folder;
+  for (const std::string& file : {std::string(), folder.file()}) {
+    RunHistory history(file);
+    const auto run = history.begin(run_of("one"));
+    constexpr std::size_t steps = 8000, length = 2000;
+    for (std::size_t step = 1; step <= steps; ++step) {
+      history.step(run, step_of(step, length), {});
+      history.make_room();
+    }
+    CHECK(history.list(std::nullopt, 1, "").runs.front().steps == steps);
+    // Of all databases of this program; what is kept is 16 MB.
+    CHECK(::sqlite3_memory_used() < 6'000'000);
+    CHECK(::sqlite3_memory_used() > 0);
   }
 }
 

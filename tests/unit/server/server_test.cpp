@@ -3,6 +3,7 @@
 
 #include <arpa/inet.h>
 #include <fcntl.h>
+#include <malloc.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -366,6 +367,29 @@ TEST_CASE("more than a thousand events a second come in order") {
   }
   INFO(in_a_row / fastest.count() << " events a second");
   CHECK(in_a_row / fastest.count() > 1000);
+}
+
+TEST_CASE("events of many runs take no more memory than those of few") {
+  Served served;
+  const auto ann = served.enter("ann");
+  operations::Step step;
+  step.icon = "part/side";
+  step.skill = "quick";
+  for (int i = 0; i < 10; ++i) step.parameters.push_back({"parameter-" + std::to_string(i), 0.5 * i, {}, {}});
+  const auto held_after = [&](int events) {
+    for (int i = 0; i < events; ++i) {
+      served.server.make_room();
+      served.desk.tell(StepEnds{step});
+    }
+    // The server's thread has taken them before it answers this.
+    ann->call("state");
+    const auto memory = ::mallinfo2();
+    return memory.uordblks + memory.hblkhd;
+  };
+  // An allocator of a sanitizer tells nothing here, or always the same.
+  const std::size_t few = held_after(1000), many = held_after(12'000);
+  INFO(few << " bytes, then " << many);
+  CHECK(many < few + (std::size_t{1} << 20));
 }
 
 TEST_CASE("a client that reads nothing is disconnected, and no other client is") {

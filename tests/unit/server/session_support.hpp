@@ -1,6 +1,7 @@
 // A session without a socket.
 #pragma once
 
+#include "server/json_events.hpp"
 #include "server/session.hpp"
 #include "tests/unit/server/support.hpp"
 
@@ -24,7 +25,7 @@ struct SessionFixture : server::EventSink {
                               }});
   }
   void happened(const server::Event& event) override {
-    history.add(event);
+    history.add(event.number, server::event_text(event));
     waiting.push_back(event);
   }
   /// What is said to this text, with events that came of it.
@@ -43,7 +44,7 @@ struct SessionFixture : server::EventSink {
     return said;
   }
   void deliver() {
-    for (const auto& event : std::exchange(waiting, {})) session->happened(event);
+    for (const auto& event : std::exchange(waiting, {})) session->happened(event, server::event_text(event));
   }
 
   Clockwork cell;

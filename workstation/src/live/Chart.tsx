@@ -72,7 +72,7 @@ export function TimeChart({ source, span, onSpan, within }: { source: Source; sp
       return host && of.length > 0 ? [{ unit, host, plot: makePlot(host, track, of, around, zoomed, () => setHeld(within && { begin: within.begin, end: within.end }), host.clientHeight) }] : [];
     });
     plots.current = made;
-    let seen = -1, drawn = "", was = useSteps.getState().steps, asked: number | undefined;
+    let seen = -1, drawn = "", was = useSteps.getState().steps, asked: number | undefined, filled = false;
     const draw = (force = false) => {
       const { held: fixed, span: wanted } = state.current;
       const end = fixed?.end ?? track.end ?? useCell.getState().present?.snapshot.time_s ?? wanted;
@@ -83,7 +83,8 @@ export function TimeChart({ source, span, onSpan, within }: { source: Source; sp
       if (fresh && !(fixed && !within && now === drawn && !force)) {
         view.current = { begin, end };
         for (const { plot } of made) plot.draw(begin, end);
-        if (track.size > 0) setEmpty(false);
+        // Once: React keeps each update, also one that changes nothing, until the component is rendered again.
+        if (track.size > 0 && !filled) (filled = true, setEmpty(false));
       }
       [seen, drawn, was] = [track.version, now, steps];
       const { time } = useInstant.getState();
@@ -164,7 +165,9 @@ function Now({ track, of }: { track: Track; of(at: number): string }) {
   const time = useInstant((state) => state.time);
   const [, setVersion] = useState(track.version);
   useEffect(() => {
-    const timer = setInterval(() => setVersion(track.version), 100);
+    // A version that is shown already is not set again: React would keep each such update until there is a new one.
+    let shown = -1;
+    const timer = setInterval(() => track.version !== shown && setVersion((shown = track.version)), 100);
     return () => clearInterval(timer);
   }, [track]);
   return of(shownAt(track, time));

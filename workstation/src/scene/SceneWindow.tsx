@@ -283,7 +283,7 @@ function Told({ id }: { id: string }) {
   const replayed = useReplayed((state) => (state.run === undefined ? undefined : state.time));
   const tracks = useReplay((state) => state.tracks), loaded = useReplay((state) => state.loaded);
   const [text, setText] = useState(""), [rests, setRests] = useState("");
-  const last: RefObject<{ text: string; since: number }> = useRef({ text: "", since: 0 });
+  const last: RefObject<{ text: string; since: number; said: boolean }> = useRef({ text: "", since: 0, said: false });
   useEffect(() => {
     const look = () => {
       const track = loaded ? replayedTrack(pose, 6) : trackOf(pose, 6);
@@ -291,10 +291,15 @@ function Told({ id }: { id: string }) {
       if (at === undefined || at < 0) return;
       const [x, y, z, o, a, turn] = [0, 1, 2, 3, 4, 5].map((field) => track.last[field]![at]!) as [number, number, number, number, number, number];
       const now = t("scene.tool", { x: number(x, 1), y: number(y, 1), z: number(z, 1), o: number(o, 1), a: number(a, 1), t: number(turn, 1) });
-      setText(now);
-      // Said aloud once it has come to rest.
-      if (now !== last.current.text) last.current = { text: now, since: performance.now() };
-      else if (performance.now() - last.current.since > 1000) setRests(now);
+      // Each is set once: React keeps an update that changes nothing until the component is rendered again.
+      if (now !== last.current.text) {
+        last.current = { text: now, since: performance.now(), said: false };
+        setText(now);
+      } else if (!last.current.said && performance.now() - last.current.since > 1000) {
+        // Said aloud once it has come to rest.
+        last.current.said = true;
+        setRests(now);
+      }
     };
     look();
     const timer = setInterval(look, 200);

@@ -32,7 +32,10 @@ export class Trail {
     if (this.#last && this.#last.distanceToSquared(point) < 0.25e-6) return;
     if (this.#last) this.#count = nextCount(this.#count);
     this.#last = point.clone();
-    this.#fresh.points.push(...point.toArray());
+    const news = this.#fresh;
+    news.points.push(...point.toArray());
+    // A painter that has failed takes none: of these only the pieces that it would show are kept.
+    if (news.points.length > 6 * longestTrail) this.#news = { ...news, cleared: true, points: news.points.slice(-3 * (this.#count + 1)) };
   }
   /** Its pieces. */
   get count(): number {

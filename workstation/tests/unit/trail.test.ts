@@ -40,3 +40,13 @@ test("a path that is full loses its older half", () => {
   assert.equal(seen(path), trail.count);
   assert.deepEqual(end(path), [longestTrail + 1, 0, 0, longestTrail + 2, 0, 0]);
 });
+
+test("points that nobody takes are as many as the painter shows, at most twice", () => {
+  const trail = new Trail(), path = new Path(1);
+  for (let i = 0; i <= 3 * longestTrail; ++i) trail.add(new Vector3(i, 0, 0));
+  const news = trail.take()!;
+  assert.ok(news.points.length <= 6 * longestTrail);
+  path.take(news);
+  assert.equal(seen(path), trail.count);
+  assert.deepEqual(end(path), [3 * longestTrail - 1, 0, 0, 3 * longestTrail, 0, 0]);
+});
