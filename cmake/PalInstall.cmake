@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 
 set(pal_package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/pal")
 set(pal_documents "${CMAKE_INSTALL_DATADIR}/doc/pal-tools")
-file(GLOB_RECURSE pal_documents_sources CONFIGURE_DEPENDS docs/*.md docs/*.svg docs/*.png)
+file(GLOB_RECURSE pal_documents_sources CONFIGURE_DEPENDS docs/*.md docs/*.svg docs/*.png skills_pal/*.md skills_pal/*.pal)
 list(APPEND pal_documents_sources "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md")
 
 # pal_manual_page(PROGRAM PART): made of what the program's --help says, and compressed, as Debian wants it.

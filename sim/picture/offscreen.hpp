@@ -1,16 +1,24 @@
 // OpenGL without a screen. Private to pal_sim.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pal::sim {
 
 /// Drawing is not possible this way; the text says why.
 class NoOffscreen : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit NoOffscreen(const std::string& cause, std::string packages = "")
+      : std::runtime_error(cause), packages_(std::move(packages)) {}
+  /// Debian's packages that are not installed, which is the cause. Empty: the cause is another.
+  const std::string& packages() const { return packages_; }
+
+ private:
+  std::string packages_;
 };
 
 /// While it lives, its OpenGL context is current on the thread that made it.
@@ -27,8 +35,15 @@ std::unique_ptr<Offscreen> open_osmesa(int width, int height);
 /// A library that was loaded by name; never unloaded, for drivers do not survive that.
 class Library {
  public:
-  /// Throws NoOffscreen.
-  explicit Library(const char* name);
+  /// `packages`: those that have it. Throws NoOffscreen.
+  Library(const char* name, const std::string& packages);
+
+  /// MuJoCo takes its OpenGL functions from the first published library of the process, whether a context was
+  /// made by it or not. So only one that has a context is published.
+  void publish() const;
+
+  /// Where the library lies.
+  std::filesystem::path folder() const;
 
   /// Throws NoOffscreen if the library has no such function.
   template <class Function>
@@ -38,6 +53,7 @@ class Library {
 
  private:
   void* symbol(const char* name) const;
+  std::string name_;
   void* handle_;
 };
 

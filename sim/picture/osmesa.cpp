@@ -11,16 +11,17 @@ namespace {
 class Osmesa final : public Offscreen {
  public:
   Osmesa(int width, int height)
-      : library_("libOSMesa.so.8"),
+      : library_("libOSMesa.so.8", "libosmesa6"),
         buffer_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
         context_(library_.function<decltype(OSMesaCreateContextExt)>("OSMesaCreateContextExt")(
             OSMESA_RGBA, 24, 8, 8, nullptr)) {
-    if (context_ == nullptr) throw NoOffscreen("OSMesa makes no OpenGL context");
+    if (context_ == nullptr) throw NoOffscreen("it makes no OpenGL context");
     const auto make_current = library_.function<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
     if (!make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, width, height)) {
       destroy();
-      throw NoOffscreen("OSMesa does not take its context");
+      throw NoOffscreen("it does not take its context");
     }
+    library_.publish();
   }
 
   ~Osmesa() override { destroy(); }

@@ -77,7 +77,7 @@ class Painter::Drawing {
 };
 
 Painter::Painter(Stage& stage, const PainterOptions& options) {
-  std::string problems;
+  std::string problems, packages;
   for (const Renderer way : {Renderer::egl, Renderer::osmesa}) {
     if (options.renderer != Renderer::automatic && options.renderer != way) continue;
     name_ = way == Renderer::egl ? "EGL" : "OSMesa";
@@ -88,9 +88,11 @@ Painter::Painter(Stage& stage, const PainterOptions& options) {
       drawing_.reset();
       context_.reset();
       problems += (problems.empty() ? "" : "; ") + name_ + ": " + problem.what();
+      const auto* const missing = dynamic_cast<const NoOffscreen*>(&problem);
+      if (missing != nullptr && packages.empty()) packages = missing->packages();
     }
   }
-  throw NoOffscreen(problems);
+  throw NoOffscreen(problems, packages);
 }
 
 Painter::~Painter() = default;

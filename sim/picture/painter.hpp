@@ -35,7 +35,7 @@ struct Mark {
 /// For one thread only, from construction to destruction.
 class Painter {
  public:
-  /// Throws NoOffscreen with everything that was tried.
+  /// Throws NoOffscreen with everything that was tried, and with the packages of the first that is missing.
   Painter(Stage& stage, const PainterOptions& options);
   ~Painter();
   Painter(const Painter&) = delete;

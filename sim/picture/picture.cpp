@@ -16,6 +16,9 @@ Picture take_picture(Workcell& workcell, const PictureOptions& options) {
     Sheet sheet(workcell.physics().model(), options);
     picture.image = sheet.draw(take_snapshot(workcell, std::move(history)), 0);
     picture.renderer = sheet.renderer();
+  } catch (const NoOffscreen& problem) {
+    picture.problem = problem.what();
+    picture.packages = problem.packages();
   } catch (const std::runtime_error& problem) {
     picture.problem = problem.what();
   }

@@ -50,6 +50,7 @@ struct PictureOptions {
 struct Picture {
   std::optional<Image> image;
   std::string problem;   // what was tried and why it failed; empty with an image
+  std::string packages;  // Debian's, that are not installed and would draw it; empty: nothing is missing
   std::string renderer;  // what drew it: "EGL" or "OSMesa"
 };
 

@@ -98,7 +98,7 @@ class Video::Studio {
       thread_.join();
       encoder_.reset();
       drop_file();
-      throw VideoError(*problem, "run without --video, or install libgl1-mesa-dri");
+      throw VideoError(*problem);
     }
   }
 
@@ -147,8 +147,13 @@ class Video::Studio {
     std::optional<Sheet> sheet;
     try {
       sheet.emplace(model, options.picture);
+    } catch (const NoOffscreen& problem) {
+      begun_.set_value(VideoError(problem.what(), problem.packages().empty()
+                                                      ? "run without --video"
+                                                      : "apt-get install " + problem.packages()));
+      return;
     } catch (const std::exception& problem) {
-      begun_.set_value(problem.what());
+      begun_.set_value(VideoError(problem.what(), "run without --video"));
       return;
     }
     begun_.set_value(std::nullopt);
@@ -182,7 +187,7 @@ class Video::Studio {
 
   std::string part_, file_;
   std::unique_ptr<Process> encoder_;
-  std::promise<std::optional<std::string>> begun_;
+  std::promise<std::optional<VideoError>> begun_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Snapshot> waiting_;

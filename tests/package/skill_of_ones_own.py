@@ -3,7 +3,6 @@
 It is begun as a copy of touch and from a PAL file, built, proved, listed, run, and run in an operation. A file that is no
 skill is refused, and a PAL file that has changed since is told.
 """
-import json
 import re
 import shutil
 import subprocess
@@ -57,16 +56,15 @@ listed = run(workcell, "list", "--skills", "tap/build/tap.so")
 own = listed[listed.index("  tap\n"):].split("\n  touch\n")[0]
 expect("longest time in s: 2 * reach / approach-speed + 2", own)
 
-# In an operation, beside the skills that are installed.
-operation = {"operation-format": 1, "name": "tap-once", "icons": [
-    {"at": [0, 0], "id": "start", "kind": "start", "next": "tap"},
-    {"at": [168, 0], "id": "tap", "kind": "skill", "skill": "tap", "next": "end", "error": "end"},
-    {"at": [416, 0], "id": "end", "kind": "exit", "code": 0}]}
-(work / "tap.op.json").write_text(json.dumps(operation))
-expect("tap", run(workcell, "operation", "run", "--skills", "tap/build/tap.so", "tap.op.json"))
-expect("tap", run(workcell, "operation", "run", "tap.op.json", status=1))
-expect("PAL1007", run(prefix / "bin/pal", "operation", "check", "tap.op.json", "--scene", "touch", status=1))
-told = run(prefix / "bin/pal", "operation", "check", "tap.op.json", "--scene", "touch", "--skills", "tap/build/tap.so")
+# In the operation of robot-skill.md, beside the skills that are installed.
+page = (Path(__file__).resolve().parents[2] / "docs/how-to/robot-skill.md").read_text()
+(work / "twice.op.json").write_text(re.search(r"^```json file=twice.op.json\n(.*?)^```$", page, re.M | re.S)[1])
+ran = run(workcell, "operation", "run", "--skills", "tap/build/tap.so", "twice.op.json")
+expect("again: tap ended with code 0", ran)
+expect("ended after 2 steps: exit 'end' with code 0", ran)
+expect("tap", run(workcell, "operation", "run", "twice.op.json", status=1))
+expect("PAL1007", run(prefix / "bin/pal", "operation", "check", "twice.op.json", "--scene", "touch", status=1))
+told = run(prefix / "bin/pal", "operation", "check", "twice.op.json", "--scene", "touch", "--skills", "tap/build/tap.so")
 expect("tap in workcell\n  holds", told)
 
 # The page of the workstation is installed, too, and offers the skill.
@@ -113,6 +111,9 @@ for each in (work / "tap").rglob("*.pal"):
     to.write_text(each.read_text().replace("SKILL tap\n", "SKILL nod\n"))
 (work / "drawn/workcell.pal").unlink()
 run(workcell, "new-skill", "nod", "--from", "drawn/tap.pal")
+(work / "bare.pal").write_text("CONDITION there \"of no skill\"\n")
+expect("choose a file with one SKILL", run(workcell, "new-skill", "bare", "--from", "bare.pal", status=1))
+expect("cannot read 'nothing.pal'", run(workcell, "new-skill", "nothing", "--from", "nothing.pal", status=1))
 build_skill("nod")
 expect("  nod\n", run(workcell, "list", "--skills", "nod/build/nod.so"))
 

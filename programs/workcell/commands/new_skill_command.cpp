@@ -155,9 +155,12 @@ std::vector<OutputFile> from_pal(const NewSkillCommand& command) {
   selection.environment = "workcell";
   const bool chosen = program::read(selection, {out, error, files}, session);
   program::show_findings(session, {out, error, files});
-  if (!chosen || session.diagnostics.has_errors() || session.specification.skills.size() != 1)
-    throw Failure(ExitStatus::wrong_specification, command.from,
-                  "it is not one skill without errors\n" + error.str(), "pal check shows all of them");
+  if (session.diagnostics.has_errors())
+    throw Failure(ExitStatus::wrong_specification, command.from, "it has errors\n" + error.str(),
+                  "pal check shows all of them");
+  if (!chosen || session.specification.skills.size() != 1)
+    throw Failure(ExitStatus::wrong_specification, command.from, "it is not one skill\n" + error.str(),
+                  "choose a file with one SKILL");
   const auto plan =
       codegen::make_plan(session.specification.skills.front(), session.specification.environments.front(),
                          session.sources, session.diagnostics);

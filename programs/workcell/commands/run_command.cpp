@@ -299,7 +299,9 @@ ExitStatus run_once(const RunCommand& command, const KnownSkill& known, runtime:
     out << fmt::format("  overshoot: {:.2f} N past the threshold of {:g} N\n", result.peak_force - *threshold,
                        *threshold);
   if (session.picture && !result.picture.image)
-    out << "  no picture: " << result.picture.problem << " (apt-get install libegl1 libgl1-mesa-dri)\n";
+    out << "  no picture: " << result.picture.problem
+        << (result.picture.packages.empty() ? "" : " (apt-get install " + result.picture.packages + ")")
+        << '\n';
   std::vector<Promise> proved;
   if (command.proof)
     proved = promises(known, outcome, result.events.get(), command.real_time ? in_real_time : Tolerances());
