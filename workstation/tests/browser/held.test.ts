@@ -16,15 +16,15 @@ const operation = JSON.stringify({
 });
 const windows = ["Force", "Position of the tool", "Joints", "Requirements", "Sensors", "The cell in 3-D"];
 
-/** The updates that wait, of each component that has any; and how many places for updates there are at all. */
-function waiting(page: Page): Promise<{ places: number; most: number; of: string[] }> {
+/** The components with more than two updates that wait; and how many places for updates there are at all. */
+function waiting(page: Page): Promise<{ places: number; of: { name: string; count: number }[] }> {
   return page.evaluate(() => {
     interface Update { next: Update }
     interface Hook { queue: { pending?: Update | null } | null; next: Hook | null }
     interface Fiber { type: unknown; memoizedState: Hook | null; child: Fiber | null; sibling: Fiber | null }
     const root = [...document.querySelectorAll("*")].flatMap((each) => Object.entries(each)).find(([name]) => name.startsWith("__reactContainer$"))?.[1] as { stateNode: { current: Fiber } };
-    let places = 0, most = 0;
-    const of: string[] = [];
+    let places = 0;
+    const of: { name: string; count: number }[] = [];
     const walk = (fiber: Fiber | null): void => {
       for (; fiber; fiber = fiber.sibling) {
         if (typeof fiber.type === "function")
@@ -34,14 +34,14 @@ function waiting(page: Page): Promise<{ places: number; most: number; of: string
             const last = hook.queue.pending;
             let count = 0;
             if (last) for (let each = last; ; each = each.next) if (++count > 10_000 || each.next === last) break;
-            if (count > 2) of.push(`${(fiber.type as { name: string }).name}: ${count}`);
-            most = Math.max(most, count);
+            // A window may set once what it shows already, when it opens.
+            if (count > 2) of.push({ name: (fiber.type as { name: string }).name, count });
           }
         walk(fiber.child);
       }
     };
     walk(root.stateNode.current);
-    return { places, most, of };
+    return { places, of };
   });
 }
 
@@ -59,10 +59,13 @@ test("windows on a cell, in a run and at rest, keep no updates that change nothi
     await page.waitForFunction(() => /Tool: x [\d.−-]+/.test(document.querySelector(".scene-told")?.textContent ?? ""));
     await untilState(page, "Ended");
     await page.waitForTimeout(3000);
-    const { places, most, of } = await waiting(page);
+    const before = await waiting(page);
+    await page.waitForTimeout(3000);
+    const { places, of } = await waiting(page);
     assert.ok(places > 100, `React has ${places} places for updates`);
-    // A window may set once what it shows already, when it opens.
-    assert.ok(most <= 2, `updates that wait: ${of.join(", ")}`);
+    // A busy machine is late with what has just been set, here or there; what grows waits both times.
+    const both = of.filter(({ name }) => before.of.some((each) => each.name === name));
+    assert.deepEqual(both, [], "updates that wait");
     assert.deepEqual(errors.get(page), []);
   } finally {
     await page.context().close();
