@@ -2,8 +2,8 @@
 """Times studies: a study on one process and on two, by GNU parallel in blocks, again with nothing changed, and one of 100,000 cells.
 
 Prints seconds; what two processes reach of half the time of one; what they reach of two studies of half the size at the same time, which
-is what the machine's two cores can do; what GNU parallel adds to two processes; and the time and memory of a study of which all proofs
-are kept. The large study is of a small skill, so that its proofs are made in minutes.
+is what the machine's two cores can do; what GNU parallel adds to two processes, on the wall and in processor time, which other work on the
+machine changes less; and the time and memory of a study of which all proofs are kept. The large study is of a small skill, so that its proofs are made in minutes.
 """
 import argparse
 import os
@@ -46,6 +46,12 @@ def timed(words):
     return time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
 
 
+def worked():
+    """Seconds of processor time of all that was run up to now, and of what that has run."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--pal", default=str(ROOT / "build/release/bin/pal"))
@@ -75,17 +81,26 @@ def main():
                 raise RuntimeError("half of the study failed")
             return time.monotonic() - begin
         times = {"one": [], "two": [], "apart": [], "parallel": []}
+        work = {"two": [], "parallel": []}
+
+        def noted(what, *more):
+            before = worked()
+            times[what].append(sweep(what, *more))
+            if what in work:
+                work[what].append(worked() - before)
         for _ in range(options.repeats):
             for folder in ["one", "two", "low", "high", "parallel"]:
                 shutil.rmtree(place / folder, ignore_errors=True)
-            times["one"].append(sweep("one", "--jobs", "1"))
-            times["two"].append(sweep("two", "--jobs", "2"))
+            noted("one", "--jobs", "1")
+            noted("two", "--jobs", "2")
             times["apart"].append(apart())
-            times["parallel"].append(sweep("parallel", "--engine", "parallel", "--jobs", "2", "--block", str(options.proofs // 4)))
+            noted("parallel", "--engine", "parallel", "--jobs", "2", "--block", str(options.proofs // 4))
         one, two, split, blocks = (statistics.median(times[what]) for what in times)
         print(f"{options.proofs} proofs: one process {one:.1f} s, two {two:.1f} s: {100 * one / 2 / two:.1f} % of half of one")
         print(f"two studies of half the size at the same time: {split:.1f} s: {100 * split / two:.1f} % of what two cores can do")
         print(f"GNU parallel, four blocks: {blocks:.1f} s, {100 * (blocks / two - 1):+.1f} % beside two processes")
+        alone, with_blocks = (statistics.median(each) for each in work.values())
+        print(f"processor time: two processes {alone:.1f} s, GNU parallel {with_blocks:.1f} s, {100 * (with_blocks / alone - 1):+.1f} %")
         same = all((place / "one" / name).read_bytes() == (place / other / name).read_bytes()
                    for name in ["table.csv", "table.json", "summary.md"] for other in ["two", "parallel"])
         print(f"the same tables: {'yes' if same else 'NO'}")
