@@ -27,10 +27,10 @@ if(PAL_BUILD_WORKCELL)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libeigen3-dev")  # headers of pal::drivers and pal::sensing
 endif()
 # pal draws with Graphviz; the workcell loads EGL for a picture, which needs Mesa's drivers where there is no graphics card,
-# and starts ffmpeg and gnuplot.
+# or else OSMesa, and starts ffmpeg and gnuplot.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "pal-development (= ${pal_this_version})")
 set(CPACK_DEBIAN_WORKCELL_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri")
-set(CPACK_DEBIAN_WORKCELL_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox")
+set(CPACK_DEBIAN_WORKCELL_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox, libosmesa6")
 
 # The first line of each is its summary; one for all would stand before them.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")

@@ -78,7 +78,7 @@ TEST_CASE("a picture that fails says why, and names packages only where somethin
   CHECK_FALSE(picture.image);
   CHECK_THAT(picture.problem, Catch::StartsWith("EGL: "));
   if (std::filesystem::exists("/usr/lib/x86_64-linux-gnu/dri/swrast_dri.so")) {
-    CHECK_THAT(picture.problem, Catch::StartsWith("EGL: it has no surfaceless display"));
+    CHECK_THAT(picture.problem, Catch::StartsWith("EGL: it has no surfaceless display (EGL_"));
     CHECK(picture.packages.empty());
   }
 }
