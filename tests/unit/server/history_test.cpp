@@ -1,7 +1,7 @@
 // The last events in a room that never grows: limits of number and of bytes, texts over the end of the room.
 #include "server/history.hpp"
 
-#include <catch2/catch_test_macros.hpp>
+#include <catch2/catch.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,7 +43,7 @@ TEST_CASE("the last events are kept, by number") {
 }
 
 TEST_CASE("the last events are kept as far as they fit, whatever their lengths") {
-  for (const std::size_t bytes : {20, 21, 37, 64, 101}) {
+  for (const std::size_t bytes : {20U, 21U, 37U, 64U, 101U}) {
     History history(1000, bytes);
     for (std::uint64_t number = 1; number <= 300; ++number) {
       history.add(number, text_of(number));
