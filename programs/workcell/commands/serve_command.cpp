@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "operations/step_log.hpp"
+#include "programs/pal/session/memory.hpp"
 #include "programs/workcell/options/command_line.hpp"
 #include "programs/workcell/session/cell_runner.hpp"
 #include "programs/workcell/session/fault_file.hpp"
@@ -28,6 +29,10 @@ namespace pal::workcell {
 namespace {
 
 using namespace std::chrono_literals;
+
+// What the allocator may keep when a run has ended, with the pages of the program itself: clients that read
+// slowly need some MiB for a while, and what is freed would stay.
+constexpr std::size_t most_kept = std::size_t{60} << 20;
 
 server::ServerOptions server_options(const ServeCommand& command) {
   server::ServerOptions options;
@@ -268,6 +273,7 @@ ExitStatus serve(const ServeCommand& command, const std::vector<KnownSkill>& kno
     if (desk.work()) {
       live.flush();
       bodies.flush();
+      program::give_back_memory_beyond(most_kept);
       continue;
     }
     if (command.paced > 0) {
