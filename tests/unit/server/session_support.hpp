@@ -7,7 +7,8 @@
 
 namespace pal::test {
 
-/// A desk, a history and one session, all in one thread: the cell works when it is told to.
+/// A desk, a history and one session, these two in the test's thread. The cell works when it is told to; a
+/// test may do that in another thread.
 struct SessionFixture : server::EventSink {
   using Make = std::unique_ptr<server::Session> (*)(server::SessionContext&, server::SessionOutput);
 
@@ -24,8 +25,9 @@ struct SessionFixture : server::EventSink {
                                 why = std::move(reason);
                               }});
   }
+  /// In any thread, as for a server: history and session get it by deliver().
   void happened(const server::Event& event) override {
-    history.add(event.number, server::event_text(event));
+    const std::lock_guard lock(mutex);
     waiting.push_back(event);
   }
   /// What is said to this text, with events that came of it.
@@ -44,12 +46,22 @@ struct SessionFixture : server::EventSink {
     return said;
   }
   void deliver() {
-    for (const auto& event : std::exchange(waiting, {})) session->happened(event, server::event_text(event));
+    std::vector<server::Event> taken;
+    {
+      const std::lock_guard lock(mutex);
+      taken = std::exchange(waiting, {});
+    }
+    for (const server::Event& event : taken) {
+      const std::string told = server::event_text(event);
+      history.add(event.number, told);
+      session->happened(event, told);
+    }
   }
 
   Clockwork cell;
   server::History history;
-  std::vector<server::Event> waiting;
+  std::mutex mutex;
+  std::vector<server::Event> waiting;  // with the mutex
   server::Desk desk;
   server::Workshop at_once{false};
   server::SessionContext context{desk,
