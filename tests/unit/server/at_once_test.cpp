@@ -191,7 +191,7 @@ class Beside {
 };
 
 /// What a client has been told that watches all there is.
-struct Told {
+struct Watched {
   std::uint64_t last = 0;  // event
   bool in_order = true;
   std::size_t samples = 0, profiles = 0, rows = 0, telemetry = 0;
@@ -228,7 +228,7 @@ TEST_CASE("everything at once: each client is answered while the cell works and 
   const auto person = whole.enter("person");
   person->call("operation.load", Json{{"main", "o"}, {"files", {{"o", test::endless}}}}.dump());
 
-  Told told;
+  Watched told;
   std::atomic<bool> watches = false;
   Beside watcher([&](const std::stop_token& stop) {
     const auto client = whole.enter("watcher");
