@@ -10,8 +10,8 @@
 
 namespace pal::server {
 
-/// Events as the JSON protocol tells them, in memory that is taken at the beginning and never grows. The oldest
-/// go first. One thread only.
+/// Events as the JSON protocol tells them, in memory that is taken at the beginning and never grows. The
+/// oldest go first. One thread only.
 class History {
  public:
   /// Keeps so many events, and no more than fit into so many bytes of text.

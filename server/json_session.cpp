@@ -218,7 +218,8 @@ class JsonSession final : public Session, private CallHome {
     call.result(json);
     watching_ = true;
     said_ = number;
-    context_.history.since(number, [this](std::uint64_t each, const std::string& told) { notify(each, told); });
+    context_.history.since(number,
+                           [this](std::uint64_t each, const std::string& told) { notify(each, told); });
     return nullptr;
   }
 

@@ -49,8 +49,7 @@ std::string json_of_parameters(const std::vector<operations::Parameter>& paramet
 }  // namespace
 
 struct RunHistory::Parts {
-  Parts(const std::string& file, RunHistoryLimits the_limits)
-      : limits(the_limits), database(file) {
+  Parts(const std::string& file, RunHistoryLimits the_limits) : limits(the_limits), database(file) {
     try {
       prepare();
     } catch (const StoreProblem& problem) {

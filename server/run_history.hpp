@@ -65,7 +65,8 @@ struct RunHistoryLimits {
 /// For all threads. What is noted is written by a thread of its own, so that the disk keeps nobody waiting.
 class RunHistory {
  public:
-  /// The database is FILE; empty: a file of its own that ends with this. Runs that have no end were broken off. Throws StoreProblem.
+  /// The database is FILE; empty: a file of its own that ends with this. Runs that have no end were broken
+  /// off. Throws StoreProblem.
   explicit RunHistory(const std::string& file, RunHistoryLimits limits = {});
   /// All that was noted is on the disk before it returns.
   ~RunHistory();
