@@ -9,15 +9,20 @@ import { t } from "../words/words";
 const skill = "relative-move";
 const axes = ["x", "y", "z"] as const;
 
-export function Steps({ idle }: { idle: boolean }) {
+export function Steps({ idle: rests }: { idle: boolean }) {
   const known = useCell((cell) => cell.skills.get(skill));
   const [way, setWay] = useState(10), [turn, setTurn] = useState(5), [speed, setSpeed] = useState(50);
+  // From the press on, not only when the cell has told that it works: what is pressed meanwhile would be refused.
+  const [moving, setMoving] = useState(false), idle = rests && !moving;
   if (!known?.able) return null;
   const range = (name: string) => {
     const each = known.parameters.find((one) => one.name === name);
     return { ...(each?.low === undefined ? {} : { low: Math.max(0.1, each.low) }), ...(each?.high === undefined ? {} : { high: each.high }) };
   };
-  const move = (name: string, value: number) => void ask("skill.run", { skill, parameters: { [name]: value, speed } });
+  const move = (name: string, value: number) => {
+    setMoving(true);
+    void ask("skill.run", { skill, parameters: { [name]: value, speed } }).finally(() => setMoving(false));
+  };
   const row = (prefix: "d" | "r", step: number, unit: string) => axes.map((axis) => (
     <div key={axis} className="step-axis">
       <Button className="button" isDisabled={!idle} aria-label={t("steps.move", { name: prefix === "d" ? axis : t("steps.about", { axis }), amount: `−${step} ${unit}` })} onPress={() => move(prefix + axis, -step)}>−</Button>
