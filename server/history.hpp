@@ -29,7 +29,7 @@ class History {
              const std::function<void(std::uint64_t number, const std::string& told)>& use) const;
 
  private:
-  /// What a text takes beside its bytes: its length stands before it.
+  /// Bytes that a text takes beside its own: its length stands before it.
   static constexpr std::size_t head = sizeof(std::uint32_t);
 
   std::size_t after(std::size_t place, std::size_t bytes) const { return (place + bytes) % room_.size(); }

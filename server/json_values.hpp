@@ -1,4 +1,4 @@
-// What the JSON protocol says of the state, skills and sensors (docs/reference/protocols.md). The
+// How the JSON protocol tells the state, skills and sensors (docs/reference/protocols.md). The
 // schema is server/schema/protocol.json.
 #pragma once
 

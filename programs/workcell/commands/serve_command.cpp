@@ -30,8 +30,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// What the allocator may keep when a run has ended, with the pages of the program itself: clients that read
-// slowly need some MiB for a while, and what is freed would stay.
+// Clients that read slowly need some MiB for a while, and the allocator would keep them. When a run has ended
+// it may keep this, with the pages of the program itself.
 constexpr std::size_t most_kept = std::size_t{60} << 20;
 
 server::ServerOptions server_options(const ServeCommand& command) {

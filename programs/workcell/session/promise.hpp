@@ -31,7 +31,7 @@ struct Promise {
   }
 };
 
-/// What a machine adds to the declared times, as RealTime has it.
+/// The times that a machine adds to the declared ones, as RealTime has them.
 struct Tolerances {
   Duration device{};  // answers come sooner or later by this, events have so much more jitter
   Duration cost{};    // sends, receives, tests, and what sets or reads conditions take so much longer

@@ -190,7 +190,7 @@ class Beside {
   std::jthread thread_;
 };
 
-/// What a client has been told that watches all there is.
+/// Counts what a client is told that watches all there is.
 struct Watched {
   std::uint64_t last = 0;  // event
   bool in_order = true;
@@ -299,7 +299,7 @@ TEST_CASE("everything at once: each client is answered while the cell works and 
   person->call("operation.stop");
   wait_for_rest(*person);
   CHECK(scholar.stop() == "");
-  // What waits on its way still comes.
+  // Messages on their way still come.
   std::this_thread::sleep_for(200ms);
   CHECK(watcher.stop() == "");
 

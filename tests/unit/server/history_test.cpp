@@ -19,7 +19,7 @@ Told all(const History& history, std::uint64_t since = 0) {
   return result;
 }
 
-/// Of differing lengths, so that they lie anywhere over the end of the room.
+/// The lengths differ, so that texts lie anywhere over the end of the room.
 std::string text_of(std::uint64_t number) {
   return std::string(number % 7, 'x') + std::to_string(number);
 }

@@ -200,7 +200,7 @@ TEST_CASE("a history keeps on the disk what it keeps, with a file and without") 
     // Each call waits a while for what is not written yet.
     while (history.list(std::nullopt, 1, "").runs.front().steps < steps) {
     }
-    // Of all databases of this program; what is kept is 16 MB.
+    // This counts all databases of the program; what is kept is 16 MB.
     CHECK(::sqlite3_memory_used() < 6'000'000);
     CHECK(::sqlite3_memory_used() > 0);
   }

@@ -1,4 +1,4 @@
-// What a page holds while its windows stay open: nothing is set again that is shown already. React keeps each such update until the
+// A page does not grow while its windows stay open: nothing is set again that is shown already. React keeps each such update until the
 // component is rendered again, so a window that shows a cell at rest would grow for as long as it is open.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
